@@ -59,7 +59,7 @@ class Slides {
     const bool picture = index > 0 && !e_.walk.steps[index - 1].scene.chart;
     Blocks& text = picture ? slide.right : slide.left;
     if (picture) slide.left.push_back(picture_(index - 1));
-    text = {Prose{q.prompt}, Choices{q.choices}, Pause{}, Prose{answer(q)}};
+    text = {Prose{prompt(q)}, Choices{q.choices}, Pause{}, Prose{answer(q)}};
     all_.push_back(std::move(slide));
   }
 

@@ -201,8 +201,7 @@ class Teller {
   static std::string comparison(const viz::Step& step) {
     const viz::Comparison& c = *step.comparison;
     const std::string meaning = c.meaning.empty() ? "" : ": " + plain(c.meaning);
-    const auto [left, right] = viz::shown_apart(c.left, c.right);
-    return fmt::format("Is {}? {} ({} and {}){}.", plain(c.text), c.holds ? "Yes" : "No", left, right, meaning);
+    return fmt::format("Is {}? {} ({}){}.", plain(c.text), c.holds ? "Yes" : "No", viz::sides(c, "and"), meaning);
   }
 
   std::string map_in_words() const {
@@ -243,8 +242,9 @@ class Teller {
     const bool again = question_ && question_->choices == q.choices;
     const bool same_reason = again && question_->because == q.because;
     question_ = &q;
-    std::string out =
-        paragraph(fmt::format("Question {}: {}{}", ++asked_, plain(q.prompt), again ? " (The same choices.)" : ""));
+    const std::string given = q.given.empty() ? "" : " Given: " + plain(viz::listed(q.given)) + ".";
+    std::string out = paragraph(
+        fmt::format("Question {}: {}{}{}", ++asked_, plain(q.prompt), given, again ? " (The same choices.)" : ""));
     for (std::size_t i = 0; i < q.choices.size() && !again; ++i)
       out += paragraph(fmt::format("{}. {}", i + 1, plain(q.choices[i])), 4);
     const std::string right = plain(q.choices.at(static_cast<std::size_t>(q.answer))) + ".",

@@ -195,6 +195,24 @@ std::vector<std::string> shown(const std::vector<Value>& values) {
   return digits;
 }
 
+std::string listed(const std::vector<Value>& values) {
+  const std::vector<std::string> digits = shown(values);
+  std::string all;
+  for (std::size_t i = 0; i < digits.size(); ++i)
+    all += (i == 0 ? "" : ", ") + values[i].name + " = " + as_markup(digits[i]);
+  return all;
+}
+
+std::string sides(const Comparison& c, const std::string& between) {
+  std::string all;
+  for (const Comparison& part : c.parts)
+    all += fmt::format("{}{}: {}, {}", all.empty() ? "" : "; ", plain(part.text), part.holds ? "yes" : "no",
+                       sides(part, between));
+  if (!all.empty()) return all;
+  const auto [left, right] = shown_apart(c.left, c.right);
+  return fmt::format("{} {} {}", left, between, right);
+}
+
 std::string figure_title(const Lesson& lesson, const Step& step) {
   const std::string of_lesson = plain(lesson.title), of_step = plain(step.title);
   return of_lesson == of_step ? of_step : of_lesson + ": " + of_step;  // a scene's first step has its own
@@ -224,11 +242,9 @@ std::string alt_text(const Lesson& lesson, const Parameters& parameters, const W
   std::string found;
   if (!s.formula.empty()) found += fmt::format("Formula: {}\n", plain(s.formula));
   if (const std::string values = fresh_values(s); !values.empty()) found += fmt::format("New: {}\n", values);
-  if (s.comparison) {
-    const auto [left, right] = shown_apart(s.comparison->left, s.comparison->right);
-    found += fmt::format("Compared: {}? {} ({} against {})\n", plain(s.comparison->text),
-                         s.comparison->holds ? "yes" : "no", left, right);
-  }
+  if (s.comparison)
+    found += fmt::format("Compared: {}? {} ({})\n", plain(s.comparison->text), s.comparison->holds ? "yes" : "no",
+                         sides(*s.comparison, "against"));
   if (s.verdict.kind != Verdict::Kind::open) found += fmt::format("Verdict: {}\n", plain(s.verdict.text));
   return found.empty() ? text : text + "\n" + found;
 }

@@ -17,6 +17,11 @@ std::string drawn_text(const Walk&, const Scene&, bool outcome);
 /// A step's values as shown, in their order; in full where another one would read alike and is not equal, and −0 with
 /// its sign where another one is 0.
 std::vector<std::string> shown(const std::vector<Value>&);
+/// The same with their names, as markup: "*s* = 1.022, *l*^2 = 1.1604".
+std::string listed(const std::vector<Value>&);
+/// The numbers of a comparison in plain words, in full where they would read alike: "0.5 against 2"; of a condition
+/// that joins several, each with its own: "s < 0: yes, −1 against 0; ...".
+std::string sides(const Comparison&, const std::string& between);
 /// "Ray and sphere: Two roots"
 std::string figure_title(const Lesson&, const Step&);
 

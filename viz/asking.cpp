@@ -1,6 +1,7 @@
 #include "viz/asking.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <sstream>
 
@@ -135,9 +136,74 @@ bool alike(const std::string& a, const std::string& b) {
   return 3 * common.back() >= 2 * std::max(x.size(), y.size());
 }
 
+bool same_number(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+const Value* named(const std::vector<Value>& values, const std::string& name) {
+  const auto found = std::ranges::find(values, name, &Value::name);
+  return found == values.end() ? nullptr : &*found;
+}
+
+/// Under its own name, or as it is before.
+bool is_given(const Question& question, const Value& value) {
+  return named(question.given, value.name) || named(question.given, before(value).name);
+}
+
+/// Wherever the walk tells it, it is this number.
+bool is_constant(const Walk& walk, const Value& value) {
+  return std::ranges::all_of(walk.steps, [&](const Step& step) {
+    const Value* there = named(step.values, value.name);
+    return !there || same_number(there->value, value.value);
+  });
+}
+
+std::vector<Value> known_values(const Walk& walk, int step) {
+  const Step& asked = walk.steps[static_cast<std::size_t>(step)];
+  std::vector<Value> known;
+  if (step > 0)
+    std::ranges::copy_if(asked.values, std::back_inserter(known), [&](const Value& value) {
+      return named(walk.steps[static_cast<std::size_t>(step) - 1].values, value.name) &&
+             !is_given(*asked.question, value) && is_constant(walk, value);
+    });
+  known.insert(known.end(), asked.question->given.begin(), asked.question->given.end());
+  for (Value& value : known) value.fresh = false;
+  return known;
+}
+
+/// Those of a step's refused or untaken lines that are so before it, or were found at the step before, and are not
+/// what it asks.
+std::vector<int> known_lines(const std::vector<int>& lines, const std::vector<int>& before, int line_before, int line) {
+  std::vector<int> known;
+  std::ranges::copy_if(lines, std::back_inserter(known),
+                       [&](int l) { return l != line && (l == line_before || std::ranges::count(before, l) > 0); });
+  return known;
+}
+
 const std::string& answer(const Question& q) { return q.choices.at(static_cast<std::size_t>(q.answer)); }
 
 }  // namespace
+
+Value before(Value value) {
+  value.name += " before";
+  return value;
+}
+
+Step asking_step(const Walk& walk, int step) {
+  const Step& asked = walk.steps.at(static_cast<std::size_t>(step));
+  Step shown;
+  shown.slug = asked.slug;
+  shown.question = asked.question;
+  shown.scene = question_scene(walk, step);
+  shown.values = known_values(walk, step);
+  if (step == 0) return shown;
+  const Step& before = walk.steps[static_cast<std::size_t>(step) - 1];
+  shown.refused = known_lines(asked.refused, before.refused, before.line, asked.line);
+  shown.untaken = known_lines(asked.untaken, before.untaken, -1, asked.line);
+  shown.counters = before.counters;
+  shown.counters.early_out = before.counters.early_out && asked.counters.early_out;
+  if (before.verdict.kind == asked.verdict.kind && before.verdict.text == asked.verdict.text)
+    shown.verdict = asked.verdict;
+  return shown;
+}
 
 void ask_once(Walk& walk) {
   std::vector<const Question*> asked;
@@ -173,6 +239,7 @@ Scene opening_scene(const Step& first) {
 
 Scene question_scene(const Walk& walk, int step) {
   const Step& asked = walk.steps.at(static_cast<std::size_t>(step));
+  if (step == 0) return opening_scene(asked);
   const Scene& before = walk.steps.at(static_cast<std::size_t>(step) - 1).scene;
   const Scene& after = asked.scene;
   if (asked.question->over) return *asked.question->over;

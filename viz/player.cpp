@@ -83,6 +83,7 @@ void Player::choose(int step) {
 void Player::show(State next, bool same_lesson) {
   const Lesson& lesson = *lessons_[next.lesson];
   walk_ = std::make_shared<const Walk>(walk_of(lesson, next.parameters));
+  ++walks_;
   if (!same_lesson) overview_ = overview_of(lesson, *walk_, next.parameters), exercise_.reset();
   state_ = std::move(next);
   at_ = step_in(*walk_, state_);
@@ -129,7 +130,8 @@ void Player::go_to(int step) {
 
 void Player::begin_motion() {
   if (reduced_motion_) return;
-  before_ = asking_ ? asked_scene_ : std::shared_ptr<const Scene>(walk_, &step().scene);
+  before_ = asking_ ? std::shared_ptr<const Scene>(asked_step_, &asked_step_->scene)
+                    : std::shared_ptr<const Scene>(walk_, &step().scene);
   since_step_ = 0;
 }
 
@@ -149,7 +151,7 @@ void Player::arrive() {
 
 void Player::ask(bool wanted) {
   asking_ = wanted && !at_end() && walk().steps[index() + 1].question;
-  asked_scene_ = asking_ ? std::make_shared<const Scene>(question_scene(walk(), index() + 1)) : nullptr;
+  asked_step_ = asking_ ? std::make_shared<const Step>(asking_step(walk(), index() + 1)) : nullptr;
 }
 
 void Player::next() {

@@ -35,9 +35,12 @@ class Player {
   const Walk& walk() const { return *walk_; }
   int count() const { return static_cast<int>(walk().steps.size()); }
   int index() const { return at_; }
+  /// The last step that was told.
   const Step& step() const { return walk().steps[index()]; }
-  /// What is drawn: the step's scene or, while a question is open, what it is about.
-  const Scene& scene() const { return asking_ ? *asked_scene_ : step().scene; }
+  /// What is on show, all of one step: that one or, while a question is open, what is known of its own (viz/asking.h).
+  const Step& shown() const { return asking_ ? *asked_step_ : step(); }
+  /// What is drawn.
+  const Scene& scene() const { return shown().scene; }
   /// The scene that this one is coming from, for the moments after a step; null at rest.
   const Scene* scene_before() const { return before_.get(); }
   /// How far it has come: 0 there, 1 here. Lights come up faster than things move.
@@ -61,6 +64,8 @@ class Player {
   /// The value of the grouping parameter; empty if the lesson has none.
   std::string method() const;
   Place place() const;
+  /// Another one with every other walk.
+  unsigned walk_number() const { return walks_; }
   /// Grows with every change of what is shown, the camera excepted.
   unsigned revision() const { return revision_; }
 
@@ -217,11 +222,11 @@ class Player {
   std::string preset_;
   int at_ = 0;  ///< the step that is shown
   std::optional<int> exercise_;
-  unsigned revision_ = 0;
+  unsigned revision_ = 0, walks_ = 0;
 
   bool asking_ = false;
-  std::shared_ptr<const Scene> asked_scene_;  ///< while asking
-  std::map<int, std::optional<int>> asked_;   ///< by step: the answer, or none where it was skipped
+  std::shared_ptr<const Step> asked_step_;   ///< what is shown while asking
+  std::map<int, std::optional<int>> asked_;  ///< by step: the answer, or none where it was skipped
 
   bool playing_ = false, stops_ = true;
   double speed_ = 1, waited_ = 0;

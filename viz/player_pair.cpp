@@ -18,10 +18,13 @@ void Player::follow(const Player& lead, const Parameters& parameters) {
   state_.wanted = lead.state_.wanted, state_.slug = lead.state_.slug, state_.outcome = lead.state_.outcome;
   if (const int at = step_in(walk(), state_); at != at_) {
     begin_motion();
+    ask(false);
     at_ = at;
     ++revision_;
   }
-  ask(false);
+  // A question stands over both scenes: neither shows more than it asks.
+  const bool asks = lead.asking_ && !at_end() && walk().steps[index() + 1].question;
+  if (asks != asking_) ask(asks), ++revision_;
   playing_ = false;
   since_step_ = lead.since_step_;
   if (!lead.before_) before_.reset();

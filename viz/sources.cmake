@@ -2,7 +2,7 @@
 
 # Lessons, scenes, composition: what needs no machine of its own.
 set(viz_sources
-  alt_text.cpp asking.cpp case_map.cpp case_names.cpp camera.cpp camera_rig.cpp chart.cpp chart_bars.cpp
+  alt_text.cpp asking.cpp branch.cpp case_map.cpp case_names.cpp camera.cpp camera_rig.cpp chart.cpp chart_bars.cpp
   chart_card.cpp chart_cases.cpp chart_data.cpp chart_maps.cpp chart_markers.cpp chart_mirrored.cpp chart_parts.cpp
   chart_plot.cpp closing.cpp compose.cpp compose/balls.cpp compose/canvas.cpp compose/floor.cpp compose/lines.cpp compose/raster.cpp
   compose/regions.cpp compose/solids.cpp deferred_chart.cpp drawing.cpp facet_layers.cpp figure.cpp font/table.cpp

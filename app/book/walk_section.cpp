@@ -9,6 +9,7 @@
 #include "app/pages/html.h"
 #include "app/told_values.h"
 #include "viz/alt_text.h"
+#include "viz/asking.h"
 #include "viz/closing.h"
 #include "viz/geometry.h"
 #include "viz/rich_text.h"
@@ -101,8 +102,8 @@ std::string WalkSection::id(const Station& at) const {
 }
 
 std::string WalkSection::attributes(const Station& at) const {
-  if (at.asks) return {};
-  const viz::Step& s = walk_.steps[at.step];
+  const viz::Step asked = at.asks ? viz::asking_step(walk_, at.step) : viz::Step();
+  const viz::Step& s = at.asks ? asked : walk_.steps[at.step];
   std::string out;
   if (s.line >= 0) out += fmt::format(" data-line=\"{}\"", s.line);
   if (!s.refused.empty()) out += fmt::format(" data-refused=\"{}\"", listed(s.refused));
@@ -139,12 +140,9 @@ std::string WalkSection::question(int step) const {
                      known(step));
 }
 
-/// What was found before a step, for its question.
+/// What is known of a step before its question is answered, and what the question is given.
 std::string WalkSection::known(int step) const {
-  if (step == 0) return {};
-  viz::Step before = walk_.steps[step - 1];
-  for (viz::Value& v : before.values) v.fresh = false;
-  const std::string table = values(before);
+  const std::string table = values(viz::asking_step(walk_, step));
   return table.empty() ? table : "<div class=\"numbers\">\n" + table + "</div>\n";
 }
 
@@ -210,9 +208,8 @@ std::string WalkSection::values(const viz::Step& s) const {
 std::string WalkSection::comparison(const viz::Step& s) const {
   if (!s.comparison) return {};
   const viz::Comparison& c = *s.comparison;
-  const auto [left, right] = viz::shown_apart(c.left, c.right);
-  return fmt::format("<p class=\"comparison {}\">{}? <b>{}</b> ({} against {}){}.</p>\n", c.holds ? "yes" : "no",
-                     text(c.text), c.holds ? "Yes" : "No", xml_escaped(left), xml_escaped(right),
+  return fmt::format("<p class=\"comparison {}\">{}? <b>{}</b> ({}){}.</p>\n", c.holds ? "yes" : "no", text(c.text),
+                     c.holds ? "Yes" : "No", xml_escaped(viz::sides(c, "against")),
                      c.meaning.empty() ? "" : ": " + text(c.meaning));
 }
 

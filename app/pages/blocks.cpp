@@ -24,8 +24,12 @@ std::vector<std::string> paragraphs(const std::string& markup) {
   return all;
 }
 
+std::string prompt(const viz::Question& q) {
+  return q.given.empty() ? q.prompt : fmt::format("{} Given: {}.", q.prompt, viz::listed(q.given));
+}
+
 Blocks question(const viz::Question& q, int number) {
-  return {Prose{q.prompt, fmt::format("Question {}.", number)}, Choices{q.choices}};
+  return {Prose{prompt(q), fmt::format("Question {}.", number)}, Choices{q.choices}};
 }
 
 std::string answer(const viz::Question& q) {

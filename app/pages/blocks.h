@@ -42,6 +42,8 @@ char choice_letter(std::size_t i);
 /// Those of a text, without empty ones.
 std::vector<std::string> paragraphs(const std::string& markup);
 
+/// A question's prompt with the numbers that it is given.
+std::string prompt(const viz::Question&);
 /// What of a lesson stands on more than one kind of page.
 Blocks question(const viz::Question&, int number);
 /// "(b) It misses. The reason why."

@@ -111,17 +111,28 @@ class Teller {
     shown_.ways = ends_;
     Step& step = add(of_a ? "ends-a" : "ends-b", of_a ? "The ends of a" : "The ends of b", of_a ? 2 : 3, caption,
                      "least *d* so far = " + shown(least_));
-    step.question =
-        which_value(fmt::format("{} tested. What is the least *d* so far?", tested()), least_, misconceived(before),
-                    "The nearest point of a segment lies between its ends, or is one of them.");
+    step.question = which_value(
+        fmt::format("{} tested against {}. What is the least *d* so far?", tested(), tested_against()), least_,
+        misconceived(before), "The nearest point of a segment lies between its ends, or is one of them.");
+    give_before(script_.walk(), {"least *d* so far"});
     shown_.earlier.insert(shown_.earlier.end(), ends_.begin(), ends_.end());
     shown_.ways.clear(), ends_.clear();
   }
 
-  /// "**p**_a is": the ends of this step; a search that ends early leaves some out.
+  /// "**p**_a = (1, 2) is": the ends of this step; a search that ends early leaves some out.
   std::string tested() const {
-    return ends_.size() == 1 ? std::string(end_names[ends_.front().end]) + " is"
-                             : fmt::format("{} and {} are", end_names[ends_.front().end], end_names[ends_.back().end]);
+    const std::string first = placed(ends_.front().end);
+    return ends_.size() == 1 ? first + " is" : fmt::format("{} and {} are", first, placed(ends_.back().end));
+  }
+  /// The segment to whose points they are held.
+  std::string tested_against() const {
+    const int other = ends_.front().end < 2 ? 2 : 0;
+    return fmt::format("the segment from {} to {}", placed(other), placed(other + 1));
+  }
+  std::string placed(int end) const {
+    const Capsule2& c = end < 2 ? s_.a : s_.b;
+    const Vec2 at = end % 2 == 0 ? c.p : c.q;
+    return fmt::format("{} = ({}, {})", end_names[end], shown(at.x()), shown(at.y()));
   }
 
   /// The least distances to the ends alone, and to the line without its ends, with what was found `before`; that alone;
@@ -162,12 +173,15 @@ class Teller {
                      : inside ? 5
                               : 6,
                      end_caption(s_), fmt::format("*d* {} {} = *R*", meet ? compared() : ">", shown(sum())));
-    if ((least_ <= sum()) == meet)  // else rounding hides the difference
+    if (inside)
+      step.decides = true;               // by the balls at the ends
+    else if ((least_ <= sum()) == meet)  // else rounding hides the difference
       Script::decide(step, {"*d* > *R*", least_, sum(), !meet,
                             !meet                       ? "a gap between them"
                             : is_least() || least_ == 0 ? "they share a point"
                                                         : "they share a point, and the distance may be less still"});
     step.question = relation_question(s_.truth, "the two capsules", because(s_));
+    if (std::isfinite(least_)) step.question->given = {{"least *d* so far", least_, "length", Role::highlight}};
   }
 
   /// Of d, which is R at most, and R.

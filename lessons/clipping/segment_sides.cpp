@@ -47,9 +47,14 @@ void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
   Narrowing untouched = known_;
   untouched.range = before, untouched.left = false;
   const Scene over = picture(untouched, &side);
-  if (e.heading != 0)
+  if (e.heading != 0 && e.holds && narrowed) {
+    const double d = known_.segment.q[e.axis] - known_.segment.p[e.axis];
+    Script::decide(step, {e.heading > 0 ? "**n** · **d** > 0" : "**n** · **d** < 0", e.upper ? -d : d, 0, true,
+                          e.heading > 0 ? "the line enters here" : "the line leaves here"});
+  } else if (e.heading != 0) {
     Script::decide(step, {"*t*_{in} > *t*_{out}", known_.range.lo, known_.range.hi, !e.holds,
                           e.holds ? "something is left" : "nothing is left"});
+  }
   if (e.heading != 0 && !asked_) {
     asked_ = true;
     const double p = known_.segment.p[e.axis], d = known_.segment.q[e.axis] - p;
@@ -62,6 +67,7 @@ void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
                     t, {at - p, (p - at) / d, 1 - t},
                     fmt::format("*t* = ({} − {}) / {}.", shown(at), p < 0 ? "(" + shown(p) + ")" : shown(p), shown(d)));
     step.question->over = over;
+    give_before(script_.walk(), {"*t*_{in}", "*t*_{out}"});
     return;
   }
   step.question = {"What does " + name_of(side) + " do to the range?",
@@ -72,6 +78,7 @@ void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
                                    : 1,
                    because(e.heading, narrowed),
                    over};
+  give_before(script_.walk(), {"*t*_{in}", "*t*_{out}"});
 }
 
 std::string SegmentTeller::caption(int heading, bool narrowed, const Side& side) const {

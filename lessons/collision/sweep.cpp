@@ -81,6 +81,7 @@ class Sweep : Teller {
                                 {static_cast<double>(entered_), active > 1 ? active - 1 : active + 2, active + 1},
                                 "Boxes that have begun and not yet ended meet the plane.");
     keep_picture(script_.walk());
+    give_before(script_.walk(), {"active", "tests", "pairs"});
     for (Item& item : step.question->over->items)  // the plane has gone on
       if (Line* line = std::get_if<Line>(&item); line && line->pen == Pen::highlight)
         line->from[axis_] = line->to[axis_] = drawn_.sweep;

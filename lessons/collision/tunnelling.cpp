@@ -189,8 +189,10 @@ class Flight {
     if (!truth_ || truth_->lo <= 0) return;
     const double gap = wall_.shape.lo.x() - bullet_.shape.hi.x(), v = bullet_.velocity.x();
     // the first discrete time that saw it; from centre to centre; when they part
-    step.question = which_value("At what time do they first meet?", truth_->lo,
-                                {hits.empty() ? truth_->hi : hits[0], (gap + reach() / 2) / v, truth_->hi},
+    step.question = which_value(fmt::format("The gap between box and wall is {} at *t* = 0, the speed {}. At what time "
+                                            "do they first meet?",
+                                            shown(gap), shown(v)),
+                                truth_->lo, {hits.empty() ? truth_->hi : hits[0], (gap + reach() / 2) / v, truth_->hi},
                                 "The gap between box and wall, divided by the speed.");
   }
 

@@ -136,7 +136,8 @@ class Slabs {
                            "edge and everything left of it.");
     step.decides = true;
     if (turns_ == 1)
-      step.question = Question{"The middle edge of the slab runs from " + ends + ". Where is **p**?",
+      step.question = Question{fmt::format("The middle edge of the slab runs from {}. Where is **p** = ({}, {})?", ends,
+                                           shown(s_.p.x()), shown(s_.p.y())),
                                {"left of it", "right of it", "on it"},
                                e.turn > 0   ? 0
                                : e.turn < 0 ? 1

@@ -133,6 +133,9 @@ class Trapezoids {
                                   k == 1 ? "" : since(k) + " been added. ", sizes(before).trapezoids, inserted.piece),
                       inserted.cut, {1, 2, 1.0 * sizes(before).trapezoids}, "Those whose interior it runs through.");
       step.question->over = grown(s_, before, inserted_, inserted.piece);
+      const Line fresh = edge(before, inserted.piece, Role::text, Pen::thick);
+      step.question->over->items.emplace_back(
+          Label{fresh.from, fmt::format("*e*_{{{}}}", inserted.piece), Role::text, fresh.to});
       add_graph(*step.question->over, s_.frame, before, false);
     }
   }

@@ -87,6 +87,7 @@ class Teller {
           static_cast<double>(removed_.size()), {0, 1, all},
           "Each point at which the chain makes no left turn towards **q** is dropped.");
       step.question->over = pointing_at(e.p);
+      give_before(script_.walk(), {"chain"});
     }
     drawn_.removed.clear(), removed_.clear();
     const auto last = std::minmax_element(points_.begin(), points_.end(), before<double>);

@@ -4,6 +4,7 @@
 
 #include <isect/point_polygon_methods.h>
 #include "lessons/crossings/telling.h"
+#include "lessons/shared/questions.h"
 
 namespace isect::lessons::crossings_lesson {
 
@@ -33,6 +34,7 @@ class Closed : Teller {
         "An edge counts if it has a point on the ray beyond **p**, its ends included.\n"
         "That sounds right, but each vertex belongs to two edges.")
         .question = how_many("Each edge counts with both its ends.", counted);
+    give_before(script_.walk(), {"count"});
     tally() = {};
     const std::vector<Ring<double, 2>>& rings = setup_.polygon.rings;
     for (int r = 0; r < static_cast<int>(rings.size()); ++r) {

@@ -59,6 +59,7 @@ class HalfOpen : Teller {
     if (setup_.truth.even_odd == Location::on) return;
     step.question = how_many("A vertex on the ray counts as below it.", setup_.truth.crossings);
     step.question->over = picture(setup_, known_);  // the raised ray would tell
+    give_before(script_.walk(), {"count"});
   }
 
   /// The core's walk along a ring; its three predicates count their operations, and the orientation's sign is exact.
@@ -161,6 +162,20 @@ class HalfOpen : Teller {
     step.question = which_value("How many times does the boundary wind around **p**, counter-clockwise?", truth.winding,
                                 {1.0 * count_, -1.0 * truth.winding, odd ? 1.0 : 0.0, 2},
                                 "Edges that cross upwards count 1, those downwards −1.");
+    step.question->over = with_directions();
+  }
+
+  /// Each edge an arrow, as the boundary runs: which way it winds is seen by that.
+  Scene with_directions() const {
+    Scene scene = picture(setup_, known_);
+    std::vector<Item> arrows;
+    for (int r = 0; r < static_cast<int>(setup_.polygon.rings.size()); ++r)
+      for (int i = 0; i < static_cast<int>(setup_.polygon.rings[r].size()); ++i) {
+        const auto [a, b] = ends(setup_, {r, i});
+        if (a != b) arrows.emplace_back(Arrow{{a.x(), a.y(), 0}, {b.x(), b.y(), 0}, Role::second, Pen::solid});
+      }
+    scene.items.insert(scene.items.begin() + 1, arrows.begin(), arrows.end());
+    return scene;
   }
 };
 

@@ -93,6 +93,7 @@ void Teller::ask(Step& step, const EdgeOf& edge, const std::vector<int>& lines, 
   step.question = which_line(fmt::format("**p** = {}. The next edge runs from {} to {}. Which line settles it?",
                                          pair(setup_.p), pair(a), pair(b)),
                              script_.walk().pseudocode, step.line, lines, because);
+  give_before(script_.walk(), {"count"});
 }
 
 }  // namespace isect::lessons::crossings_lesson

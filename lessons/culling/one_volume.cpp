@@ -73,8 +73,9 @@ class OneVolume {
     const std::string name = plane_names[plane];
     Scene scene = picture(plane, side == Culling::outside ? Role::miss : Role::second);
     Comparison comparison = ball_ ? ask_ball(plane, side, scene) : ask_box(plane, side, scene);
-    comparison.meaning = side == Culling::outside ? "all of the " + they_ + " lies beyond"
-                                                  : "some of the " + they_ + " lies on the inner side";
+    comparison.meaning = side == Culling::outside    ? "all of the " + they_ + " lies beyond"
+                         : side == Culling::crossing ? "some of the " + they_ + " lies beyond"
+                                                     : "none of the " + they_ + " lies beyond";
     if (side == Culling::outside) script_.leave_early();
     Step& step = script_.add("plane-" + name, fmt::format("The {} plane", name),
                              side == Culling::outside    ? 2
@@ -125,7 +126,8 @@ class OneVolume {
     reaches_ = greatest / length;
     sharing_ = static_cast<int>(
         std::ranges::count(std::array{plane_at(i).normal.x(), plane_at(i).normal.y(), plane_at(i).normal.z()}, 0.0));
-    return {"0 ≤ **n** · p-vertex + *D*", 0, reaches_, greatest >= 0, ""};
+    if (side == Culling::outside) return {"**n** · p-vertex + *D* < 0", reaches_, 0, greatest < 0, ""};
+    return {"**n** · n-vertex + *D* < 0", least / length, 0, least < 0, ""};
   }
 
   Comparison ask_ball(int i, Culling side, Scene& scene) {
@@ -139,7 +141,8 @@ class OneVolume {
     scene.items.emplace_back(Line{ball.center, foot, Role::construction, Pen::construction});
     scene.items.emplace_back(Dot{ball.center, Mark::disc, Role::second});
     scene.items.emplace_back(Label{ball.center, "**c**", Role::second});
-    return {"−*r* ≤ **n** · **c** + *D*", -ball.radius, height, side != Culling::outside, ""};
+    if (side == Culling::outside) return {"**n** · **c** + *D* < −*r*", height, -ball.radius, true, ""};
+    return {"**n** · **c** + *D* < *r*", height, ball.radius, side == Culling::crossing, ""};
   }
 
   /// Which corner of the box lies furthest along **n**: the signs of **n** tell.

@@ -6,6 +6,7 @@
 
 #include "lessons/culling/picture.h"
 #include "lessons/shared/plural.h"
+#include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
 namespace isect::lessons::culling_lesson {
@@ -128,6 +129,7 @@ class WholeScene {
                      {"0", "1", "2", "3 or more"},
                      std::min(gone, 3),
                      "Only volumes that no earlier plane rejected are tested."};
+    give_before(script_.walk(), {"outside"});
   }
 
   const Frustum<double> view_;

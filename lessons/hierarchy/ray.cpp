@@ -148,6 +148,7 @@ class Shooting {
     Drawn asked = drawn_;
     for (const int child : {node.first, node.first + 1}) asked.states[child] = State::waiting;
     step.question->over = picture(asked);
+    give_before(script_.walk(), {"node tests", "box tests", "ruled out"});
   }
 
   void farther(const Pruned& e) {

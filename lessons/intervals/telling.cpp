@@ -81,6 +81,8 @@ class Teller {
                              e.holds ? "One begins after the other has ended. Nothing else need be tested."
                              : first ? "a does not begin after b has ended. The other side is still open."
                                      : "Neither begins after the other has ended."};
+    step.question->given = {{low, lo, "length", first ? Role::first : Role::second},
+                            {high, hi, "length", first ? Role::second : Role::first}};
     line_ = e.holds ? (first ? 1 : 3) : 4;
     if (!e.holds) script_.refuse(first ? 0 : 2, {first ? 1 : 3});
   }

@@ -129,13 +129,18 @@ viz::Question Teller::question(const Group& group, const Compared& e) const {
   const Vec3& h = s_.b.half;
   const double reach = h.dot(along.cwiseAbs());
   const bool widened = shown(reach) != shown(e.radius_b.value);
-  return which_value(fmt::format("**n** = {}: |**b**_u · **n**| = {}, |**b**_v · **n**| = {}, |**b**_w · **n**| = {}. "
-                                 "What is *r*_b{}?",
-                                 name_of(e.axis), shown(std::abs(along.x())), shown(std::abs(along.y())),
-                                 shown(std::abs(along.z())), widened ? ", before ε is added" : ""),
-                     reach, {h.sum(), h.norm(), h.maxCoeff(), std::abs(h.dot(along))},
-                     widened ? "*r*_b = Σ *h*_j |**b**_j · **n**|. Then ε is added to each |**b**_j · **n**|."
-                             : "*r*_b = Σ *h*_j |**b**_j · **n**|, where ε is added to each |**b**_j · **n**|.");
+  Question question =
+      which_value(fmt::format("**n** = {}: |**b**_u · **n**| = {}, |**b**_v · **n**| = {}, |**b**_w · **n**| = {}. "
+                              "What is *r*_b{}?",
+                              name_of(e.axis), shown(std::abs(along.x())), shown(std::abs(along.y())),
+                              shown(std::abs(along.z())), widened ? ", before ε is added" : ""),
+                  reach, {h.sum(), h.norm(), h.maxCoeff(), std::abs(h.dot(along))},
+                  widened ? "*r*_b = Σ *h*_j |**b**_j · **n**|. Then ε is added to each |**b**_j · **n**|."
+                          : "*r*_b = Σ *h*_j |**b**_j · **n**|, where ε is added to each |**b**_j · **n**|.");
+  question.given = {{"*h*_u of b", h.x(), "length", Role::second},
+                    {"*h*_v of b", h.y(), "length", Role::second},
+                    {"*h*_w of b", h.z(), "length", Role::second}};
+  return question;
 }
 
 std::string Teller::separated(const Group& group, const Compared& e, double l, int asked) const {

@@ -84,10 +84,14 @@ class HainesTeller : Teller {
                               "the ball."
                             : "The centre does not lie behind the origin, so the ball may lie ahead.",
             Focus::none);
-    decide(step, {"*s* < 0", e.s.value, 0, e.s.value < 0,
-                  e.s.value < 0   ? "the centre lies behind"
-                  : e.s.value > 0 ? "the centre lies ahead"
-                                  : "the centre lies level"});
+    decide(step, {.text = "*s* < 0 and *l*^2 > *r*^2",
+                  .holds = e.holds,
+                  .meaning = e.holds         ? "behind, seen from outside"
+                             : e.s.value < 0 ? "the origin is not outside"
+                             : e.s.value > 0 ? "the centre lies ahead"
+                                             : "the centre lies level",
+                  .parts = {{"*s* < 0", e.s.value, 0, e.s.value < 0, ""},
+                            {"*l*^2 > *r*^2", e.l2.value, e.r2.value, e.l2.value > e.r2.value, ""}}});
     const bool from_within = setup_.truth.origin != Location::out && !setup_.segment();
     // 0: a centre behind is taken for enough; 2: what is not rejected is taken for a hit
     step.question =
@@ -160,10 +164,14 @@ class HainesTeller : Teller {
             : e.holds           ? "From outside the ray enters first, at *s* − *q*."
                                 : "From inside the entry lies behind: the ray leaves at *s* + *q*.",
             Focus::none, "*t*_1 = *s* − *q*,  *t*_2 = *s* + *q*");
-    decide(step, {"*l*^2 > *r*^2", e.l2.value, e.r2.value, e.l2.value > e.r2.value,
-                  on        ? "the origin is on the surface"
-                  : e.holds ? "the origin is outside"
-                            : "the origin is inside"});
+    decide(step, {.text = "*l*^2 > *r*^2 or (*l*^2 = *r*^2 and *s* > 0)",
+                  .holds = e.holds,
+                  .meaning = on        ? "the origin is on the surface"
+                             : e.holds ? "the origin is outside"
+                                       : "the origin is inside",
+                  .parts = {{"*l*^2 > *r*^2", e.l2.value, e.r2.value, e.l2.value > e.r2.value, ""},
+                            {"*l*^2 = *r*^2", e.l2.value, e.r2.value, on, ""},
+                            {"*s* > 0", s_, 0, s_ > 0, ""}}});
     step.question = first_hit_question(setup_, {"*s* − *q*", "*s* + *q*"});
     if (e.holds) {
       script_.refuse(11, {12});

@@ -164,11 +164,14 @@ class Teller {
                                  "line meets it at one *t*{}. The range decides whether it counts.",
                                  shown(-s_.wall), s_.made == Made::unit ? ", the signed distance from **o**" : ""),
                      fmt::format("*t* = −(**n** · **o** + *D*) / (**n** · **{}**) = {}", letter(s_), shown(t)));
-    step.question =
-        which_value(fmt::format("At which *t* does the line meet the wall *x* = {}?", shown(s_.wall)), t, misconceived,
-                    fmt::format("**n** = (1, 0) and *D* = {}: substitute **r**(*t*) into **n** · **x** + *D* = 0 and "
-                                "solve for *t*.",
-                                shown(-s_.wall)));
+    step.question = which_value(
+        fmt::format("**o** = ({}, {}) and **{}** = ({}, {}). At which *t* does the line meet the wall *x* = {}?",
+                    shown(s_.ray.origin.x()), shown(s_.ray.origin.y()), letter(s_), shown(s_.ray.direction.x()),
+                    shown(s_.ray.direction.y()), shown(s_.wall)),
+        t, misconceived,
+        fmt::format("**n** = (1, 0) and *D* = {}: substitute **r**(*t*) into **n** · **x** + *D* = 0 and "
+                    "solve for *t*.",
+                    shown(-s_.wall)));
     Shown asked = known_;  // without the numbers along the line
     asked.marks = asked.hit = false;
     step.question->over = picture(s_, asked);

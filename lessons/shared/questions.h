@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viz/asking.h"
 #include "viz/lesson.h"
 #include "viz/rich_text.h"
 
@@ -29,6 +30,15 @@ inline viz::Question which_value(const std::string& prompt, double truth, std::v
   for (const double v : values) question.choices.push_back(viz::shown(v));
   question.answer = static_cast<int>(std::ranges::find(values, truth) - values.begin());
   return question;
+}
+
+/// The question of the walk's last step is given what the step before tells of these values, which the step may change.
+inline void give_before(viz::Walk& walk, const std::vector<std::string>& names) {
+  const std::size_t last = walk.steps.size() - 1;
+  if (last == 0) return;
+  for (const viz::Value& value : walk.steps[last - 1].values)
+    if (std::ranges::find(names, value.name) != names.end())
+      walk.steps[last].question->given.push_back(viz::before(value));
 }
 
 /// While the question of the walk's last step is open, the picture before it stays: the step's own would tell.

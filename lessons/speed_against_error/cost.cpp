@@ -68,6 +68,9 @@ void Teller::cost() {
        "more than 10 times as long"},
       bucket,
       fmt::format("It takes {} ns, the naive method {} ns.", shown(exact(ordinary_).ns), shown(naive(ordinary_).ns))};
+  Scene ordinary;
+  ordinary.chart = std::make_shared<const Chart>(Chart{plot({ordinary_})});
+  step.question->over = ordinary;
 }
 
 void Teller::fallback() {

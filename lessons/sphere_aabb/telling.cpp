@@ -77,10 +77,13 @@ class Teller {
                    : "The square of the gap between **c** and the nearer end.");
     gaps_ += std::abs(gap), largest_ = std::max(largest_, gap * gap);
     // the square of the sum; the largest gap alone; the distance itself
-    if (e.axis == 2 && gap != 0)  // else the sum so far is the answer
-      step.question =
-          which_value("What is *d*^2 after all three axes?", distance2_,
-                      {gaps_ * gaps_, largest_, std::sqrt(distance2_)}, "The squares of the three gaps, added up.");
+    if (e.axis == 2 && gap != 0) {  // else the sum so far is the answer
+      step.question = which_value(
+          fmt::format("On {} the box reaches from {} to {}, and **c** has {}. What is *d*^2 after all three axes?",
+                      axis, shown(i.lo), shown(i.hi), shown(c)),
+          distance2_, {gaps_ * gaps_, largest_, std::sqrt(distance2_)}, "The squares of the three gaps, added up.");
+      give_before(script_.walk(), {"*d*^2"});
+    }
     shown_.current = false;
   }
 
@@ -117,6 +120,7 @@ class Teller {
                    {"*d*^2 < *r*^2", d2, r2, near, near ? "the note returns OVERLAP" : "the note returns DISJOINT"});
     step.question = relation_question(s_.truth, "the ball and the box", because());
     if (s_.ball.radius > 0) step.question->choices.pop_back();  // a ball is no box
+    step.question->given = {{"*d*^2", d2, "area", Role::highlight}, {"*r*^2", r2, "area", Role::first}};
     shown_.settled = false;
   }
   void say(const sphere_aabb::Decision&) {}  // of relate, which the lesson does not run

@@ -44,7 +44,7 @@ class Faults {
     const int last = outcome(walk);
     for (int i = 0; i <= last; ++i) {
       step_ = &walk.steps[i];
-      comparison();
+      if (step_->comparison) comparison(*step_->comparison);
       asked_by_line(walk);
       equations();
       chains();
@@ -70,9 +70,9 @@ class Faults {
   }
 
   /// The sign between two sides, as the numbers beside it have it.
-  void comparison() {
-    if (!step_->comparison) return;
-    const Comparison& c = *step_->comparison;
+  void comparison(const Comparison& c) {
+    for (const Comparison& part : c.parts) comparison(part);
+    if (!c.parts.empty()) return;
     const std::string text = plain(c.text);
     if (c.meaning.find(':') != c.meaning.npos) fault("a meaning is not one clause", plain(c.meaning));
     const std::pair<const char*, bool> signs[] = {{" ≤ ", c.left <= c.right}, {" ≥ ", c.left >= c.right},

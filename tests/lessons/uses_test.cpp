@@ -55,9 +55,11 @@ TEST_CASE("a segment's lesson ends with the exact range, and each side narrows i
     none += !truth;
     double lo = 0, hi = 1;
     for (const Step& s : walk.steps) {
-      if (!s.comparison) continue;
-      CHECK((lo <= s.comparison->left && s.comparison->right <= hi));
-      lo = s.comparison->left, hi = s.comparison->right;
+      const auto in = std::ranges::find(s.values, "*t*_{in}", &Value::name);
+      const auto out = std::ranges::find(s.values, "*t*_{out}", &Value::name);
+      if (in == s.values.end() || out == s.values.end()) continue;
+      CHECK((lo <= in->value && out->value <= hi));
+      lo = in->value, hi = out->value;
     }
     if (!truth || last.counters.div == 0) continue;
     CHECK_THAT(lo, Catch::Matchers::WithinAbs(truth->lo, 1e-15));

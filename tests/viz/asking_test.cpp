@@ -5,11 +5,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
 #include "tests/viz/window_driver.h"
+#include "viz/branch.h"
 #include "viz/rich_text.h"
 
 namespace asking_test {
@@ -78,6 +83,292 @@ TEST_CASE("a question lights what its own step is about, and tells no hit and no
     }
   CHECK(asked > 500);
   CHECK(lit > 100);
+}
+
+TEST_CASE("while a question is open, all on show is of its own step, or was given with it", "[asking]") {
+  int asked = 0, shown_values = 0;
+  for (const Lesson* lesson : lessons::all_lessons())
+    for (const Preset& preset : lesson->presets) {
+      const Walk walk = lesson->walk(preset.parameters);
+      for (int k = 1; k < static_cast<int>(walk.steps.size()); ++k) {
+        const Step &step = walk.steps[static_cast<std::size_t>(k)], &last = walk.steps[static_cast<std::size_t>(k) - 1];
+        if (!step.question) continue;
+        INFO(lesson->id << " " << preset.id << ", " << step.slug << ": " << step.question->prompt);
+        ++asked;
+        const Step shown = asking_step(walk, k);
+        CHECK((shown.title.empty() && shown.caption.empty() && shown.formula.empty()));
+        CHECK(shown.line == -1);
+        CHECK_FALSE(shown.comparison);
+        for (const Value& value : shown.values) {
+          INFO(value.name << " = " << value.value);
+          ++shown_values;
+          CHECK_FALSE(value.fresh);
+          const auto is_it = [&](const Value& v) {
+            return v.name == value.name && (v.value == value.value || std::isnan(value.value));
+          };
+          const bool given = std::ranges::any_of(step.question->given, is_it);
+          CHECK((given || (std::ranges::any_of(step.values, is_it) && std::ranges::any_of(last.values, is_it))));
+        }
+        for (const int line : shown.refused) CHECK((line != step.line && std::ranges::count(step.refused, line) > 0));
+        for (const int line : shown.untaken) CHECK((line != step.line && std::ranges::count(step.untaken, line) > 0));
+        CHECK((shown.verdict.text.empty() || shown.verdict.text == step.verdict.text));
+      }
+    }
+  CHECK(asked >= 583);
+  CHECK(shown_values > 500);
+}
+
+namespace {
+
+/// As readers see it: "−1.121 · 10⁸" is no number here, which no question has.
+std::optional<double> number_in(std::string text) {
+  for (std::size_t at; (at = text.find("−")) != text.npos;) text.replace(at, 3, "-");
+  for (std::size_t at; (at = text.find("\u2009")) != text.npos;) text.erase(at, 3);
+  std::size_t end = 0;
+  try {
+    const double x = std::stod(text, &end);
+    return end == text.size() ? std::optional(x) : std::nullopt;
+  } catch (const std::logic_error&) {
+    return std::nullopt;
+  }
+}
+
+/// All numbers of a text, in their order.
+std::vector<double> numbers_in(const std::string& text) {
+  std::vector<double> all;
+  std::string word;
+  const std::string digits = "0123456789.";
+  const std::string words = text + " ";
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool minus = words.compare(i, 3, "−") == 0;
+    if (minus && word.empty()) {
+      word = "-", i += 2;
+    } else if (digits.find(words[i]) != digits.npos) {
+      word += words[i];
+    } else {
+      while (word.ends_with('.')) word.pop_back();
+      if (const auto x = number_in(word)) all.push_back(*x);
+      word = minus ? "-" : "", i += minus ? 2 : 0;
+    }
+  }
+  return all;
+}
+
+/// What a reader has to answer with: the prompt's numbers, and the values on show by their plain names.
+struct OnShow {
+  std::vector<double> told;
+  std::map<std::string, double> values;
+  std::string code;  ///< beside it
+  double operator()(const std::string& name) const { return values.at(name); }
+};
+
+double distance(double x, double y, double px, double py, double qx, double qy) {
+  const double dx = qx - px, dy = qy - py, length2 = dx * dx + dy * dy;
+  const double t = length2 > 0 ? std::clamp(((x - px) * dx + (y - py) * dy) / length2, 0.0, 1.0) : 0;
+  return std::hypot(px + t * dx - x, py + t * dy - y);
+}
+
+/// How a reader computes the answers that are numbers with digits behind the point, by how their prompts go.
+const std::vector<std::pair<std::string, double (*)(const OnShow&)>>& ways() {
+  static const std::vector<std::pair<std::string, double (*)(const OnShow&)>> all = {
+      {"What is r_b",
+       [](const OnShow& o) {
+         return o.told[0] * o("h_u of b") + o.told[1] * o("h_v of b") + o.told[2] * o("h_w of b");
+       }},
+      {"What is the discriminant",
+       [](const OnShow& o) {
+         const double four = o.code.find("4 A C") == o.code.npos ? 1 : 4;
+         return o("B") * o("B") - four * o("A") * o("C");
+       }},
+      {"What is the least d so far?",
+       [](const OnShow& o) {
+         const std::vector<double>& n = o.told;
+         double least = o.values.contains("least d so far before") ? o("least d so far before") : INFINITY;
+         for (std::size_t i = 0; i + 4 < n.size(); i += 2)
+           least =
+               std::min(least, distance(n[i], n[i + 1], n[n.size() - 4], n[n.size() - 3], n[n.size() - 2], n.back()));
+         return least;
+       }},
+      {"after all three axes?",
+       [](const OnShow& o) {
+         const double gap = std::max({o.told[0] - o.told[2], o.told[2] - o.told[1], 0.0});
+         return o("d² before") + gap * gap;
+       }},
+      {"add to d²?",
+       [](const OnShow& o) {
+         const double gap = std::max({o.told[0] - o.told[2], o.told[2] - o.told[1], 0.0});
+         return gap * gap;
+       }},
+      {"What is m²?", [](const OnShow& o) { return o("l²") - o("s") * o("s"); }},
+      {"At which t is", [](const OnShow& o) { return (o.told[2] - o.told[0]) / o.told[1]; }},
+      {"At which t does the line meet the wall", [](const OnShow& o) { return (o.told[4] - o.told[0]) / o.told[2]; }},
+      {"do they first meet?", [](const OnShow& o) { return o.told[0] / o.told[2]; }},
+      {"How long may one step be", [](const OnShow& o) { return o.told[0] + o.told[1]; }},
+  };
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("an answer that is a computed number follows from what is on show while its question is open", "[asking]") {
+  int computed = 0;
+  for (const Lesson* lesson : lessons::all_lessons())
+    for (const Preset& preset : lesson->presets) {
+      const Walk walk = lesson->walk(preset.parameters);
+      for (int k = 1; k < static_cast<int>(walk.steps.size()); ++k) {
+        const Step& step = walk.steps[static_cast<std::size_t>(k)];
+        if (!step.question) continue;
+        const Question& question = *step.question;
+        std::vector<double> choices;
+        for (const std::string& choice : question.choices)
+          if (const auto x = number_in(plain(choice))) choices.push_back(*x);
+        const bool counts = std::ranges::all_of(choices, [](double x) { return x == std::round(x); });
+        if (choices.size() != question.choices.size() || counts) continue;
+        const std::string prompt = plain(question.prompt);
+        INFO(lesson->id << " " << preset.id << ", " << step.slug << ": " << prompt);
+        const auto way =
+            std::ranges::find_if(ways(), [&](const auto& w) { return prompt.find(w.first) != prompt.npos; });
+        REQUIRE(way != ways().end());
+        OnShow on_show = {numbers_in(prompt), {}, {}};
+        for (const std::string& line : walk.pseudocode) on_show.code += line + "\n";
+        for (const Value& value : asking_step(walk, k).values) on_show.values[plain(value.name)] = value.value;
+        const double found = way->second(on_show);
+        CAPTURE(found);
+        const auto nearest = std::ranges::min_element(choices, {}, [&](double x) { return std::abs(x - found); });
+        CHECK(nearest - choices.begin() == question.answer);
+        ++computed;
+      }
+    }
+  CHECK(computed > 60);
+}
+
+TEST_CASE("no number on show bears the name that is asked for", "[asking]") {
+  int told_by_the_step = 0;
+  for (const Lesson* lesson : lessons::all_lessons())
+    for (const Preset& preset : lesson->presets) {
+      const Walk walk = lesson->walk(preset.parameters);
+      for (int k = 1; k < static_cast<int>(walk.steps.size()); ++k) {
+        const Step& step = walk.steps[static_cast<std::size_t>(k)];
+        if (!step.question) continue;
+        const std::string prompt = plain(step.question->prompt);
+        const auto asks_for = [&](const Value& value) {
+          const std::string name = plain(value.name);
+          return prompt.find("What is " + name + "?") != prompt.npos ||
+                 prompt.find("What is the " + name + "?") != prompt.npos ||
+                 prompt.find("What is the discriminant " + name) != prompt.npos;
+        };
+        INFO(lesson->id << " " << preset.id << ", " << step.slug << ": " << prompt);
+        CHECK(std::ranges::none_of(asking_step(walk, k).values, asks_for));
+        told_by_the_step += std::ranges::any_of(step.values, asks_for);
+      }
+    }
+  CHECK(told_by_the_step > 40);
+}
+
+TEST_CASE("the card never says the opposite of what the lit line does", "[branch]") {
+  int refused = 0, entered = 0, alone = 0;
+  for (const Lesson* lesson : lessons::all_lessons())
+    for (const Preset& preset : lesson->presets) {
+      const Walk walk = lesson->walk(preset.parameters);
+      for (int k = 0; k + 1 < static_cast<int>(walk.steps.size()); ++k) {
+        const Step &step = walk.steps[static_cast<std::size_t>(k)], &next = walk.steps[static_cast<std::size_t>(k) + 1];
+        if (!step.comparison || step.line < 0) continue;
+        const std::string line = walk.pseudocode[static_cast<std::size_t>(step.line)];
+        if (!has_condition(line)) continue;
+        INFO(lesson->id << " " << preset.id << ", " << step.slug << ": " << line << " | " << step.comparison->text);
+        const auto refusals = [&](const Step& s) { return std::ranges::count(s.refused, step.line); };
+        const bool enters =
+            next.line == step.line + 1 && !line.empty() && line.back() != ':' &&
+            walk.pseudocode[static_cast<std::size_t>(next.line)].find_first_not_of(' ') > line.find_first_not_of(' ');
+        const bool does_all = line.find(": ") != line.npos && step.decides;  // "if ...: return ..."
+        if (refusals(next) > refusals(step)) {
+          ++refused;
+          CHECK_FALSE(step.comparison->holds);
+          CHECK(taken(walk, k) == false);
+        } else if (enters || does_all) {
+          enters ? ++entered : ++alone;
+          CHECK(step.comparison->holds);
+          CHECK(taken(walk, k) == true);
+        }
+      }
+    }
+  CHECK(refused > 60);
+  CHECK(entered > 20);
+  CHECK(alone > 20);
+}
+
+TEST_CASE("a condition that joins several inequalities holds as they do, each with its own numbers", "[branch]") {
+  int joined = 0;
+  for (const Lesson* lesson : lessons::all_lessons())
+    for (const Preset& preset : lesson->presets)
+      for (const Step& step : lesson->walk(preset.parameters).steps) {
+        if (!step.comparison || step.comparison->parts.empty()) continue;
+        INFO(lesson->id << " " << preset.id << ", " << step.slug << ": " << step.comparison->text);
+        ++joined;
+        const std::vector<Comparison>& parts = step.comparison->parts;
+        for (const Comparison& part : parts) CHECK(step.comparison->text.find(part.text) != std::string::npos);
+        const bool both = step.comparison->text.find(" or ") == std::string::npos;
+        if (both)
+          CHECK(step.comparison->holds == std::ranges::all_of(parts, &Comparison::holds));
+        else  // A or (B and C)
+          CHECK(step.comparison->holds == (parts[0].holds || (parts[1].holds && parts[2].holds)));
+      }
+  CHECK(joined > 15);
+}
+
+TEST_CASE("the current line says yes where its condition is true, and the card shows each half", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("ray-sphere", "two-roots"));
+  const auto& steps = window.player().walk().steps;
+  const auto which = std::ranges::find(steps, "which-root", &Step::slug);
+  REQUIRE(which != steps.end());
+  window.player().go_to(static_cast<int>(which - steps.begin()));
+  window.frames(2);
+  CHECK(window.has("yes 10"));
+  CHECK_FALSE(window.has("no 10"));
+  REQUIRE(window.has("condition 3"));
+  const Rect card = window.rect("comparison");
+  CHECK(window.rect("condition 1").bottom <= window.rect("condition 2").top);
+  CHECK((window.rect("condition 1").top > card.top && window.rect("condition 3").bottom < card.bottom));
+}
+
+TEST_CASE("a digit answers where it is an answer, and loads no preset while a question is open", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("crossings", "inside"));
+  window.player().first();
+  window.key(key::right);
+  REQUIRE(window.player().asked());
+  const Question question = *window.player().asked();
+  const std::string preset = window.player().preset_id();
+  REQUIRE(window.player().group().size() > 1);
+  const auto is_choice = [&](char c) {
+    return std::ranges::any_of(question.choices, [&](const std::string& choice) { return plain(choice)[0] == c; });
+  };
+  for (char digit = '0'; digit <= '9'; ++digit)
+    if (!is_choice(digit)) window.type(std::string(1, digit));
+  REQUIRE(window.player().asked());
+  CHECK(window.player().preset_id() == preset);
+  const std::string right = plain(question.choices[static_cast<std::size_t>(question.answer)]);
+  REQUIRE(right.size() == 1);
+  window.type(right);
+  REQUIRE(window.player().answered());
+  CHECK(window.player().answered()->right());
+  CHECK(window.player().preset_id() == preset);
+  window.type("2");  // the question is over
+  CHECK(window.player().preset_id() == window.player().group()[1]->id);
+}
+
+TEST_CASE("with the panels hidden a question stands with the numbers it needs", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("ray-sphere", "inside"));
+  const auto& steps = window.player().walk().steps;
+  const auto asks = std::ranges::find(steps, "passing-distance", &Step::slug);
+  REQUIRE(asks != steps.end());
+  window.player().go_to(static_cast<int>(asks - steps.begin()) - 1);
+  window.key(key::tab);
+  window.key(key::right);
+  window.frames(2);
+  REQUIRE(window.player().asked());
+  REQUIRE(window.has("known values"));
+  const Rect card = window.rect("question over scene"), known = window.rect("known values");
+  CHECK((known.top > card.top && known.bottom < window.rect("choice 0").top));
 }
 
 TEST_CASE("Right to a question about the next edge lights and names that edge", "[window]") {

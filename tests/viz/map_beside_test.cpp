@@ -193,4 +193,17 @@ TEST_CASE("the map keeps a question's answer to itself", "[window]") {
   CHECK(window.has("map setting"));
 }
 
+TEST_CASE("a window that a display made too small for the map goes on without it", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("obb-obb", "edges"));
+  window.type("w");
+  REQUIRE(window.has("map"));
+  for (const auto& [width, height] : {std::pair(149.0f, 627.0f), std::pair(700.0f, 40.0f), std::pair(3.0f, 3.0f)}) {
+    window.resize(width, height);
+    CHECK_NOTHROW(window.frames(3));
+  }
+  window.resize(1280, 800);
+  window.frames(3);
+  CHECK(window.has("map plane"));
+}
+
 }  // namespace map_beside_test

@@ -26,6 +26,11 @@ std::pair<std::string, std::string> sides(const Comparison& c) {
 }
 
 Json told(const Comparison& c) {
+  if (!c.parts.empty()) {
+    Json whole = {{"holds", c.holds}, {"text", c.text}, {"meaning", c.meaning}};
+    for (const Comparison& part : c.parts) whole["parts"].push_back(told(part));
+    return whole;
+  }
   const auto [left, right] = sides(c);
   return {{"left", left},        {"relation", relation(c.left, c.right)},
           {"right", right},      {"values", {digits(c.left), digits(c.right)}},
@@ -49,6 +54,7 @@ Json told(const Question& q) {
   Json object = {{"prompt", q.prompt}, {"choices", q.choices}};
   if (q.answer >= 0 && q.answer < static_cast<int>(q.choices.size())) object["answer"] = q.choices[q.answer];
   object["because"] = q.because;
+  for (const Value& v : q.given) object["given"].push_back(told(v));
   return object;
 }
 

@@ -35,21 +35,35 @@ std::pair<std::string, std::string> differing_words(const std::string& was, cons
 
 std::string left_relation(const Json& c) { return shown(at(c, "left")) + " " + shown(at(c, "relation")); }
 
+std::string both_sides(const Json& c) { return fmt::format("{} with {}", shown(at(c, "left")), shown(at(c, "right"))); }
+
+/// The inequalities that a condition joins.
+Json parts_of(const Json& c) {
+  const Json parts = at(c, "parts");
+  return parts.is_array() ? parts : Json::array();
+}
+
+/// Of one inequality, or of a condition that joins several.
 void compare_comparisons(const Json& was, const Json& is, Changes& changes) {
   if (was == is) return;
   const bool both = was.is_object() && is.is_object();
   if (!both)
-    return changes.add(was.is_object() ? "compares nothing any more"
-                                       : "compares " + left_relation(is) + " " + shown(at(is, "right")));
-  const std::string right = shown(at(is, "right"));
-  if (at(was, "left") != at(is, "left") || at(was, "right") != at(is, "right"))
-    return changes.add(fmt::format("compared {} with {}, now {} with {}", shown(at(was, "left")),
-                                   shown(at(was, "right")), shown(at(is, "left")), right));
+    return changes.add(was.is_object()        ? "compares nothing any more"
+                       : is.contains("parts") ? "compares " + readable(at(is, "text"))
+                                              : "compares " + left_relation(is) + " " + shown(at(is, "right")));
+  const Json old_parts = parts_of(was), parts = parts_of(is);
+  if (parts.size() != old_parts.size())
+    return changes.compare_texts("what is compared", at(was, "text"), at(is, "text"));
+  for (std::size_t i = 0; i < parts.size(); ++i) compare_comparisons(old_parts[i], parts[i], changes);
+  if (parts.empty() && both_sides(was) != both_sides(is))
+    return changes.add(fmt::format("compared {}, now {}", both_sides(was), both_sides(is)));
   if (at(was, "relation") != at(is, "relation"))
-    changes.add(fmt::format("{} {} became {} {}", left_relation(was), right, shown(at(is, "relation")), right));
+    changes.add(fmt::format("{} {} became {} {}", left_relation(was), shown(at(is, "right")), shown(at(is, "relation")),
+                            shown(at(is, "right"))));
   if (at(was, "holds") != at(is, "holds"))
-    changes.add(fmt::format("the comparison of {} with {} was {}, is {}", shown(at(is, "left")), right,
-                            at(was, "holds").dump(), at(is, "holds").dump()));
+    changes.add(fmt::format("the comparison of {} was {}, is {}",
+                            parts.empty() ? both_sides(is) : readable(at(is, "text")), at(was, "holds").dump(),
+                            at(is, "holds").dump()));
   // Each side by its name; a side that is a bare number has that number in its name.
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
     if (at(was, "values").is_array() && at(was, "values").size() == 2)
@@ -94,6 +108,7 @@ void compare_questions(const Json& was, const Json& is, Changes& changes) {
   changes.compare_texts("question", at(was, "prompt"), at(is, "prompt"));
   changes.compare("choices", at(was, "choices"), at(is, "choices"));
   changes.compare_texts("reason of the answer", at(was, "because"), at(is, "because"));
+  changes.compare("numbers given with the question", at(was, "given"), at(is, "given"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "viz/branch.h"
 #include "viz/names.h"
 #include "viz/rich_text.h"
 #include "viz/window/layout.h"
@@ -34,7 +35,7 @@ CodeLine laid_out(const std::string& words, ImFont* font, float room) {
 }
 
 /// All lines of the walk, smaller where that saves rows or ends them better. Where a condition may fail there is room
-/// for its "no".
+/// for its "yes" or "no".
 std::vector<CodeLine> code_lines(const Ui& ui, const Walk& walk, float width) {
   const auto lines_in = [&](ImFont* font) {
     std::vector<CodeLine> lines;
@@ -67,8 +68,8 @@ struct Fit {
   float code_pitch, value_pitch, operations, code_height, values_height;
 };
 
-float most_values(const Ui& ui, const Walk& walk, float width, float pitch) {
-  float most = 0;
+float most_values(const Ui& ui, const Walk& walk, const Step& shown, float width, float pitch) {
+  float most = values_height(ui, shown, width, pitch);
   for (const Step& step : walk.steps) most = std::max(most, values_height(ui, step, width, pitch));
   return most;
 }
@@ -84,13 +85,13 @@ Fit fit(const Session& s, const std::vector<CodeLine>& lines, float width, float
     f = size;
     if (s.paired) f.operations = 0;
     f.code_height = height_of(lines, f.code_pitch);
-    f.values_height = most_values(ui, walk, width, f.value_pitch);
+    f.values_height = most_values(ui, walk, s.player.shown(), width, f.value_pitch);
     room = height - top - f.operations;
     if (f.code_height + f.values_height <= room) return f;
   }
   // Too much for this window: the code shows a part around its current line, the values scroll if they must.
   const float least_code = std::min(f.code_height, 5 * f.code_pitch);
-  f.values_height = std::min(values_height(ui, s.player.step(), width, f.value_pitch), room - least_code);
+  f.values_height = std::min(values_height(ui, s.player.shown(), width, f.value_pitch), room - least_code);
   f.code_height = std::min(f.code_height, room - f.values_height);
   return f;
 }
@@ -106,23 +107,19 @@ int step_at_line(const Player& player, int line) {
   return -1;
 }
 
-/// Whether the condition at the current line turns out false in this step: the next one has it among the refused.
-bool refused_here(const Player& player) {
-  if (player.at_end()) return false;
-  const Step& step = player.step();
-  const auto count = [&](const Step& at) { return std::ranges::count(at.refused, step.line); };
-  return step.line >= 0 && count(player.walk().steps[static_cast<std::size_t>(player.index()) + 1]) > count(step);
-}
-
-bool says_no(const Player& player, int line) {
-  return has(player.step().refused, line) || (line == player.step().line && refused_here(player));
+/// What a line's condition came to: at the current line now, at others when it was refused.
+std::optional<bool> said_at(const Player& player, int line) {
+  const Step& shown = player.shown();
+  if (line == shown.line)
+    if (const std::optional<bool> now = taken(player.walk(), player.index())) return now;
+  return has(shown.refused, line) ? std::optional(false) : std::nullopt;
 }
 
 void code_line(Session& s, int line, const CodeLine& words, float pitch, const Rect& r) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
-  const Step& step = s.player.step();
-  const bool current = line == step.line && !s.player.asked();
+  const Step& step = s.player.shown();
+  const bool current = line == step.line;
   const int to = step_at_line(s.player, line);
   const Press p = press(ui, "line " + std::to_string(line + 1), r);
   if (current)
@@ -142,8 +139,8 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
   if (p.hovered) ui.light.point(subject, place);
   if (ui.focus.name() == "line " + std::to_string(line + 1)) ui.light.hold(subject, place);
   text(ui.fonts.mono_small, number, y, packed(lit ? c.on_highlight : c.muted), std::to_string(line + 1), 1);
-  const bool refused = says_no(s.player, line);
-  ImGui::PushClipRect({number + 8, r.top}, {r.right - (refused ? 38 : 4), r.bottom}, true);
+  const std::optional<bool> said = said_at(s.player, line);
+  ImGui::PushClipRect({number + 8, r.top}, {r.right - (said ? 38 : 4), r.bottom}, true);
   for (const std::string& row : words.rows) {
     lights_in(ui, words.font, r.left + code_left, y, row, lit);
     text(words.font, r.left + code_left, y, packed(ink), row);
@@ -151,9 +148,10 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
   }
   ImGui::PopClipRect();
   y = r.top + pitch / 2;
-  if (refused) {
-    text(ui.fonts.small, r.right - 12, y, packed(lit ? c.on_highlight : c.miss), "no", 1);
-    ui.rects["no " + std::to_string(line + 1)] = {r.right - 34, y - 9, r.right - 8, y + 9};
+  if (said) {
+    const std::string word = *said ? "yes" : "no";
+    text(ui.fonts.small, r.right - 12, y, packed(lit ? c.on_highlight : *said ? c.hit : c.miss), word, 1);
+    ui.rects[word + " " + std::to_string(line + 1)] = {r.right - 34, y - 9, r.right - 8, y + 9};
   }
 }
 
@@ -163,7 +161,7 @@ void code(Session& s, const std::vector<CodeLine>& lines, const Rect& r, float p
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
   ImGui::BeginChild("code", {r.width(), r.height()}, false, ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
-  const int line = s.player.step().line;
+  const int line = s.player.shown().line;
   const float top = ImGui::GetCursorScreenPos().y;
   float y = top;
   for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
@@ -183,7 +181,7 @@ void code(Session& s, const std::vector<CodeLine>& lines, const Rect& r, float p
 CodeLine laid_out_alone(const Session& s, float width) {
   const int line = s.player.step().line;
   const std::string& words = s.player.walk().pseudocode[line];
-  return laid_out(unindented(words), s.ui.fonts.mono, width - code_left - (says_no(s.player, line) ? 44 : 10));
+  return laid_out(unindented(words), s.ui.fonts.mono, width - code_left - (said_at(s.player, line) ? 44 : 10));
 }
 
 }  // namespace
@@ -204,7 +202,7 @@ void code_panel(Session& s, const Rect& r) {
   const float heading = r.top + 32;
   if (!lines.empty() && !s.paired)
     text(ui.fonts.bold, r.left + padding, heading, packed(ui.palette.text), "Pseudocode");
-  if (s.player.step().counters.early_out && !s.paired)
+  if (s.player.shown().counters.early_out && !s.paired)
     text(ui.fonts.small, r.right - padding, heading, packed(ui.palette.fresh_text), "early out", 1);
   const float code_bottom = r.top + top + f.code_height;
   code(s, lines, {r.left + 10, r.top + top, r.right - 10, code_bottom}, f.code_pitch);

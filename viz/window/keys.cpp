@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "viz/case_map.h"
+#include "viz/rich_text.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/map_view.h"
 #include "viz/window/panels.h"
@@ -29,11 +30,13 @@ void paste(Session& s) {
 void with_control(Session& s) {
   if (pressed(key::o)) s.open_next = Sheet::picker;
   const bool again = pressed(key::y) || (pressed(key::z) && ImGui::GetIO().KeyShift);
-  if (again) {
-    if (!s.player.redo()) s.say("Nothing to do again");
-  } else if (pressed(key::z) && !s.player.undo()) {
-    s.say("Nothing to take back");
-  }
+  s.attempt([&] {
+    if (again) {
+      if (!s.player.redo()) s.say("Nothing to do again");
+    } else if (pressed(key::z) && !s.player.undo()) {
+      s.say("Nothing to take back");
+    }
+  });
   if (pressed(key::v)) paste(s);
   if (pressed(key::s)) save_back(s);
   if (pressed(key::q)) s.close = may_leave(s);
@@ -98,10 +101,22 @@ void load_number(Session& s, std::size_t number) {
   if (number <= group.size()) s.attempt([&] { s.player.load(*group[number - 1]); });
 }
 
+/// A digit that is an answer gives it, unless it may begin another one, too. Else it does nothing: what it loads would
+/// take the question away.
+void answer_with(Player& player, char digit) {
+  const std::vector<std::string>& choices = player.asked()->choices;
+  const auto begins = [&](const std::string& choice) { return plain(choice).starts_with(digit); };
+  const auto found =
+      std::ranges::find_if(choices, [&](const std::string& c) { return plain(c) == std::string(1, digit); });
+  if (found != choices.end() && std::ranges::count_if(choices, begins) == 1)
+    player.answer(static_cast<int>(found - choices.begin()));
+}
+
 /// Characters, not keys: so they work on every keyboard layout.
 void character(Session& s, char c) {
   Player& player = s.player;
   if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (c >= '0' && c <= '9' && player.asked()) return answer_with(player, c);
   if (c >= '0' && c <= '9') return load_number(s, c == '0' ? 10 : static_cast<std::size_t>(c - '0'));
   if (player.asked() && c >= 'a' && c - 'a' < static_cast<int>(player.asked()->choices.size()))
     return player.answer(c - 'a');

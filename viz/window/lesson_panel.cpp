@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "viz/case_map.h"
@@ -92,19 +93,25 @@ struct Hint {
   std::string markup;
   bool turns = false;  ///< the scene, and no object
 };
+constexpr std::size_t most_in_a_hint = 6;
+
 std::vector<Hint> hints_of(const Player& player, bool map) {
   std::vector<Hint> hints;
   if (player.step().slug == case_map_slug || map) hints.push_back({Role::text, "drag over the map"});
+  std::map<Role, std::vector<std::string>> by_role;
   for (const Handle& h : player.scene().handles) {
     std::string label = h.parameter;
     for (const Parameter& p : player.lesson().parameters)
       if (p.name == h.parameter && !p.label.empty()) label = p.label;
     if (!h.one_of.empty()) label = h.one_of;
-    auto found = std::find_if(hints.begin(), hints.end(), [&](const Hint& hint) { return hint.role == h.role; });
-    if (found == hints.end())
-      hints.push_back({h.role, "drag " + label});
-    else if (found->markup.find(label) == std::string::npos)
-      found->markup += " or " + label;
+    std::vector<std::string>& labels = by_role[h.role];
+    if (std::ranges::find(labels, label) == labels.end()) labels.push_back(label);
+  }
+  for (const auto& [role, labels] : by_role) {
+    Hint hint = {role, "drag "};
+    for (const std::string& label : labels) hint.markup += (&label == &labels.front() ? "" : " or ") + label;
+    if (labels.size() > most_in_a_hint) hint.markup = "drag any of these handles";
+    hints.push_back(hint);
   }
   const Scene& scene = player.scene();
   if (!player.lesson().flat && !scene.chart && !scene.items.empty())

@@ -84,6 +84,7 @@ void MapView::leave_trail(const Player& player) {
 }
 
 void MapView::draw(const Rect& r, const Theme& theme) {
+  if (r.width() < 1 || r.height() < 1) return;  // a display may make a window as small as it likes
   const Vec2 here = map_.cases().here ? map_.cases().here->at : Vec2(NAN, NAN);
   const std::string wanted = fmt::format("{} {} {} {} {} {} {}", map_.found(), here.x(), here.y(), r.width(),
                                          r.height(), scale_, name_of(theme.name));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viz/alt_text.h"
 #include "viz/window/column.h"
 #include "viz/window/panels.h"
 
@@ -78,6 +79,11 @@ void question(Column& c, bool fresh) {
     c.paragraph("Your turn", ink.text, 15, 23, true);
     c.y += 2;
     c.paragraph(asked->prompt, ink.text);
+    if (const std::vector<Value>& known = player.shown().values; !c.s.panels && !known.empty()) {
+      const float top = c.y += 8;
+      c.paragraph(listed(known), ink.text);
+      c.s.ui.rects["known values"] = {c.x, top, c.x + c.width, c.y};
+    }
     c.y += 10;
     const int pressed = choices(c, *asked, -1);
     if (pressed >= 0) player.answer(pressed);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "viz/chart.h"
 #include "viz/closing.h"
@@ -12,6 +13,7 @@
 #include "viz/objects.h"
 #include "viz/pick.h"
 #include "viz/rich_text.h"
+#include "viz/window/scene_names.h"
 
 namespace isect::viz {
 namespace {
@@ -93,18 +95,36 @@ float verdict_height(Session& s, const Rect& scene, const Step& step) {
   if (step.verdict.text.empty() || is_card(step.scene)) return 0;
   return s.ui.texts.size_of(verdict_words(s, scene, step.verdict.text)).y + (is_low(scene) ? 9.0f : 13.0f);
 }
-float verdict_height(Session& s, const Rect& scene) { return verdict_height(s, scene, s.player.step()); }
+float verdict_height(Session& s, const Rect& scene) { return verdict_height(s, scene, s.player.shown()); }
 
 }  // namespace
 
+/// Of the walk's verdicts, which may take several lines. Of very many the longest tell.
+static float tallest_verdict(Session& s, const Rect& scene) {
+  constexpr std::size_t most = 100;
+  std::vector<const Step*> told;
+  for (const Step& step : s.player.walk().steps)
+    if (told.empty() || told.back()->verdict.text != step.verdict.text) told.push_back(&step);
+  if (told.size() > most) {
+    const auto length = [](const Step* step) { return step->verdict.text.size(); };
+    std::ranges::nth_element(told, told.begin() + most, std::greater{}, length);
+    told.resize(most);
+  }
+  float tallest = 0;
+  for (const Step* step : told) tallest = std::max(tallest, verdict_height(s, scene, *step));
+  return tallest;
+}
+
 float steady_head(Session& s, const Rect& scene) {
   const bool low = is_low(scene);
-  float tallest = 0;  // of the verdicts, which may take several lines
-  const std::string* last = nullptr;
-  for (const Step& step : s.player.walk().steps) {
-    if (last == nullptr || *last != step.verdict.text) tallest = std::max(tallest, verdict_height(s, scene, step));
-    last = &step.verdict.text;
-  }
+  Session::SteadyHead wanted = {.walk = s.player.walk_number(),
+                                .width = scene.width(),
+                                .height = scene.height(),
+                                .alarm = has_alarm(s) ? alarm_width(s) : 0,
+                                .size = s.settings.size,
+                                .tallest = s.steady_head.tallest};
+  if (wanted != s.steady_head) wanted.tallest = tallest_verdict(s, scene), s.steady_head = wanted;
+  const float tallest = wanted.tallest;
   if (tallest > 0) return std::max(low ? low_head : high_head, edge(scene) + tallest + 5);
   return low && s.player.methods_differ() ? low_head : 0;
 }
@@ -117,7 +137,7 @@ float head_of(Session& s, const Rect& scene) {
 }
 
 void verdict_chip(Session& s, const Rect& scene) {
-  const Verdict& verdict = s.player.step().verdict;
+  const Verdict& verdict = s.player.shown().verdict;
   const float height = verdict_height(s, scene), in = edge(scene);
   if (height == 0) return;
   Ui& ui = s.ui;
@@ -264,6 +284,14 @@ void toast(Session& s, const Rect& scene) {
                                       toast.text.c_str(), nullptr, room - 56);
 }
 
+void handle_by_keyboard(Session& s, const View& view, const Handle& handle) {
+  if (is_named(s.player, handle)) return;
+  const Vec2 at = view.project(handle.at).at;
+  const float x = static_cast<float>(at.x()) + 20, y = static_cast<float>(at.y());
+  rich_line(s.ui, {.markup = name_of(s.player, handle), .colour = s.ui.palette.text}, x, y);
+  s.ui.rects["name of the ringed handle"] = {x, y - 9, x + 40, y + 9};
+}
+
 void handle_under_pointer(Session& s, const View& view, const Handle& handle, const std::string& forbidden) {
   const Vec2 at = view.project(handle.at).at;
   const ImVec2 middle{static_cast<float>(at.x()), static_cast<float>(at.y())};
@@ -301,6 +329,15 @@ void item_under_pointer(Session& s, const View& view, const Vec2& pixel) {
     name = fmt::format("mesh: {} triangles", mesh->triangles.size());
   else if (const Region* region = std::get_if<Region>(picked->item))
     name = fmt::format("polygon: {} corners", corners_of(*region));
+  const std::string own = std::visit(  // which a scene of many objects does not show
+      [](const auto& it) -> std::string {
+        if constexpr (requires { it.name; })
+          return plain(it.name);
+        else
+          return {};
+      },
+      *picked->item);
+  if (!own.empty()) name = own + ", " + name;
   tooltip(s.ui, name + "\nthe viewing ray meets it at " + value_in_words(Setting(picked->at), s.player.lesson().flat));
 }
 

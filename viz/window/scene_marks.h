@@ -36,6 +36,8 @@ void toast(Session&, const Rect& scene);
 /// Rings a handle, names its parameter and value, and tells why it does not follow the pointer, if anything forbids
 /// that.
 void handle_under_pointer(Session&, const View&, const Handle&, const std::string& forbidden);
+/// The name of a handle with the keyboard's ring, where none stands at it.
+void handle_by_keyboard(Session&, const View&, const Handle&);
 /// Names the ball, solid, mesh or polygon that the viewing ray through `pixel` meets first, asking the core's own ray
 /// tests.
 void item_under_pointer(Session&, const View&, const Vec2& pixel);

@@ -12,17 +12,45 @@ bool is_tip(const Scene& scene, const Vec3& at) {
   });
 }
 
+/// So many handles have names of their own; of more than the former, parts of objects ("A.lo") have none. The pointer
+/// asks for each of the others, and so does the keyboard.
+constexpr std::size_t few_handles = 6, most_named_handles = 12;
+/// A scene with more names than that shows those of the objects it is about, if they are not as many.
+constexpr std::size_t most_names = 24;
+
+/// Of a scene of one's own.
+void thin_out(Scene& scene) {
+  const auto is_name = [](const Item& item) { return std::holds_alternative<Label>(item); };
+  const auto too_many = [&] {
+    return static_cast<std::size_t>(std::ranges::count_if(scene.items, is_name)) > most_names;
+  };
+  if (!too_many()) return;
+  erase_if(scene.items, [&](const Item& item) { return is_name(item) && std::get<Label>(item).role == Role::muted; });
+  if (too_many()) erase_if(scene.items, is_name);
+}
+
 bool stands_at(const Label& label, const Handle& h) { return (label.at - h.at).norm() <= 1e-9 * (1 + h.at.norm()); }
 
 }  // namespace
 
+std::string name_of(const Player& player, const Handle& h) {
+  for (const Parameter& p : player.lesson().parameters)
+    if (p.name == h.parameter && !p.label.empty()) return p.label;
+  return h.parameter;
+}
+
+bool is_named(const Player& player, const Handle& h) {
+  const std::size_t handles = player.scene().handles.size();
+  const bool part = !player.lesson().made_from.empty() && name_of(player, h).find('.') != std::string::npos;
+  return h.one_of.empty() && handles <= most_named_handles && (!part || handles <= few_handles);
+}
+
 Scene with_names(const Player& player) {
   Scene scene = player.scene();
+  if (!player.lesson().made_from.empty()) thin_out(scene);
   for (const Handle& h : scene.handles) {
-    if (!h.one_of.empty()) continue;  // so many names would hide the rest: the pointer asks for one
-    std::string name = h.parameter;
-    for (const Parameter& p : player.lesson().parameters)
-      if (p.name == h.parameter && !p.label.empty()) name = p.label;
+    if (!is_named(player, h)) continue;
+    const std::string name = name_of(player, h);
     const auto names = [&](const Item& item) {
       const Label* label = std::get_if<Label>(&item);
       if (!label || label->text.find(name) == std::string::npos) return false;

@@ -131,6 +131,14 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
   if (static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC > most_to_move) s.player.arrive(), behind_ = true;
 }
 
+/// The one with the keyboard's ring.
+std::optional<Handle> handle_of_keyboard(const Session& s) {
+  const std::string name = s.ui.focus.name();
+  for (const Handle& h : s.player.scene().handles)
+    if (s.pane == Pane::lead && name == "handle " + h.parameter) return h;
+  return {};
+}
+
 std::optional<Handle> SceneView::handle_near(const Session& s, const View& view, const Vec2& pixel) const {
   std::optional<Handle> nearest;
   if (s.pane == Pane::fixed) return nearest;
@@ -224,8 +232,11 @@ void SceneView::keyboard(Session& s, const View& view) {
     const Handle handle = *held;
     if (io.KeyCtrl) {
       if (search_) return;
-      s.player.remember("snap " + handle.parameter);
-      return begin_snap(s.player, snapping_nudge(s.player, view, handle, way));
+      return s.attempt([&] {
+        Snap snap = snapping_nudge(s.player, view, handle, way);
+        s.player.remember("snap " + handle.parameter);
+        begin_snap(s.player, std::move(snap));
+      });
     }
     s.attempt([&] {
       const Moved moved = nudge(s.player, view, handle, way, false);
@@ -333,6 +344,8 @@ void SceneView::show(Session& s, const Rect& r) {
   light_names(s, view, r, labels_);
   if (under)
     handle_under_pointer(s, view, *under, held_ ? forbidden_ : std::string());
+  else if (const std::optional<Handle> ringed = handle_of_keyboard(s))
+    handle_by_keyboard(s, view, *ringed);
   else if (hovered && !active && ui.sum.empty())
     item_under_pointer(s, view, mouse());
 

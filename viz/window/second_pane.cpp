@@ -119,6 +119,13 @@ void heads(Session& s, const Player& other, const Parting& parted, const PanesLa
   ImGui::End();
 }
 
+/// While a question is open the values on show are those of no step.
+Parting parting_now(const Player& first, const Player& second) {
+  Parting parted = parting(first.walk(), first.index(), second.walk(), second.index());
+  if (first.asked() || second.asked()) parted.value_a = parted.value_b = -1;
+  return parted;
+}
+
 }  // namespace
 
 bool two_panes(const Session& s) { return s.settings.beside && s.settings.beside->lesson == s.player.lesson().id; }
@@ -169,7 +176,7 @@ void SecondPane::show_other(Session& s, const PanesLayout& at) {
   Session along{.player = *other_, .ui = s.ui, .settings = s.settings, .course = s.course, .figures = {}};
   along.paired = true;
   along.pane = methods ? Pane::along : Pane::fixed;
-  const Parting parted = parting(s.player.walk(), s.player.index(), other_->walk(), other_->index());
+  const Parting parted = parting_now(s.player, *other_);
   along.parted_line = parted.line_b, along.parted_value = parted.value_b;
   const std::map<std::string, Rect> first = std::exchange(s.ui.rects, {});
   if (std::exchange(named_, other_->revision()) != other_->revision() || names_.empty())
@@ -191,7 +198,7 @@ void SecondPane::show_other(Session& s, const PanesLayout& at) {
 
 void SecondPane::show(Session& s, SceneView& lead, const PanesLayout& at) {
   if (!follow(s)) return;
-  const Parting parted = parting(s.player.walk(), s.player.index(), other_->walk(), other_->index());
+  const Parting parted = parting_now(s.player, *other_);
   heads(s, *other_, parted, at);
   s.paired = true;
   s.parted_line = parted.line_a, s.parted_value = parted.value_a;

@@ -120,6 +120,14 @@ struct Session {
     const Lesson* lesson = nullptr;
     float width = 0, height = 0;
   } lecture = {};
+  /// What the scene leaves free for the verdicts of a walk, which may be of thousands of steps.
+  struct SteadyHead {
+    unsigned walk = 0;
+    float width = 0, height = 0, alarm = 0;
+    double size = 0;
+    float tallest = 0;
+    bool operator==(const SteadyHead&) const = default;
+  } steady_head = {};
   double zoom = 1;  ///< asked for by a key
   Pane pane = Pane::lead;
   bool paired = false;                       ///< two panes: headings and counts give way to lines and values

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "viz/rich_text.h"
 #include "viz/window/map_view.h"
@@ -36,9 +37,11 @@ void scrubber(Session& s, const Rect& r, float y) {
   const float knob = place_of(r, player.index(), player.count());
   filled({r.left + 24, y - 2, r.right - 24, y + 2}, c.frame, 2);
   filled({r.left + 24, y - 2, knob, y + 2}, c.first, 2);
+  float last = -1;
   for (int i = 0; i < player.count(); ++i) {
     const bool decides = player.walk().steps[i].decides;
     const float x = std::round(place_of(r, i, player.count())), half = decides ? 8.0f : 5.0f;
+    if (std::exchange(last, x) == x && !decides) continue;  // of thousands of steps many share a pixel
     const Colour& ink = i <= player.index() ? c.first : c.theme.ink(Role::construction);
     filled({x - (decides ? 1.0f : 0.5f), y - half, x + (decides ? 1.0f : 0.5f), y + half}, ink, 0);
   }

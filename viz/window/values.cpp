@@ -36,12 +36,35 @@ std::string in_full(const Comparison& c) {
   return left + " and " + right;
 }
 
+/// The inequalities of a comparison, each with a bar of its own.
+std::vector<Comparison> inequalities(const Comparison& c) { return c.parts.empty() ? std::vector{c} : c.parts; }
+
+/// Heights of the card's parts: its head; a part of the condition; a bar.
+constexpr float card_head = 34, part_head = 22, bar_room = 28;
+
+ImFont* font_of_condition(const Ui& ui, const Comparison& c, float room) {
+  ImFont* font = ui.fonts.mono;
+  for (ImFont* narrower : {ui.fonts.mono_small, ui.fonts.small})
+    if (text_width(font, plain(c.text)) + 27 + text_width(ui.fonts.small, "false") > room) font = narrower;
+  return font;
+}
+
+/// Whether the meaning stands beside the condition.
+bool on_one_line(const Ui& ui, const Comparison& c, float room) {
+  return text_width(font_of_condition(ui, c, room), plain(c.text)) + 41 + text_width(ui.fonts.small, "false") +
+             text_width(ui.fonts.small, plain(c.meaning)) <=
+         room;
+}
+
 float card_height(const Ui& ui, const Comparison& c, float width) {
-  const float numbers = meaning_pitch * static_cast<float>(lines_of(ui, in_full(c), width - 32).size());
-  const float line = text_width(ui.fonts.mono, plain(c.text)) + 41 + text_width(ui.fonts.small, "false") +
-                     text_width(ui.fonts.small, plain(c.meaning));
-  if (line <= width - 32) return 72 + numbers;
-  return 72 + numbers + meaning_pitch * static_cast<float>(lines_of(ui, plain(c.meaning), width - 32).size());
+  const float room = width - 32;
+  float height = card_head + 10;
+  if (!on_one_line(ui, c, room))
+    height += meaning_pitch * static_cast<float>(lines_of(ui, plain(c.meaning), room).size());
+  for (const Comparison& part : inequalities(c))
+    height += (c.parts.empty() ? 0 : part_head) + bar_room +
+              meaning_pitch * static_cast<float>(lines_of(ui, in_full(part), room).size());
+  return height;
 }
 
 /// A bar scale that several values share: where zero lies and what fills it.
@@ -117,13 +140,36 @@ void value_row(Session& s, const Value& v, const std::string& digits, const std:
     ui.rects["new " + name] = {right - 2 - width, y - 7, right - 2, y + 7};
   }
   const auto scale = scales.find(v.unit);
-  const bool room_for_bar = right - room_for_new(s.player.step()) - number - 26 > 20;
+  const bool room_for_bar = right - room_for_new(s.player.shown()) - number - 26 > 20;
   if (scale != scales.end() && room_for_bar)
-    value_bar(ui, scale->second, v, number + 26, right - room_for_new(s.player.step()), y);
+    value_bar(ui, scale->second, v, number + 26, right - room_for_new(s.player.shown()), y);
 }
 
-/// The inequality with its sign, what that means, and both sides as bars. The meaning stands beside the inequality or,
-/// where there is no room, on lines of its own.
+/// A condition, and whether it is true. Returns where that ends.
+float truth(Ui& ui, const Comparison& c, ImFont* font, float x, float y) {
+  const Colour& ink = c.holds ? ui.palette.hit : ui.palette.miss;
+  lights_in(ui, font, x, y, plain(c.text));
+  const float end = x + text(font, x, y, packed(ui.palette.text), plain(c.text)) + 10;
+  (c.holds ? tick : ring)(end + 6, y, 13, packed(ink));
+  return end + 17 + text(ui.fonts.small, end + 17, y, packed(ink), c.holds ? "true" : "false");
+}
+
+/// Both sides on one scale: the left one as a bar, the right one as a tick.
+void comparison_bar(const Palette& c, const Comparison& comparison, float x0, float x1, float y) {
+  BarScale scale;
+  scale.take(comparison.left);
+  scale.take(comparison.right);
+  const Colour& ink = comparison.holds ? c.hit : c.miss;
+  const float zero = scale.at(0, x0, x1), left = scale.at(comparison.left, x0, x1);
+  const float right = scale.at(comparison.right, x0, x1);
+  filled({x0, y - 4, x1, y + 4}, c.frame, 4);
+  filled({std::min(zero, right), y - 4, std::max(zero, right), y + 4}, c.second.with_alpha(0.35), 4);
+  filled({std::min(zero, left), y - 4, std::max(zero, left), y + 4}, ink, 4);
+  filled({right - 1, y - 10, right + 1, y + 10}, c.second, 0);
+}
+
+/// The condition with its sign, what that means, and both sides of each of its inequalities as bars. The meaning stands
+/// beside the condition or, where there is no room, on lines of its own.
 void comparison_card(Session& s, const Comparison& comparison, const Rect& r) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
@@ -132,41 +178,36 @@ void comparison_card(Session& s, const Comparison& comparison, const Rect& r) {
   const std::vector<std::string> names = keys(names_in(comparison.text));
   if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) ui.light.point(names, r);
   if (focused(ui, "comparison", r)) ui.light.hold(names, r);
-  const Colour& ink = comparison.holds ? c.hit : c.miss;
   const float y = r.top + 20, x0 = r.left + 16, x1 = r.right - 16;
-  lights_in(ui, ui.fonts.mono, x0, y, plain(comparison.text));
-  const float end = x0 + text(ui.fonts.mono, x0, y, packed(c.text), plain(comparison.text)) + 10;
-  (comparison.holds ? tick : ring)(end + 6, y, 13, packed(ink));
-  const float told = end + 17 + text(ui.fonts.small, end + 17, y, packed(ink), comparison.holds ? "true" : "false");
+  truth(ui, comparison, font_of_condition(ui, comparison, x1 - x0), x0, y);
   const std::string meaning = plain(comparison.meaning);
   float bar_y = r.top + 45;
-  if (told + 14 + text_width(ui.fonts.small, meaning) <= x1) {
+  const auto lines = [&](const std::string& words, const Colour& ink) {
+    for (const std::string& line : lines_of(ui, words, x1 - x0)) {
+      text(ui.fonts.small, x0, bar_y - 4, packed(ink), line);
+      bar_y += meaning_pitch;
+    }
+  };
+  if (on_one_line(ui, comparison, x1 - x0))
     text(ui.fonts.small, x1, y, packed(c.muted), meaning, 1);
-  } else {
-    for (const std::string& line : lines_of(ui, meaning, x1 - x0)) {
-      text(ui.fonts.small, x0, bar_y - 4, packed(c.muted), line);
-      bar_y += meaning_pitch;
-    }
-  }
+  else
+    lines(meaning, c.muted);
   s.ui.rects["meaning"] = {x0, r.top + 8, x1, bar_y - 10};
-  if (const std::vector<std::string> numbers = lines_of(ui, in_full(comparison), x1 - x0); !numbers.empty()) {
-    const float top = bar_y - 10;
-    for (const std::string& line : numbers) {
-      text(ui.fonts.small, x0, bar_y - 4, packed(c.text), line);
-      bar_y += meaning_pitch;
+  int part_number = 0;
+  for (const Comparison& part : inequalities(comparison)) {
+    if (!comparison.parts.empty()) {
+      truth(ui, part, ui.fonts.mono_small, x0, bar_y - 2);
+      ui.rects["condition " + std::to_string(++part_number)] = {x0, bar_y - 12, x1, bar_y + 8};
+      bar_y += part_head;
     }
-    s.ui.rects["meaning in full"] = {x0, top, x1, bar_y - 10};
+    if (const std::string numbers = in_full(part); !numbers.empty()) {
+      const float top = bar_y - 10;
+      lines(numbers, c.text);
+      s.ui.rects["meaning in full"] = {x0, top, x1, bar_y - 10};
+    }
+    comparison_bar(c, part, x0, x1, bar_y);
+    bar_y += bar_room;
   }
-
-  BarScale scale;
-  scale.take(comparison.left);
-  scale.take(comparison.right);
-  const float zero = scale.at(0, x0, x1), left = scale.at(comparison.left, x0, x1);
-  const float right = scale.at(comparison.right, x0, x1);
-  filled({x0, bar_y - 4, x1, bar_y + 4}, c.frame, 4);
-  filled({std::min(zero, right), bar_y - 4, std::max(zero, right), bar_y + 4}, c.second.with_alpha(0.35), 4);
-  filled({std::min(zero, left), bar_y - 4, std::max(zero, left), bar_y + 4}, ink, 4);
-  filled({right - 1, bar_y - 10, right + 1, bar_y + 10}, c.second, 0);
 }
 
 }  // namespace
@@ -178,7 +219,7 @@ float values_height(const Ui& ui, const Step& step, float width, float pitch) {
 
 void values_block(Session& s, const Rect& r, float pitch) {
   Ui& ui = s.ui;
-  const Step& step = s.player.step();
+  const Step& step = s.player.shown();
   ui.rects["values"] = r;
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
@@ -212,7 +253,7 @@ void values_block(Session& s, const Rect& r, float pitch) {
 
 void operations_block(Session& s, const Rect& r) {
   Ui& ui = s.ui;
-  const Counters& n = s.player.step().counters;
+  const Counters& n = s.player.shown().counters;
   const Palette& c = ui.palette;
   s.ui.rects["operations"] = r;
   const std::pair<const char*, int> all[] = {
