@@ -50,8 +50,9 @@ bool is_widget(const std::string& full_name) {
       "parted value",   "question over scene",  "lecture",    "tripod",     "what came of it",
       "projection text"};
   return !areas.contains(name) && !name.starts_with("handle ") && !name.starts_with("no ") &&
-         !name.starts_with("number ") && !name.starts_with("new ") && !name.starts_with("trail ") &&
-         !name.starts_with("more ") && !name.starts_with("without effect ") && !name.ends_with(" under pointer");
+         !name.starts_with("yes ") && !name.starts_with("number ") && !name.starts_with("new ") &&
+         !name.starts_with("trail ") && !name.starts_with("more ") && !name.starts_with("without effect ") &&
+         !name.ends_with(" under pointer");
 }
 
 bool meet(const Rect& a, const Rect& b) {
