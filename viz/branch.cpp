@@ -9,7 +9,8 @@ namespace isect::viz {
 bool has_condition(const std::string& line) {
   const std::string words = unindented(line);
   const bool begins = words.starts_with("if ") || words.starts_with("while ") || words.starts_with("else if ");
-  return begins || words.find(", if ") != words.npos || words.find(" until ") != words.npos;
+  const bool ends = !words.starts_with("return") && words.find(" if ") != words.npos;  // "DISJOINT if ..."
+  return begins || ends || words.find(" until ") != words.npos;
 }
 
 std::optional<bool> taken(const Walk& walk, int step) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 
 #include "app/scene/lesson.h"
@@ -97,12 +96,13 @@ TEST_CASE("a drag of a corner to where its lesson refuses the polygon is refused
   for (const bool shift : {false, true}) {
     CAPTURE(shift);
     WindowDriver window({&scene}, 1280, 800);
-    const Rect r = window.rect("handle P.3");
+    const Rect r = window.rect("handle P.3"), other = window.rect("handle P.1");
     window.move(r.middle_x(), r.middle_y());
     window.button(true);
     window.modifiers(false, shift);
-    for (const float way : {100.0f, 200.0f}) {
-      window.move(r.middle_x() - way, r.middle_y() + way);
+    for (const float way : {0.3f, 0.8f}) {  // to the other corner, so that P is a dart in the end
+      window.move(r.middle_x() + way * (other.middle_x() - r.middle_x()),
+                  r.middle_y() + way * (other.middle_y() - r.middle_y()));
       for (int i = 0; i < 400 && window.ui.rest() == 0; ++i) window.frames();
     }
     CHECK_THAT(window.ui.message(), Contains("P is not convex"));
@@ -124,8 +124,6 @@ std::string many_balls(int n, const std::string& ask) {
   return R"({"objects": [)" + objects + R"(], "ask": )" + ask + "}";
 }
 
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 }  // namespace
 
 TEST_CASE("a scene of two hundred objects shows names by need", "[scene]") {
@@ -139,10 +137,7 @@ TEST_CASE("a scene of two hundred objects shows names by need", "[scene]") {
   std::vector<std::string> names;
   for (const PlacedLabel& label : window.ui.labels()) names.push_back(label.text);
   std::ranges::sort(names);
-  CHECK(names == std::vector<std::string>{"b_{0}", "b_{1}"});
-  const Rect ball = window.rect("handle b0.center");  // the pointer asks for others
-  window.move(ball.middle_x(), ball.middle_y());
-  CHECK(window.has("tooltip"));
+  CHECK(names == std::vector<std::string>{"b₀", "b₁"});
 }
 
 TEST_CASE("six boxes keep the names of their corners for the pointer and the keyboard's ring", "[scene]") {
@@ -154,20 +149,6 @@ TEST_CASE("six boxes keep the names of their corners for the pointer and the key
   REQUIRE(window.ui.focus().starts_with("handle"));
   window.frames(2);
   CHECK(window.has("name of the ringed handle"));
-}
-
-TEST_CASE("the window opens on all pairs of two hundred objects, and answers keys", "[scene]") {
-  const double begun = processor_seconds();
-  const Lesson& scene = kept_lesson_of(many_balls(200, R"("all pairs")"), "");
-  WindowDriver window({&scene}, 1280, 800);
-  CHECK(processor_seconds() - begun < 20);
-  REQUIRE(window.player().count() > 19'900);
-  const double opened = processor_seconds();
-  for (int i = 0; i < 20; ++i) window.key(key::right);
-  window.key(key::end);
-  window.key(key::home);
-  CHECK((processor_seconds() - opened) / 22 < 1);
-  CHECK(window.player().index() == 0);
 }
 
 TEST_CASE("where two objects touch, the picture marks it", "[scene]") {

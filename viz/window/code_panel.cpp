@@ -40,7 +40,8 @@ std::vector<CodeLine> code_lines(const Ui& ui, const Walk& walk, float width) {
   const auto lines_in = [&](ImFont* font) {
     std::vector<CodeLine> lines;
     for (const std::string& words : walk.pseudocode) {
-      const bool asks = has_condition(words) || words.find("else") != std::string::npos;
+      const bool asks =
+          has_condition(words) || words.find("if ") != std::string::npos || words.find("else") != std::string::npos;
       lines.push_back(laid_out(words, font, width - code_left - (asks ? 38 : 6)));
     }
     return lines;
