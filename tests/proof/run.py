@@ -3,11 +3,12 @@
 
     tests/proof/run.py [PART...] [--cases N] [--minutes N] [--jobs N] [--build DIR] [--out FILE]
 
-Parts; all but `again`, if none is named, one after the other:
+Parts; all but `again` and `pairs`, if none is named, one after the other:
 
     verdicts   the exact calls of every suite against its oracle in rational arithmetic, N cases in all (100 million)
     tests      every test with ISECT_LONG=1, N at a time (1)
     again      those that failed, once they were mended: for a test that asked too much; not part of all
+    pairs      a million pairs of objects of random scenes, judged by rationals; not part of all
     fuzz       each fuzz target for N minutes (30); fuzz:query, fuzz:cases or fuzz:polygon is one of them
     gather     what the parts found, written to FILE (bench/proof.json), if all are there and of one commit, or of commits
                that differ in neither core/ nor app/
@@ -110,6 +111,15 @@ def again(build, jobs, kept, of):
                      "seconds": before["seconds"] + now["seconds"], "commit": of}
 
 
+def pairs(build):
+    subprocess.run(["cmake", "--build", build, "--target", "scene_pairs"], check=True, stdout=sys.stderr)
+    run = subprocess.run([build / "tests" / "scene_pairs"], env=os.environ | {"ISECT_LONG": "1"},
+                         stdout=subprocess.PIPE, text=True)
+    sys.stderr.write(run.stdout)
+    asked, wrong, undecided = map(int, re.search(r"^all +(\d+) +(\d+) +(\d+)$", run.stdout, re.MULTILINE).groups())
+    return {"asked": asked, "wrong": wrong + undecided}
+
+
 def fuzz(target, minutes):
     program = f"{target}_fuzz"
     log = ROOT / "build" / "fuzz" / f"{program}.log"
@@ -148,8 +158,8 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "bench" / "proof.json")
     args = parser.parse_args()
     parts = [p for part in args.parts or known for p in (known[2:-1] if part == "fuzz" else [part])]
-    if unknown := [p for p in parts if p not in [*known, "again"]]:
-        parser.error(f"unknown PART {unknown[0]}; there are: {' '.join(known)} fuzz again")
+    if unknown := [p for p in parts if p not in [*known, "again", "pairs"]]:
+        parser.error(f"unknown PART {unknown[0]}; there are: {' '.join(known)} fuzz again pairs")
 
     kept, wrong = args.build / "proof", 0
     of = commit() if parts != ["gather"] else None
@@ -164,6 +174,8 @@ def main():
             found = tests(args.build, args.jobs)
         elif part == "again":
             part, found = "tests", again(args.build, args.jobs, kept, of)
+        elif part == "pairs":
+            found = pairs(args.build)
         else:
             found = fuzz(part.removeprefix("fuzz:"), args.minutes)
         wrong += found["wrong"]

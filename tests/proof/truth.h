@@ -1,0 +1,87 @@
+#pragma once
+// What an object of a scene is as a set of points, and how two such sets lie, in rationals.
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/proof/polytope.h"
+
+namespace isect::proof {
+
+using Json = nlohmann::ordered_json;
+
+/// Of a part of a line: null where it has no end.
+struct Range {
+  std::optional<Rational> lo, hi;
+};
+
+/// The set of an object. What it is of is given by `kind`; the rest is empty.
+struct Thing {
+  enum class Kind {
+    body,     ///< convex and bounded: what lies within `radius` of the hull of `points`
+    line,     ///< origin + t direction, t in `range`
+    plane,    ///< normal . x + d = 0
+    region,   ///< in the plane: what `rings` go round an odd number of times, with the rings
+    surface,  ///< in space: triangles
+    cloud     ///< points
+  };
+  Kind kind;
+  std::string type;  ///< as files call it
+  bool flat;
+
+  Points points = {};  ///< a body's or a cloud's; of a line: origin and direction
+  Rational radius = 0;
+  Faces faces = {};  ///< of a body without radius
+  Range range = {};
+  Vec normal = {};
+  Rational d = 0;
+  std::vector<Points> rings = {};  ///< also the outline of a triangle or polygon in space
+  std::vector<Points> triangles = {};
+  bool closed = false;  ///< of a surface
+
+  /// `planes`: those of a frustum, which are what its numbers are rounded to.
+  static Thing read(const Json& object, bool flat, const Faces& planes = {});
+};
+
+Rational rational(double);
+Vec vec(const Json&);
+
+/// -1 in the interior, 0 on the boundary, 1 outside. What has no inside has a boundary alone.
+int place(const Vec&, const Thing&);
+bool meet(const Thing&, const Thing&);
+/// Whether two sets have a common point interior to both, each within the line, plane or space that it spans: bodies;
+/// in the plane regions as well; a surface and a body that has a volume.
+bool interiors_meet(const Thing&, const Thing&);
+/// Whether the first lies in the second: of the same sets; or in a plane.
+bool lies_in(const Thing&, const Thing&);
+/// How many triangles of the first have a point in the second.
+int triangles_met(const Thing& surface, const Thing&);
+/// The sides of a plane that something bounded has points on, or at: behind, on, before.
+std::array<bool, 3> sides(const Thing& plane, const Thing&);
+
+/// Two lines or parts of them.
+struct Crossing {
+  enum class Lines { skew, parallel, other } lines;
+  enum class Common { nothing, point, stretch } common;
+  bool within_both = false;  ///< the point is an end of neither
+};
+Crossing crossing(const Thing&, const Thing&);
+
+/// The part of a line in something else: by t, nothing if they have no common point. For what is not round; of what is
+/// not convex, only its beginning.
+std::optional<Range> part_in(const Thing& line, const Thing&);
+
+/// Whether a line touches a ball: the whole line, beyond its ends as well.
+bool tangent(const Thing& line, const Thing& ball);
+/// Whether a point lies on the outline of a triangle or a polygon in space.
+bool on_outline(const Vec&, const Thing&);
+/// Whether a line lies in the plane of such a one.
+bool in_plane_of(const Thing& line, const Thing&);
+/// The point at t.
+Vec at(const Thing& line, const Rational& t);
+/// 1 left of it, -1 right of it, 0 on it, in the plane.
+int side(const Vec&, const Thing& line);
+
+}  // namespace isect::proof
