@@ -13,7 +13,7 @@ namespace {
 bool tells(Role role) { return role == Role::hit || role == Role::miss; }
 
 /// Whether an item may give an answer away where it is new.
-struct Tells {
+struct GivesAway {
   bool operator()(const Dot& it) const { return tells(it.role) || (it.mark != Mark::disc && it.mark != Mark::ring); }
   bool operator()(const Heading& it) const {
     return tells(it.role) || std::ranges::any_of(it.text, [](char c) { return c >= '0' && c <= '9'; });
@@ -53,7 +53,7 @@ struct Positions {
 
 std::vector<Vec3> positions(const Item& item) { return std::visit(Positions{}, item); }
 
-/// The part it plays, as far as Tells asks.
+/// The part it plays, as far as GivesAway asks.
 struct Part {
   std::pair<Role, int> operator()(const Dot& it) const { return {it.role, static_cast<int>(it.mark)}; }
   std::pair<Role, int> operator()(const RightAngle&) const { return {}; }
@@ -108,7 +108,7 @@ Scene without_answer(const Scene& after, const Scene& before) {
   for (const Item& item : after.items) {
     const Label* label = std::get_if<Label>(&item);
     const bool names_nothing = label && std::ranges::find(left_out, label->at) != left_out.end();
-    if (stands_in(before, item) || (!names_nothing && !std::visit(Tells{}, item)))
+    if (stands_in(before, item) || (!names_nothing && !std::visit(GivesAway{}, item)))
       scene.items.push_back(item);
     else if (const Item* old = replaced(item, before, after))
       scene.items.push_back(*old);

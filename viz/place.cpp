@@ -32,13 +32,11 @@ Json json(const Parameters& parameters) {
   return object;
 }
 
-constexpr double pi = std::numbers::pi;
-
-double in_radians(double degrees) { return degrees * pi / 180; }
+double in_radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 /// The number of fewest digits that is read as this angle, so that 30 stays 30; the nearest where none is.
 double in_degrees(double radians) {
-  const double exact = radians / pi * 180;
+  const double exact = radians / std::numbers::pi * 180;
   for (int digits = 1; digits <= 17; ++digits) {
     const double degrees = std::stod(fmt::format("{:.{}g}", exact, digits));
     if (in_radians(degrees) == radians) return degrees;
@@ -46,7 +44,10 @@ double in_degrees(double radians) {
   return exact;
 }
 
-double within_a_turn(double radians) { return std::abs(radians) > 2 * pi ? std::remainder(radians, 2 * pi) : radians; }
+double within_a_turn(double radians) {
+  constexpr double turn = 2 * std::numbers::pi;
+  return std::abs(radians) > turn ? std::remainder(radians, turn) : radians;
+}
 
 Json json(const Camera& camera) {
   return {{"angles", "degrees"},
@@ -172,7 +173,7 @@ Camera camera_of(const Json& object, const Lesson& lesson, const Parameters& par
   };
   if (object.contains("target")) camera.target = point_of(object["target"], "camera target");
   angle("azimuth", camera.azimuth, {-360, 360}, {-1e6, 1e6});
-  angle("elevation", camera.elevation, {-90, 90}, {-pi / 2, pi / 2});
+  angle("elevation", camera.elevation, {-90, 90}, {-std::numbers::pi / 2, std::numbers::pi / 2});
   angle("field_of_view", camera.field_of_view, {0.5, 178}, {0.01, widest_in_radians});
   if (object.contains("half_height"))
     camera.half_height = number_of(object["half_height"], "camera half_height", 1e-300, 1e300);

@@ -55,11 +55,11 @@ std::vector<Triangle<double, 3>> facets(const Hull3<double>& hull) {
 /// What of the open segment p q is strictly inside all faces: whether anything is, told by the last face that it enters
 /// and the first that it leaves.
 bool passes_within(const Vec3& p, const Vec3& q, const HalfSpaces& solid) {
-  struct Place {
+  struct Ratio {
     Exact num, den;  // den > 0
-    bool after(const Place& x) const { return (num * x.den - x.num * den).sign() > 0; }
+    bool after(const Ratio& x) const { return (num * x.den - x.num * den).sign() > 0; }
   };
-  std::optional<Place> last_entry, first_exit;
+  std::optional<Ratio> last_entry, first_exit;
   for (const half_spaces::Face& face : solid.faces) {
     const inequalities::Row<Exact> row = half_spaces::detail::row<Exact>(face);
     const auto at = [&](const Vec3& x) {
@@ -69,9 +69,9 @@ bool passes_within(const Vec3& p, const Vec3& q, const HalfSpaces& solid) {
     if (from.sign() <= 0 && to.sign() <= 0) return false;
     if (from.sign() > 0 && to.sign() > 0) continue;
     if (from.sign() <= 0) {
-      if (const Place t = {-from, to - from}; !last_entry || t.after(*last_entry)) last_entry = t;
+      if (const Ratio t = {-from, to - from}; !last_entry || t.after(*last_entry)) last_entry = t;
     } else {
-      if (const Place t = {from, from - to}; !first_exit || first_exit->after(t)) first_exit = t;
+      if (const Ratio t = {from, from - to}; !first_exit || first_exit->after(t)) first_exit = t;
     }
   }
   return !last_entry || !first_exit || first_exit->after(*last_entry);

@@ -127,7 +127,6 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
     filled(r, c.highlight.with_alpha(s.player.light()), 5);
   else if (p.hovered && to >= 0)
     filled(r, c.frame, 5);
-  if (p.clicked && to >= 0) s.player.go_to(to);
 
   const bool lit = current && s.player.light() > 0.5;  // until then the ink of other lines reads better on the ground
   if (line == s.parted_line) parted_mark(ui, "parted line", r, lit);
@@ -154,6 +153,7 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
     text(ui.fonts.small, r.right - 12, y, packed(lit ? c.on_highlight : *said ? c.hit : c.miss), word, 1);
     ui.rects[word + " " + std::to_string(line + 1)] = {r.right - 34, y - 9, r.right - 8, y + 9};
   }
+  if (p.clicked && to >= 0) s.player.go_to(to);  // last, as it ends the life of the step that is shown
 }
 
 void code(Session& s, const std::vector<CodeLine>& lines, const Rect& r, float pitch) {
