@@ -293,7 +293,7 @@ std::string row_of_boxes(int n, double moved = 0) {
 
 }  // namespace
 
-TEST_CASE("of many pairs a step tells those of one object; few have a step each", "[scene]") {
+TEST_CASE("of many pairs a step tells those of one object, and few have a step each", "[scene]") {
   const viz::Lesson few = scene::lesson_of(row_of_boxes(20), "");
   CHECK(few.walk(few.presets[0].parameters).steps.size() == 1 + 190 + 1);
 
