@@ -331,7 +331,7 @@ TEST_CASE("bars back to back are as long as their shares, each on its own side",
   CHECK(percent_text(27.6) == "28");
 }
 
-TEST_CASE("a small map on paper has numbers, and a key that names them; a large one its names", "[chart]") {
+TEST_CASE("a small map on paper has numbers, and a key that names them, and a large one its names", "[chart]") {
   Cases cases;
   cases.x = {Scale::Kind::linear, 0, 4, "start of the ray", {}};
   cases.y = {Scale::Kind::linear, 0, 2, "distance", {}};
