@@ -36,12 +36,18 @@ double in_radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 /// The number of fewest digits that is read as this angle, so that 30 stays 30; the nearest where none is.
 double in_degrees(double radians) {
-  const double exact = radians / std::numbers::pi * 180;
+  const double near = radians / std::numbers::pi * 180;
   for (int digits = 1; digits <= 17; ++digits) {
-    const double degrees = std::stod(fmt::format("{:.{}g}", exact, digits));
+    const double degrees = std::stod(fmt::format("{:.{}g}", near, digits));
     if (in_radians(degrees) == radians) return degrees;
   }
-  return exact;
+  double below = near, above = near;  // both conversions round, by a few ulps at most
+  for (int ulps = 1; ulps <= 4; ++ulps) {
+    below = std::nextafter(below, -HUGE_VAL), above = std::nextafter(above, HUGE_VAL);
+    if (in_radians(below) == radians) return below;
+    if (in_radians(above) == radians) return above;
+  }
+  return near;
 }
 
 double within_a_turn(double radians) {

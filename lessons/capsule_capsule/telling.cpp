@@ -19,13 +19,13 @@ using capsule_capsule::Nearest;
 namespace {
 
 const std::vector<std::string> pseudocode = {
-    "R ← r_a + r_b",                                                // 0
-    "if the segments cross: d ← 0",                                 // 1
-    "else: for p_a, q_a, until d < R: d ← distance to b, if less",  // 2
-    "      for p_b, q_b, until d < R: d ← distance to a, if less",  // 3
-    "if d > R: return DISJOINT",                                    // 4
-    "if the balls at the ends of one lie in the other: INSIDE",     // 5
-    "return OVERLAPPING, or TOUCHING if d = R or r_a r_b = 0"       // 6
+    "R ← r_a + r_b",                                                  // 0
+    "if the segments cross: d ← 0",                                   // 1
+    "else: for p_a, q_a, until d < R: d ← distance to b, if less",    // 2
+    "      for p_b, q_b, until d < R: d ← distance to a, if less",    // 3
+    "if d > R: return DISJOINT",                                      // 4
+    "if the balls at the ends of one lie in the other: INSIDE",       // 5
+    "return OVERLAPPING, or TOUCHING if d = R (segments: at an end)"  // 6
 };
 const char* const end_names[] = {"**p**_a", "**q**_a", "**p**_b", "**q**_b"};
 
@@ -111,9 +111,11 @@ class Teller {
     shown_.ways = ends_;
     Step& step = add(of_a ? "ends-a" : "ends-b", of_a ? "The ends of a" : "The ends of b", of_a ? 2 : 3, caption,
                      "least *d* so far = " + shown(least_));
-    step.question = which_value(
-        fmt::format("{} tested against {}. What is the least *d* so far?", tested(), tested_against()), least_,
-        misconceived(before), "The nearest point of a segment lies between its ends, or is one of them.");
+    step.question =
+        which_value(fmt::format("{} tested against {}. What is the least *d* so far?", tested(), tested_against()),
+                    least_, misconceived(before),
+                    std::string("The nearest point of a segment lies between its ends, or is one of them.") +
+                        (least_ < before ? "" : " None of these is nearer than what was found before."));
     give_before(script_.walk(), {"least *d* so far"});
     shown_.earlier.insert(shown_.earlier.end(), ends_.begin(), ends_.end());
     shown_.ways.clear(), ends_.clear();

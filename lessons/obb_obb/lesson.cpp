@@ -88,8 +88,7 @@ Parameter half_lengths(const char* name, const char* label, const char* help, co
 /// Two directions span the sides' plane, a microradian apart or more.
 Condition aside(const char* v, const char* u) {
   return {v, std::string("a vector that is neither 0 nor along ") + u, [=](const Parameters& p) {
-            const Vec3 one = std::get<Vec3>(p.at(u)).stableNormalized(),
-                       other = std::get<Vec3>(p.at(v)).stableNormalized();
+            const Vec3 one = unit(std::get<Vec3>(p.at(u))), other = unit(std::get<Vec3>(p.at(v)));
             return one.cross(other).norm() >= 1e-6;
           }};
 }

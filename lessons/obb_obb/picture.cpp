@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lessons/obb_obb/shared_part.h"
+#include "lessons/shared/parameters.h"
 #include "viz/solids.h"
 
 namespace isect::lessons::obb_obb_lesson {
@@ -25,8 +26,8 @@ Vec3 corner(const Box& box, int i) {
 /// A right-handed frame: u normalised, w orthogonal to u and v, and v made orthogonal to both.
 Box box_of(const Vec3& center, const Vec3& half, const Vec3& u, const Vec3& v) {
   Box box = {center, {}, half};
-  box.axes.col(0) = u.stableNormalized();
-  box.axes.col(2) = box.axes.col(0).cross(v.stableNormalized()).normalized();
+  box.axes.col(0) = unit(u);
+  box.axes.col(2) = unit(box.axes.col(0).cross(v));
   box.axes.col(1) = box.axes.col(2).cross(box.axes.col(0));
   return box;
 }
@@ -156,8 +157,7 @@ Scene picture(const Setup& s, Focus focus, const std::optional<obb_obb::Axis>& a
   scene.items.push_back(Dot{b, Mark::disc, Role::second});
   scene.items.push_back(Label{a, "**a**", Role::first});
   scene.items.push_back(Label{b, "**b**", Role::second});
-  const Vec3 face_of_a = a + s.a.half.x() * s.a_u.stableNormalized(),
-             face_of_b = b + s.b.half.x() * s.b_u.stableNormalized();
+  const Vec3 face_of_a = a + s.a.half.x() * unit(s.a_u), face_of_b = b + s.b.half.x() * unit(s.b_u);
   scene.handles = {{"a", Handle::Kind::point, a, Vec3::Zero(), Role::first},
                    {"a_u", Handle::Kind::vector, face_of_a, a, Role::first},
                    {"b", Handle::Kind::point, b, Vec3::Zero(), Role::second},

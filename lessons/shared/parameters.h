@@ -1,6 +1,7 @@
 #pragma once
 // The knobs that lessons have in common.
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <utility>
@@ -33,6 +34,11 @@ inline viz::Parameter where(const std::string& choice, std::vector<std::string> 
 /// A point of a plane lesson: the third coordinate is not used.
 inline Point<double, 2> flat_point(const viz::Parameters& values, const std::string& name) {
   return std::get<viz::Vec3>(values.at(name)).head<2>();
+}
+
+/// Its direction, of length 1, however long it is.
+inline viz::Vec3 unit(const viz::Vec3& v) {
+  return std::isnormal(v.squaredNorm()) ? v.normalized() : v.stableNormalized();
 }
 
 /// A direction must have a length. `flat`: in the plane, as its third coordinate is not used. `where`: asked of the

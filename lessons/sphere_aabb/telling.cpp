@@ -144,9 +144,8 @@ class Teller {
       case Relation::disjoint:
         return "Even the box's nearest point lies outside the ball.";
       case Relation::touching:
-        return (s_.box.lo.array() == s_.box.hi.array()).any()
-                   ? "The box is flat and has no interior, so no point is interior to both."
-                   : "They share boundary points, but no interior point.";
+        return (s_.box.lo.array() == s_.box.hi.array()).any() ? "They share points, but none is interior to both."
+                                                              : "They share boundary points, but no interior point.";
       case Relation::a_inside_b:
         return "On every axis, both ends of the interval are at least *r* away from **c**.";
       case Relation::b_inside_a:

@@ -159,15 +159,31 @@ TEST_CASE("the radius that is asked for is the box's own, without what the test 
   CHECK_THAT(plain(of_plain.question->prompt), Contains("What is r_b?"));
 }
 
-TEST_CASE("a flat box that lies within another shape has no interior to share, and it is said so", "[words]") {
-  const std::string boxes =
-      told(with("aabb-aabb", "overlapping",
-                {{"a_min", "0,0,0"}, {"a_max", "1,0,1"}, {"b_min", "0.25,-1,0.25"}, {"b_max", "0.5,1,0.5"}}));
-  const std::string tilted = told(with("obb-obb", "edges", {{"a_half", "2,0,2"}, {"b", "0,0,0"}, {"a", "0,0,0"}}));
-  const std::string ball = told(with("sphere-aabb", lesson("sphere-aabb").presets.front().id,
-                                     {{"b_min", "-2,0,-2"}, {"b_max", "2,0,2"}, {"c", "0,0,0"}, {"r", "1"}}));
-  for (const std::string& words : {boxes, tilted, ball})
-    CHECK_THAT(words, Contains("no point is interior to both") && !Contains("boundary points, but no interior"));
+TEST_CASE("a flat box on another shape shares no point that is interior to both, and one that pierces it does",
+          "[words]") {
+  const auto boxes = [](const char* bottom) {
+    return told(with("aabb-aabb", "overlapping",
+                     {{"a_min", "0,0,0"}, {"a_max", "1,0,1"}, {"b_min", bottom}, {"b_max", "0.5,1,2"}}));
+  };
+  const auto tilted = [](const char* above) {
+    return told(with("obb-obb", "edges",
+                     {{"a", above},
+                      {"a_half", "2,0,2"},
+                      {"a_u", "1,0,0"},
+                      {"a_v", "0,1,0"},
+                      {"b", "0,0,0"},
+                      {"b_half", "1,1,1"},
+                      {"b_u", "1,0,0"},
+                      {"b_v", "0,1,0"}}));
+  };
+  const auto ball = [](const char* center) {
+    return told(with("sphere-aabb", lesson("sphere-aabb").presets.front().id,
+                     {{"b_min", "-2,0,-2"}, {"b_max", "2,0,2"}, {"c", center}, {"r", "1"}}));
+  };
+  for (const std::string& words : {boxes("0.25,0,0.25"), tilted("0.5,1,0.5"), ball("0,1,0")})
+    CHECK_THAT(words, Contains("none is interior to both") && !Contains("boundary points, but no interior"));
+  for (const std::string& words : {boxes("0.25,-1,0.25"), tilted("0.5,0,0.5"), ball("0,0.5,0")})
+    CHECK_THAT(words, Contains("overlap") && !Contains("none is interior to both"));
   CHECK_THAT(told(walk_of("aabb-aabb", "touching-face")),
              Contains("They share boundary points, but no interior point."));
 }

@@ -3,11 +3,13 @@
 #include "viz/asking.h"
 #include "viz/closing.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <regex>
 #include <string>
 
 #include "lessons/lessons.h"
@@ -133,12 +135,28 @@ std::optional<double> number_in(std::string text) {
   }
 }
 
+/// With "5.5 · 10⁻³" as 0.0055.
+std::string without_powers(std::string text) {
+  static const std::vector<std::string> raised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  static const std::regex power("([0-9.]+)[^0-9a-z]{0,4}·[^0-9a-z]{0,4}10((⁻|⁰|¹|²|³|⁴|⁵|⁶|⁷|⁸|⁹)+)");
+  for (std::smatch found; std::regex_search(text, found, power);) {
+    std::string exponent = found[2];
+    for (std::size_t i = 0; i < raised.size(); ++i)
+      for (std::size_t at; (at = exponent.find(raised[i])) != exponent.npos;)
+        exponent.replace(at, raised[i].size(), std::to_string(i));
+    if (exponent.starts_with("⁻")) exponent.replace(0, std::string("⁻").size(), "-");
+    const std::string number = fmt::format("{:.40f}", std::stod(found[1].str() + "e" + exponent));
+    text = found.prefix().str() + number + found.suffix().str();
+  }
+  return text;
+}
+
 /// All numbers of a text, in their order.
 std::vector<double> numbers_in(const std::string& text) {
   std::vector<double> all;
   std::string word;
   const std::string digits = "0123456789.";
-  const std::string words = text + " ";
+  const std::string words = without_powers(text) + " ";
   for (std::size_t i = 0; i < words.size(); ++i) {
     const bool minus = words.compare(i, 3, "−") == 0;
     if (minus && word.empty()) {

@@ -69,7 +69,8 @@ TEST_CASE("a camera's angles are degrees, and those that were typed come back as
   CHECK(degrees.elevation == 35 * std::numbers::pi / 180);
   CHECK(degrees.field_of_view == 30 * std::numbers::pi / 180);
   CHECK_THAT(to_json(Place{"toy", "", {}, {}, Camera{}}),
-             Contains(R"("angles":"degrees","azimuth":30.0,"elevation":22.0)") && Contains(R"("field_of_view":35.0)"));
+             Contains(R"("angles":"degrees")") && Contains(R"("azimuth":30.0)") && Contains(R"("elevation":22.0)") &&
+                 Contains(R"("field_of_view":35.0)"));
   CHECK(seen(R"({"elevation": 90})").camera->elevation == std::numbers::pi / 2);
 
   isect::bench::Random random(isect::bench::stream(isect::tests::seed(), "camera"));
