@@ -72,8 +72,8 @@ std::string accept_command(const Report& r, const Failure& f) {
   if (!acceptable(f)) return {};
   Asked asked = r.asked;
   const bool known = std::ranges::find(r.checked, std::pair(f.lesson, f.preset)) != r.checked.end();
-  // What belongs to no preset is looked for only where all presets are.
-  if (known) asked.preset = as_asked(f.preset, asked);
+  // What belongs to no preset is looked for only where all presets are, and so is where one came from.
+  if (known && f.kind != Kind::moved) asked.preset = as_asked(f.preset, asked);
   if (std::ranges::find(r.by_name, f.lesson) != r.by_name.end()) asked.lessons = {f.lesson};
   return command(asked, f.kind == Kind::missing);
 }

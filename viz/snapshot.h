@@ -16,8 +16,8 @@ struct Stamp {
   std::string renderer, font, theme, size;
 };
 
-/// Whether a trace tells, besides its walk, what the lesson says of itself: exercises and errata, which stand in that of
-/// its first preset.
+/// Whether a trace tells, besides its walk, what the lesson says of itself: exercises and errata, which stand in that
+/// of its first preset.
 enum class Tells { lesson, walk };
 
 /// One walk as JSON: all that its steps say, numbers to nine significant digits, and what their drawings show, object

@@ -45,7 +45,8 @@ std::string out_of_place(std::size_t character, const char* what) {
   return "no JSON: character " + std::to_string(character) + what;
 }
 
-/// The parser stops at a character of what other programs write for a number that is none, if that is what stands there.
+/// The parser stops at a character of what other programs write for a number that is none, if that is what stands
+/// there.
 std::string no_number(std::string_view line, std::size_t at) {
   std::size_t begin = std::min(at, line.size()), end = begin;
   while (begin > 0 && is_letter(line[begin - 1])) --begin;

@@ -38,7 +38,8 @@ Obb<double, N> obb_of(const Setting& s, const Object& o) {
   Obb<double, N> box;
   box.center = point_of<N>(s.point(o, "center")), box.half = point_of<N>(s.point(o, "half"));
   const char* const axes[] = {"u", "v", "w"};
-  for (int i = 0; i < N; ++i) box.axes.col(i) = point_of<N>(s.point(o, axes[i]));
+  for (int i = 0; i < N; ++i)  // in the plane there is no w
+    box.axes.col(i) = point_of<N>(s.has(o, axes[i]) ? s.point(o, axes[i]) : viz::Vec3::UnitZ());
   return box;
 }
 template <int N>

@@ -129,7 +129,7 @@ TEST_CASE("a preset that was moved is told as moved, in a line, and is accepted 
   const Ran r = shell("isect check --dir course");
   CHECK(r.status == 1);
   CHECK_THAT(r.out, StartsWith("MOVED intervals new/week-4: says and shows what week-3 did, which is no more\n"
-                               "to accept it: isect check intervals --dir course --update=failed\n1 failure in "));
+                               "to accept it: isect check --dir course --update=failed\n1 failure in "));
   const auto result = nlohmann::json::parse(shell("isect check --dir course --json").out);
   REQUIRE(result["failures"].size() == 1);
   CHECK(result["failures"][0]["kind"] == "moved");

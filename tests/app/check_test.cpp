@@ -36,7 +36,7 @@ TEST_CASE("a radius larger by a thousandth fails and is named by lesson, step an
   CHECK(r.status == 1);
   CHECK_THAT(r.out, StartsWith("FAILED ray-sphere two-roots: trace: parameter radius was ") &&
                         Contains("\n    step 3: r² was "));
-  CHECK_THAT(r.out, Contains("step 7 (half-chord): picture: the page formula says") &&
+  CHECK_THAT(r.out, Contains("step 7 (half-chord): picture: the text of the page formula was") &&
                         Contains("the ball c is 1.001 times as large") && Contains("pixels differ by more than 8"));
   CHECK(accept_command(r.out) == ball.check() + " --update=failed");
 }

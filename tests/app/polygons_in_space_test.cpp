@@ -134,8 +134,7 @@ TEST_CASE("a polygon in space meets what has a point in it", "[scene]") {
   expect(R"({"polygon": "Q", "points": [[1,3,-1],[2,3,-1],[2,3,1],[1,3,1]]})", "P and Q have a common point");
   expect(R"({"kdop": "K", "normals": [[1,0,0],[0,1,0],[0,0,1]], "lo": [0,2.5,-1], "hi": [1,3,1]})",
          "P and K are disjoint");
-  expect(R"({"kdop": "K", "normals": [[1,0,0],[0,1,0],[0,0,1]], "lo": [0,2,-1], "hi": [1,3,1]})",
-         "P and K touch");
+  expect(R"({"kdop": "K", "normals": [[1,0,0],[0,1,0],[0,0,1]], "lo": [0,2,-1], "hi": [1,3,1]})", "P and K touch");
   expect(R"({"hull": "H", "points": [[1,3,-1],[1.5,3,1],[1,3.5,1],[0.5,3,1]]})", "P and H are disjoint");
   expect(R"({"hull": "H", "points": [[1,3,-1],[4,3,1],[1,3.5,1],[0.5,3,1]]})", "P and H overlap");
   expect(R"({"hull": "H", "points": [[-9,-9,-9],[90,0,-9],[0,90,-9],[0,0,90]]})", "P lies in H");

@@ -280,7 +280,7 @@ TEST_CASE("a table with semicolons may have decimal commas, and a text STL that 
         "1 of 2 points of C lies inside B");
   write(shell.work() / "m.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n");
   write(shell.work() / "s.json", R"({"objects": [{"mesh": "M", "file": "m.stl"}]})");
-  CHECK_THAT(shell("isect scene s.json").err, Contains("m.stl: it ends within a facet"));
+  CHECK_THAT(shell("isect scene s.json").err, Contains("m.stl: line 5: it ends where vertex is expected"));
 }
 
 TEST_CASE("whatever takes a preset's file takes a scene", "[scene]") {

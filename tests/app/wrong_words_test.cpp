@@ -35,7 +35,7 @@ TEST_CASE("a wrong command line is refused in our own words", "[program]") {
       {"bench --quik", "option: \"--quik\"", "mean \"--quick\""},
       {"show --set=radius=2 --stp 3", "option: \"--stp\"", "mean \"--step\""},
       // Values that are missing.
-      {"render ray-sphere --step", "--step: no value is given", "write --step N|A-B|all"},
+      {"render ray-sphere --step", "--step: no value is given", "write --step N|A-B|NAME|all"},
       {"render ray-sphere --out", "--out: no value is given", "write --out DIR|-"},
       {"render ray-sphere --out --step 1", "--out: no value is given", "write --out DIR|-"},
       {"render --out= ray-sphere", "--out: no value is given", "write --out DIR|-"},
@@ -76,7 +76,7 @@ TEST_CASE("a wrong command line is refused in our own words", "[program]") {
       {"bench --seed 1.5", "--seed: \"1.5\"", "whole number"},
       {"bench --seed=-1", "--seed: \"-1\"", "whole number"},
       {"render ray-sphere --step one", "step: \"one\"", "1 to 13"},
-      {"render ray-sphere --step -1", "step: \"-1\"", "1 to 13"},
+      {"render ray-sphere --step -99", "step: \"-99\"", "1 to 13"},
       {"render ray-sphere --size 960", "size: \"960\"", "960x600"},
       {"render ray-sphere --format svg --width 8", "width: \"8\"", "cm, mm, pt, in"},
       {"render ray-sphere --theme \"\"", "--theme: empty", "write --theme THEME"},

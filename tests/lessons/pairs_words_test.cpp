@@ -237,8 +237,7 @@ TEST_CASE("what the capsule lesson says at the end is true of any two capsules",
       const std::string asked = step.question ? step.question->prompt : "";
       const std::string subject = asked.substr(0, asked.find("tested"));  // then come the other segment's ends
       for (int i = 0; i < 4; ++i) {
-        if (step.question ? says(subject, names[i])
-                          : says(step.caption, (names[i] + std::string(":")).c_str()))
+        if (step.question ? says(subject, names[i]) : says(step.caption, (names[i] + std::string(":")).c_str()))
           tested.insert(i);
         if (!tested.contains(i)) continue;
         const Capsule<double, 2>& other = i < 2 ? b : a;
@@ -251,7 +250,8 @@ TEST_CASE("what the capsule lesson says at the end is true of any two capsules",
     }
     const auto& comparison = last.comparison;
     const bool all = tested.size() == 4 || tested.empty();
-    if (comparison && !comparison->holds) CHECK(says(comparison->meaning, "less still") == (!all && comparison->left > 0));
+    if (comparison && !comparison->holds)
+      CHECK(says(comparison->meaning, "less still") == (!all && comparison->left > 0));
   });
 }
 

@@ -247,7 +247,8 @@ TEST_CASE("the ring of a yellow handle is seen on white", "[compose]") {
   }
 }
 
-TEST_CASE("a note stands on its point, or where something else is, beside it with a leader that ends there", "[compose]") {
+TEST_CASE("a note stands on its point, or where something else is, beside it with a leader that ends there",
+          "[compose]") {
   const Vec3 at(0.3, 0.2, 0);
   Scene scene;
   scene.items = {Region{.rings = {{{-2, -1, 0}, {2, -1, 0}, {2, 1, 0}, {-2, 1, 0}}}},

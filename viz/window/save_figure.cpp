@@ -1,6 +1,7 @@
 #include "viz/window/save_figure.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -89,8 +90,11 @@ std::string free_stem(const std::string& wanted, const std::string& format, cons
 
 /// How it was asked for, as `isect render` reads it again.
 static std::string words_of(const Settings& settings) {
-  const std::string width = settings.save_width_cm > 0 ? fmt::format(R"(,"width":"{}cm")", settings.save_width_cm) : "";
-  return fmt::format(R"({{"theme":"{}"{}}})", name_of(settings.save_theme), width);
+  std::vector<std::string> words;
+  if (settings.save_theme != ThemeName::screen)
+    words.push_back(fmt::format(R"("theme":"{}")", name_of(settings.save_theme)));
+  if (settings.save_width_cm > 0) words.push_back(fmt::format(R"("width":"{}cm")", settings.save_width_cm));
+  return fmt::format("{{{}}}", fmt::join(words, ","));
 }
 
 std::string save_figure(const Player& player, const Settings& settings, Renderer& renderer, const std::string& folder) {
