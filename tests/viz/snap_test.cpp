@@ -40,6 +40,18 @@ void drag_with_shift(WindowDriver& window, const std::string& handle, float dx, 
 /// How often the slow lesson was asked for its steps.
 int asked = 0;
 
+/// One step, which tells whether x is at least a third, and x as its handle.
+Walk walk_at(double x) {
+  Walk walk;
+  Step step;
+  step.slug = "told", step.title = "Told";
+  step.verdict = {Verdict::Kind::yes, 3 * x >= 1 ? "more" : "less"};
+  step.scene.items = {Ball{Vec3::Zero(), 1}};
+  step.scene.handles = {{.parameter = "x", .kind = Handle::Kind::along, .at = Vec3(x, 0, 0)}};
+  walk.steps = {step};
+  return walk;
+}
+
 /// Is x at least a third? It takes 3 ms of the processor's time to tell.
 const Lesson& slow() {
   static const Lesson lesson = {
@@ -56,15 +68,7 @@ const Lesson& slow() {
             ++asked;
             const std::clock_t begun = std::clock();
             while (std::clock() - begun < 3 * CLOCKS_PER_SEC / 1000) continue;
-            const double x = std::get<double>(p.at("x"));
-            Walk walk;
-            Step step;
-            step.slug = "told", step.title = "Told";
-            step.verdict = {Verdict::Kind::yes, 3 * x >= 1 ? "more" : "less"};
-            step.scene.items = {Ball{Vec3::Zero(), 1}};
-            step.scene.handles = {{.parameter = "x", .kind = Handle::Kind::along, .at = Vec3(x, 0, 0)}};
-            walk.steps = {step};
-            return walk;
+            return walk_at(std::get<double>(p.at("x")));
           },
       .flat = true};
   return lesson;
@@ -85,14 +89,7 @@ const Lesson& refusing() {
           [](const Parameters& p) {
             const double x = std::get<double>(p.at("x"));
             if (x > 1) throw BadInput("x is more than 1");
-            Walk walk;
-            Step step;
-            step.slug = "told", step.title = "Told";
-            step.verdict = {Verdict::Kind::yes, 3 * x >= 1 ? "more" : "less"};
-            step.scene.items = {Ball{Vec3::Zero(), 1}};
-            step.scene.handles = {{.parameter = "x", .kind = Handle::Kind::along, .at = Vec3(x, 0, 0)}};
-            walk.steps = {step};
-            return walk;
+            return walk_at(x);
           },
       .flat = true};
   return lesson;
