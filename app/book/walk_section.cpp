@@ -136,13 +136,15 @@ std::string WalkSection::question(int step) const {
   for (std::size_t i = 0; i < q.choices.size(); ++i)
     choices += fmt::format("<li{}>{}</li>\n", static_cast<int>(i) == q.answer ? " data-right" : "", text(q.choices[i]));
   return fmt::format("<h3>Question {}</h3>\n<div class=\"words\">\n{}<ol class=\"choices\">\n{}</ol>\n{}</div>\n{}",
-                     number_of_question(step), prose(q.prompt), choices, folded("Answer", prose(answer(q))),
+                     number_of_question(step), prose(prompt(q)), choices, folded("Answer", prose(answer(q))),
                      known(step));
 }
 
-/// What is known of a step before its question is answered, and what the question is given.
+/// What is known of a step before its question is answered; what the question is given stands in its words.
 std::string WalkSection::known(int step) const {
-  const std::string table = values(viz::asking_step(walk_, step));
+  viz::Step asked = viz::asking_step(walk_, step);
+  asked.values.resize(asked.values.size() - asked.question->given.size());
+  const std::string table = values(asked);
   return table.empty() ? table : "<div class=\"numbers\">\n" + table + "</div>\n";
 }
 

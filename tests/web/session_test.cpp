@@ -5,6 +5,7 @@
 #include <isect/sphere_sphere.h>
 #include "lessons/lessons.h"
 #include "tests/catch.h"
+#include "viz/asking.h"
 #include "viz/lesson.h"
 
 namespace session_test {
@@ -121,6 +122,32 @@ TEST_CASE("a verdict that other methods contradict says so", "[session]") {
     }
   }
   CHECK(differ > 5);
+}
+
+TEST_CASE("while a question is open, code and values are those of the step that it asks for", "[session]") {
+  Session session = fresh();
+  int asked = 0;
+  for (const isect::viz::Lesson* lesson : isect::lessons::all_lessons()) {
+    Json frame = open(session, lesson->id);
+    const isect::viz::Walk walk = lesson->walk(lesson->presets.front().parameters);
+    for (int at = 0; at < frame.at("count"); ++at) {
+      frame = ask(session, {{"do", "go"}, {"at", at}});
+      if (!frame.at("asks").get<bool>()) continue;
+      const isect::viz::Step shown = isect::viz::asking_step(walk, frame.at("step"));
+      INFO(lesson->id << ", station " << at);
+      CHECK(frame.at("line") == -1);
+      CHECK(frame.at("refused") == shown.refused);
+      CHECK(frame.at("untaken") == shown.untaken);
+      const std::string below = frame.at("below");
+      const std::size_t rows = shown.values.size() - shown.question->given.size();
+      std::size_t told = 0;
+      for (std::size_t from = 0; (from = below.find("<th scope=\"row\">", from)) != below.npos; ++from) ++told;
+      CHECK(told == rows);
+      if (!shown.question->given.empty()) CHECK_THAT(below, Contains("Given: "));
+      ++asked;
+    }
+  }
+  CHECK(asked > 20);
 }
 
 TEST_CASE("what changes nothing in a setting is named, and when it would is told", "[session]") {
