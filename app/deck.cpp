@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/asked.h"
 #include "app/gallery.h"
 #include "app/pages/html.h"
 #include "app/pages/latex.h"
@@ -31,19 +31,23 @@ constexpr const char* alone_height = "6.2cm";
 /// LaTeX sets them at 8 pt; its letters are as wide at 10 pt as ours at 11.
 constexpr const char* label_size = "9pt";
 
+/// The picture of a step, or of the question before it.
+using Picture = std::function<Image(int step, bool asks)>;
+
 class Slides {
  public:
-  Slides(const Excerpt& e, const std::function<Image(int step)>& picture) : e_(e), picture_(picture) {}
+  Slides(const Excerpt& e, const Picture& picture) : e_(e), picture_(picture) {}
 
   std::vector<Slide> made() {
     const viz::Lesson& lesson = *e_.lesson;
     all_.push_back({lesson.title, {Prose{lesson.summary}}, {}, {}, true});
     const bool is_step = e_.walk.steps.front().slug == viz::opening_slug;
     if (!lesson.opening.empty() && !is_step) all_.push_back({lesson.title, {Prose{lesson.opening}}, {}, {}});
+    all_.push_back({"What is given", {Prose{given(lesson, e_.parameters, e_.walk)}}, {}, {}});
     if (!e_.walk.pseudocode.empty()) all_.push_back({"Algorithm", {code(e_)}, {}, {}});
     for (const int index : e_.steps) {
       const viz::Step& step = e_.walk.steps[index];
-      if (step.question) ask(*step.question, index);
+      if (step.question) ask(index);
       if (step.slug == viz::closing_slug)
         close(step.title);
       else
@@ -53,18 +57,19 @@ class Slides {
   }
 
  private:
-  /// Beside the picture of the step before, then the answer.
-  void ask(const viz::Question& q, int index) {
-    Slide slide = {fmt::format("Question {}", ++questions_), {}, {}, {}};
-    const bool picture = index > 0 && !e_.walk.steps[index - 1].scene.chart;
+  /// Beside what is drawn while it is open, then the answer.
+  void ask(int index) {
+    const viz::Question& q = *e_.walk.steps[index].question;
+    Slide slide = {fmt::format("Question {}", number_of_question(e_.walk, index)), {}, {}, {}};
+    const bool picture = has_picture(e_.walk, index);
+    if (picture) slide.left.push_back(picture_(index, true));
     Blocks& text = picture ? slide.right : slide.left;
-    if (picture) slide.left.push_back(picture_(index - 1));
-    text = {Prose{prompt(q)}, Choices{q.choices}, Pause{}, Prose{answer(q)}};
+    text = {Prose{prompt(e_.walk, index)}, Choices{q.choices}, Pause{}, Prose{answer(q)}};
     all_.push_back(std::move(slide));
   }
 
   void show(const viz::Step& step, int index) {
-    Slide slide = {step.title, {picture_(index)}, {}, {}};
+    Slide slide = {step.title, {picture_(index, false)}, {}, {}};
     if (step.line >= 0 && !step.scene.chart) slide.right.push_back(code(e_, step.line));
     slide.below.push_back(Prose{viz::own_caption(*e_.lesson, step)});  // the opening has a slide of its own
     all_.push_back(std::move(slide));
@@ -81,9 +86,8 @@ class Slides {
   }
 
   const Excerpt& e_;
-  const std::function<Image(int step)>& picture_;
+  const Picture& picture_;
   std::vector<Slide> all_;
-  int questions_ = 0;
 };
 
 Style style_for(const PageOptions& options, bool alone) {
@@ -102,21 +106,24 @@ int deck(const Program& program, const PageOptions& options) {
   need_surroundings(program);
   Gallery gallery(options.out, program);
   const viz::Format &tikz = viz::format_named("tikz"), &svg = viz::format_named("svg");
-  for (const int step : e.steps) gallery.need_ours(piece_of(e, step), tikz);
+  for (const int step : e.steps) {
+    gallery.need_ours(piece_of(e, step), tikz);
+    if (e.walk.steps[step].question) gallery.need_ours(piece_of_question(e, step), tikz);
+  }
 
   Studio small(beside, "auto"), large(alone, "auto");
-  const std::function<Image(int)> picture = [&](int step) {
+  const Picture picture = [&](int step, bool asks) {
     const viz::Step& s = e.walk.steps[step];
-    const bool asks_next = step + 1 < static_cast<int>(e.walk.steps.size()) && e.walk.steps[step + 1].question;
-    Studio& studio = (s.line >= 0 || asks_next) && !s.scene.chart ? small : large;
-    const Piece piece = piece_of(e, step);
-    const viz::Drawing drawing = studio.draw(e, step);
+    Studio& studio = asks || (s.line >= 0 && !s.scene.chart) ? small : large;
+    const Piece piece = asks ? piece_of_question(e, step) : piece_of(e, step);
+    const Excerpt asked = asks ? asking(e, step) : Excerpt();
+    const viz::Drawing drawing = asks ? studio.draw(asked, asked.steps.front()) : studio.draw(e, step);
     gallery.add(e, piece, tikz.name, studio.write(piece, drawing, tikz),
                 {{"theme", options.theme},
                  {"width_pt", drawing.width},
                  {"height_pt", drawing.height},
                  {"text_pt", beside.paper->text_size}});
-    Image shown = image(e, step);
+    Image shown = image_of(piece);
     shown.svg = studio.write(piece, drawing, svg);
     shown.fits = true;
     return shown;

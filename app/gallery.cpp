@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "app/asked.h"
 #include "app/lock.h"
 #include "app/ownership.h"
 #include "viz/files.h"
@@ -123,7 +124,10 @@ std::string Gallery::add(const Excerpt& e, const Piece& piece, const std::string
 
 std::size_t Gallery::remove_stale(const Excerpt& e) {
   std::set<std::string> wanted, gone;
-  for (int i = 0; i < static_cast<int>(e.walk.steps.size()); ++i) wanted.insert(file_of(e, i));
+  for (int i = 0; i < static_cast<int>(e.walk.steps.size()); ++i) {
+    wanted.insert(file_of(e, i));
+    if (e.walk.steps[i].question) wanted.insert(file_of_question(e, i));  // of a deck or a handout
+  }
   const std::vector<fs::path> figures = figures_in(path(folder_of(e)));
   std::size_t removed = 0;
   for (const fs::path& figure : figures) {

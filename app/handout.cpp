@@ -8,7 +8,9 @@
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "app/asked.h"
 #include "app/gallery.h"
 #include "app/pages/html.h"
 #include "app/pages/latex.h"
@@ -41,20 +43,23 @@ Prose exercise(const viz::Exercise& e, int number) {
   return {e.prompt + start, fmt::format("Exercise {}.", number)};
 }
 
-/// The steps in order; a step's question stands before its picture, which shows the answer.
-Blocks contents(const Excerpt& e) {
-  Blocks all = {Prose{e.lesson->summary}};
+/// The steps in order; a step's question stands before its picture, which shows the answer. `drawn`: the questions
+/// that have a picture of their own.
+Blocks contents(const Excerpt& e, const std::set<int>& drawn) {
+  Blocks all = {Prose{e.lesson->summary}, Prose{given(*e.lesson, e.parameters, e.walk), "Given"}};
   if (!e.walk.pseudocode.empty()) all.push_back(code(e));
   Blocks answers;
-  int questions = 0;
   for (const int index : e.steps) {
     const viz::Step& step = e.walk.steps[index];
     if (step.question) {
-      std::ranges::move(question(*step.question, ++questions), std::back_inserter(all));
-      answers.push_back(Prose{answer(*step.question), fmt::format("Question {}.", questions)});
+      const std::string head = fmt::format("Question {}.", number_of_question(e.walk, index));
+      if (drawn.contains(index)) all.push_back(image_of(piece_of_question(e, index)));
+      all.push_back(Prose{prompt(e.walk, index), head});
+      all.push_back(Choices{step.question->choices});
+      answers.push_back(Prose{answer(*step.question), head});
     }
     all.push_back(Heading{fmt::format("{}. {}", index + 1, step.title)});  // a title may tell the answer
-    all.push_back(image(e, index));
+    all.push_back(image_of(piece_of(e, index)));
     all.push_back(Prose{step.caption});
     if (step.slug != viz::closing_slug) continue;
     int exercises = 0;
@@ -66,6 +71,13 @@ Blocks contents(const Excerpt& e) {
   if (!answers.empty()) all.push_back(Heading{"Answers"});
   std::ranges::move(answers, std::back_inserter(all));
   return all;
+}
+
+/// A step's picture without words: what a question's is compared with.
+viz::Drawing bare(Studio& studio, Excerpt e, int step) {
+  viz::Step& s = e.walk.steps[step];
+  s.formula.clear(), s.verdict = {};
+  return studio.draw(e, step);
 }
 
 int handout(const Program& program, const PageOptions& options) {
@@ -80,20 +92,32 @@ int handout(const Program& program, const PageOptions& options) {
   need_surroundings(program);
   Gallery gallery(options.out, program);
   for (const int step : e.steps)
-    for (const viz::Format* format : style.formats) gallery.need_ours(piece_of(e, step), *format);
+    for (const viz::Format* format : style.formats) {
+      gallery.need_ours(piece_of(e, step), *format);
+      if (e.walk.steps[step].question) gallery.need_ours(piece_of_question(e, step), *format);
+    }
   Studio studio(style, "auto");
-  for (const int step : e.steps) {
-    const viz::Drawing drawing = studio.draw(e, step);
-    const Piece piece = piece_of(e, step);
+  const auto add = [&](const Piece& piece, const viz::Drawing& drawing) {
     for (const viz::Format* format : style.formats)
       gallery.add(e, piece, format->name, studio.write(piece, drawing, *format),
                   {{"theme", viz::name_of(style.theme)},
                    {"width_pt", drawing.width},
                    {"height_pt", drawing.height},
                    {"text_pt", style.paper->text_size}});
+  };
+  std::set<int> drawn;
+  for (const int step : e.steps) {
+    if (e.walk.steps[step].question && has_picture(e.walk, step)) {
+      const Excerpt asked = asking(e, step);
+      const Piece piece = piece_of_question(e, step);
+      const viz::Drawing drawing = studio.draw(asked, asked.steps.front());
+      const auto text = [&](const viz::Drawing& d) { return studio.write(piece, d, *style.formats.back()); };
+      if (step == 0 || text(drawing) != text(bare(studio, e, step - 1))) drawn.insert(step), add(piece, drawing);
+    }
+    add(piece_of(e, step), studio.draw(e, step));
   }
   gallery.list();
-  const Blocks blocks = contents(e);
+  const Blocks blocks = contents(e, drawn);
   viz::write_file(folder + tex.name,
                   tex.mark + fmt::format(latex_head, viz::tex(e.lesson->title)) + latex(blocks) + "\\end{document}\n");
   viz::write_file(folder + page.name,

@@ -11,7 +11,6 @@
 #include "viz/alt_text.h"
 #include "viz/asking.h"
 #include "viz/closing.h"
-#include "viz/geometry.h"
 #include "viz/rich_text.h"
 #include "viz/svg_path.h"
 
@@ -55,29 +54,9 @@ std::string WalkSection::prose(const std::string& markup) const {
   return out;
 }
 
-/// What a preset has is told in full, and what was moved by hand in a few digits. No line ends inside a value.
 std::string WalkSection::given() const {
-  std::vector<std::string> all;
-  bool rounded = false;
-  for (const viz::Parameter& p : lesson_.parameters) {
-    if (!parameters_.contains(p.name) || p.name == lesson_.group_by || !viz::counts(p, parameters_)) continue;
-    const viz::Setting& setting = parameters_.at(p.name);
-    const bool known = std::ranges::any_of(lesson_.presets, [&](const viz::Preset& preset) {
-      const auto found = preset.parameters.find(p.name);
-      return found != preset.parameters.end() && found->second == setting;
-    });
-    rounded = rounded || (!known && rounded_in_words(setting));
-    std::string value = known ? in_words_and_full(setting, lesson_.flat) : in_words(setting, lesson_.flat);
-    for (std::size_t at = 0; (at = value.find(' ', at)) != value.npos;) value.replace(at, 1, "\u00a0");
-    all.push_back(fmt::format("{}\u00a0=\u00a0{}", text(p.label.empty() ? p.name : p.label), xml_escaped(value)));
-  }
-  std::string out = fmt::format("<p class=\"given\"><b class=\"head\">Given</b> {}.", fmt::join(all, ", "));
-  if (rounded) out += " Some numbers are rounded.";
-  const viz::Scene& scene = walk_.steps.front().scene;
-  if (!scene.chart)
-    for (const std::string& object : viz::geometry(scene, parameters_, lesson_.flat))
-      out += " " + xml_escaped(viz::with_minus_signs(object.ends_with(".") ? object : object + "."));
-  return out + "</p>\n";
+  return fmt::format("<p class=\"given\"><b class=\"head\">Given</b> {}</p>\n",
+                     text(program::given(lesson_, parameters_, walk_)));
 }
 
 std::string WalkSection::code(const std::string& line) const {
@@ -136,7 +115,7 @@ std::string WalkSection::question(int step) const {
   for (std::size_t i = 0; i < q.choices.size(); ++i)
     choices += fmt::format("<li{}>{}</li>\n", static_cast<int>(i) == q.answer ? " data-right" : "", text(q.choices[i]));
   return fmt::format("<h3>Question {}</h3>\n<div class=\"words\">\n{}<ol class=\"choices\">\n{}</ol>\n{}</div>\n{}",
-                     number_of_question(step), prose(prompt(q)), choices, folded("Answer", prose(answer(q))),
+                     number_of_question(walk_, step), prose(prompt(q)), choices, folded("Answer", prose(answer(q))),
                      known(step));
 }
 
@@ -146,11 +125,6 @@ std::string WalkSection::known(int step) const {
   asked.values.resize(asked.values.size() - asked.question->given.size());
   const std::string table = values(asked);
   return table.empty() ? table : "<div class=\"numbers\">\n" + table + "</div>\n";
-}
-
-int WalkSection::number_of_question(int step) const {
-  return 1 + static_cast<int>(std::count_if(walk_.steps.begin(), walk_.steps.begin() + step,
-                                            [](const viz::Step& s) { return bool(s.question); }));
 }
 
 std::string WalkSection::words(const viz::Step& s, int index) const {

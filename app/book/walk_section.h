@@ -62,7 +62,6 @@ class WalkSection {
   std::string numbers(const viz::Step&) const;
   std::string question(int step) const;
   std::string known(int step) const;
-  int number_of_question(int step) const;
   std::string caption(const viz::Step&) const;
   std::string verdict(const viz::Verdict&) const;
   std::string source(int step) const;

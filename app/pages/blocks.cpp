@@ -1,14 +1,18 @@
 #include "app/pages/blocks.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
+#include "app/told_values.h"
 #include "viz/alt_text.h"
+#include "viz/asking.h"
+#include "viz/geometry.h"
 #include "viz/names.h"
 #include "viz/rich_text.h"
-#include "viz/snapshot.h"
 
 namespace isect::program {
 
@@ -24,21 +28,54 @@ std::vector<std::string> paragraphs(const std::string& markup) {
   return all;
 }
 
-std::string prompt(const viz::Question& q) {
-  return q.given.empty() ? q.prompt : fmt::format("{} Given: {}.", q.prompt, viz::listed(q.given));
+std::string given(const viz::Lesson& lesson, const viz::Parameters& parameters, const viz::Walk& walk) {
+  std::vector<std::string> all;
+  bool rounded = false;
+  for (const viz::Parameter& p : lesson.parameters) {
+    if (!parameters.contains(p.name) || p.name == lesson.group_by || !viz::counts(p, parameters)) continue;
+    const viz::Setting& setting = parameters.at(p.name);
+    const bool known = std::ranges::any_of(lesson.presets, [&](const viz::Preset& preset) {
+      const auto found = preset.parameters.find(p.name);
+      return found != preset.parameters.end() && found->second == setting;
+    });
+    rounded = rounded || (!known && rounded_in_words(setting));
+    std::string value = known ? in_words_and_full(setting, lesson.flat) : in_words(setting, lesson.flat);
+    for (std::size_t at = 0; (at = value.find(' ', at)) != value.npos;) value.replace(at, 1, "\u00a0");  // no line ends
+    all.push_back(
+        fmt::format("{}\u00a0=\u00a0{}", p.label.empty() ? viz::as_markup(p.name) : p.label, viz::as_markup(value)));
+  }
+  std::string out = fmt::format("{}.", fmt::join(all, ", "));
+  if (rounded) out += " Some numbers are rounded.";
+  const viz::Scene& scene = walk.steps.front().scene;
+  if (!scene.chart)
+    for (const std::string& object : viz::geometry(scene, parameters, lesson.flat))
+      out += " " + viz::as_markup(viz::with_minus_signs(object.ends_with(".") ? object : object + "."));
+  return out;
 }
 
-Blocks question(const viz::Question& q, int number) {
-  return {Prose{prompt(q), fmt::format("Question {}.", number)}, Choices{q.choices}};
+int number_of_question(const viz::Walk& walk, int step) {
+  return 1 + static_cast<int>(std::count_if(walk.steps.begin(), walk.steps.begin() + step,
+                                            [](const viz::Step& s) { return s.question.has_value(); }));
+}
+
+namespace {
+
+std::string with_given(const std::string& prompt, const std::vector<viz::Value>& given) {
+  return given.empty() ? prompt : fmt::format("{} Given: {}.", prompt, viz::listed(given));
+}
+
+}  // namespace
+
+std::string prompt(const viz::Question& q) { return with_given(q.prompt, q.given); }
+
+std::string prompt(const viz::Walk& walk, int step) {
+  const viz::Step asked = viz::asking_step(walk, step);
+  return with_given(asked.question->prompt, asked.values);
 }
 
 std::string answer(const viz::Question& q) {
   const auto right = static_cast<std::size_t>(q.answer);
   return fmt::format("({}) {}. {}", choice_letter(right), q.choices.at(right), q.because);
-}
-
-Image image(const Excerpt& e, int step) {
-  return {viz::file_stem(step, e.walk.steps[step]), {}, viz::alt_text(*e.lesson, e.parameters, e.walk, step)};
 }
 
 namespace {

@@ -42,13 +42,18 @@ char choice_letter(std::size_t i);
 /// Those of a text, without empty ones.
 std::vector<std::string> paragraphs(const std::string& markup);
 
+/// What a reader needs to compute along: "*r* = 2, ... Box a: (0, 0) to (1, 1)." What a preset has is told in full, and
+/// what was moved by hand in a few digits.
+std::string given(const viz::Lesson&, const viz::Parameters&, const viz::Walk&);
+/// Of the question before `step`, among all of the walk, from 1.
+int number_of_question(const viz::Walk&, int step);
 /// A question's prompt with the numbers that it is given.
 std::string prompt(const viz::Question&);
-/// What of a lesson stands on more than one kind of page.
-Blocks question(const viz::Question&, int number);
+/// The same with all that is known of the step that it is asked before: for a page that has no other place for that.
+std::string prompt(const viz::Walk&, int step);
 /// "(b) It misses. The reason why."
 std::string answer(const viz::Question&);
-Image image(const Excerpt&, int step);
+/// The pseudocode.
 Code code(const Excerpt&, int current = -1);
 
 }  // namespace isect::program

@@ -25,6 +25,8 @@ void need_own(const std::string& folder, const std::vector<PageFile>& files) {
                       folder + name));
 }
 
+Image image_of(const Piece& piece) { return {fs::path(piece.stem).filename(), {}, piece.alt}; }
+
 std::string theme_of_pages(const PageOptions& options) {
   if (viz::theme_named(options.theme) == viz::ThemeName::dark)
     throw viz::BadInput("theme: \"dark\" is not meant for white pages; give print, grey or screen");

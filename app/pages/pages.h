@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "app/options.h"
+#include "app/pages/blocks.h"
+#include "app/piece.h"
 #include "app/style.h"
 
 namespace isect::program {
@@ -17,6 +19,9 @@ struct PageFile {
 std::string folder_of_pages(const std::string& out, const Excerpt&);
 /// Throws viz::FileError where a file of somebody else's has the name.
 void need_own(const std::string& folder, const std::vector<PageFile>&);
+
+/// Beside the page that it belongs to.
+Image image_of(const Piece&);
 
 /// What handouts and decks take as options, as written on the command line.
 struct PageOptions {

@@ -79,4 +79,31 @@ TEST_CASE("a question stands before the title of its step, which may be the answ
   }
 }
 
+TEST_CASE("a question of a handout has the picture and the numbers of its own step, and all that is given",
+          "[handout]") {
+  const Shell shell;
+  REQUIRE(shell("isect handout obb-obb --preset normal-of-b").status == 0);
+  const auto folder = shell.work() / "handouts/obb-obb/normal-of-b";
+  const std::string tex = contents(folder / "handout.tex"), html = contents(folder / "handout.html");
+  const std::size_t asked = tex.find("\\input{03-normals-b-question.tikz}"), words = tex.find("once the normals of b");
+  const std::size_t told = tex.find("\\input{03-normals-b.tikz}");
+  CHECK((asked < words && words < told && told != tex.npos));
+  CHECK_THAT(contents(folder / "03-normals-b.tikz"), Contains("1.2879"));
+  CHECK_THAT(contents(folder / "03-normals-b-question.tikz"), !Contains("1.2879"));
+  CHECK_THAT(html, Contains("<img src=\"03-normals-b-question.svg\" alt=\"Drawn: "));
+  for (const std::string& text : {tex, html}) {
+    const std::size_t given = text.find(">Given<") != text.npos ? text.find(">Given<") : text.find("{Given}");
+    REQUIRE(given != text.npos);
+    CHECK(text.find("0.625", given) < text.find("Which axes can separate?"));
+    const std::size_t question = text.find("of b", text.find("Question 1."));
+    CHECK(text.find("0.625", question) < text.find("Question 2."));  // h_v, which r_b is computed from
+  }
+  // A question that looks as the step before it has no second picture.
+  CHECK_FALSE(std::filesystem::exists(folder / "04-relation-question.svg"));
+  REQUIRE(shell("isect handout ray-sphere").status == 0);
+  CHECK_FALSE(std::filesystem::exists(shell.work() / "handouts/ray-sphere/two-roots/06-passes-by-question.svg"));
+  CHECK_THAT(contents(shell.work() / "handouts/ray-sphere/two-roots/handout.tex"),
+             Contains("What is $m^{2}$? Given: $s = 4.472$, $l^{2} = 21.146$"));
+}
+
 }  // namespace handout_test

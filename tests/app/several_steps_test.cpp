@@ -188,4 +188,42 @@ TEST_CASE("a deck has a slide a step, its question before it, the answer behind 
   CHECK_THAT(shell("isect deck ray-sphere --theme dark").err, Contains("theme: \"dark\"") && Contains("print"));
 }
 
+TEST_CASE("a question of a deck stands beside the picture and the numbers of its own step", "[deck]") {
+  const Shell shell;
+  const auto slide_of = [](const std::string& tex, const std::string& title) {
+    const std::size_t from = tex.find("\\frametitle{" + title + "}");
+    REQUIRE(from != tex.npos);
+    return tex.substr(from, tex.find("\\end{frame}", from) - from);
+  };
+  REQUIRE(shell("isect deck obb-obb --preset normal-of-b").status == 0);
+  const fs::path folder = shell.work() / "decks/obb-obb/normal-of-b";
+  const std::string tex = contents(folder / "deck.tex");
+  CHECK_THAT(slide_of(tex, "Question 2"), Contains("\\input{03-normals-b-question.tikz}"));
+  CHECK_THAT(slide_of(tex, "The normals of b"), Contains("\\input{03-normals-b.tikz}"));
+  const std::string asked = contents(folder / "03-normals-b-question.tikz");
+  const std::string told = contents(folder / "03-normals-b.tikz"), before = contents(folder / "02-normals-a.tikz");
+  CHECK_THAT(told, Contains("1.2879"));  // the formula is the answer
+  CHECK_THAT(asked, !Contains("1.2879"));
+  CHECK_THAT(before, Contains("0.75"));  // ... and this one is of the step before
+  CHECK_THAT(asked, !Contains("1.0543"));
+  CHECK_THAT(contents(folder / "03-normals-b-question.txt"), StartsWith("Drawn: ") && !Contains("disjoint"));
+  const auto manifest = nlohmann::json::parse(contents(shell.work() / "decks/manifest.json"));
+  CHECK(std::ranges::any_of(manifest["figures"], [](const auto& figure) {
+    return figure["file"] == "obb-obb/normal-of-b/03-normals-b-question.tikz" && figure["title"] == "Question 2";
+  }));
+
+  // It is none of a step that the walk has no more.
+  REQUIRE(shell("isect render obb-obb --preset normal-of-b --format tikz --out decks").status == 0);
+  CHECK(contents(folder / "03-normals-b-question.tikz") == asked);
+
+  // What is known then stands in the question's words; what there is no picture of stands alone.
+  REQUIRE(shell("isect deck ray-sphere --step 5").status == 0);
+  const std::string ray = contents(shell.work() / "decks/ray-sphere/two-roots/deck.tex");
+  CHECK_THAT(slide_of(ray, "Question 2"), Contains("= 4.472") && Contains("= 21.146") && !Contains("= 1.1465"));
+  CHECK_THAT(slide_of(ray, "What is given"), Contains("1.5234375"));
+  REQUIRE(shell("isect deck speed-against-error --step 3-5").status == 0);
+  const std::string chart = contents(shell.work() / "decks/speed-against-error/ray-sphere/deck.tex");
+  CHECK_THAT(slide_of(chart, "Question 1"), !Contains("input{"));
+}
+
 }  // namespace several_steps_test
