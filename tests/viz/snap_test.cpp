@@ -147,6 +147,28 @@ TEST_CASE("what has snapped stays when Shift is let go before the button", "[win
   window.button(false);
 }
 
+TEST_CASE("a drag ends where a key brings another lesson", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("intervals", "overlapping"));
+  for (const bool snapping : {false, true}) {
+    const Lesson& lesson = window.player().lesson();
+    REQUIRE_FALSE(window.player().scene().handles.empty());
+    const Rect r = window.rect("handle " + window.player().scene().handles.front().parameter);
+    window.move(r.middle_x(), r.middle_y());
+    window.button(true);
+    window.modifiers(false, snapping);
+    window.move(r.middle_x() + 20, r.middle_y());
+    window.type("]");
+    REQUIRE(&window.player().lesson() != &lesson);
+    const Parameters before = window.player().parameters();
+    window.move(r.middle_x() + 60, r.middle_y() + 20);
+    rest(window);
+    window.modifiers(false, false);
+    window.button(false);
+    CHECK((window.player().parameters() == before));
+    CHECK(window.ui.message().empty());
+  }
+}
+
 TEST_CASE("a drag on which nothing changes goes where the pointer goes", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("intervals", "overlapping"));
   const double before = number(window.player(), "b_max");

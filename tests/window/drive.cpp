@@ -5,8 +5,9 @@
 // shows.
 //
 // Nothing may be thrown, and no frame may keep a reader waiting. What fails is told with its round and its last
-// actions, and the program ends with 1; where it crashes, DIR/actions.txt has them (DIR: drive). ISECT_SEED=n draws
-// other rounds, --round does that one alone. Without --minutes: a round for each four lessons or scenes.
+// actions; the next round goes on, and the program ends with 1. Where it crashes, DIR/actions.txt has them (DIR:
+// drive). ISECT_SEED=n draws other rounds, --round does that one alone. Without --minutes: a round for each four
+// lessons or scenes.
 
 #include <fmt/format.h>
 
@@ -359,8 +360,10 @@ int main(int count, char** words) {
   double minutes = 0;
   int only = -1;
   std::string out = "drive";
-  for (int i = 1; i + 1 < count; i += 2) {
+  for (int i = 1; i < count; i += 2) {
     const std::string word = words[i];
+    const bool known = (word == "--minutes" || word == "--round" || word == "--out") && i + 1 < count;
+    if (!known) return std::fputs("window_drive [--minutes M] [--round N] [--out DIR]\n", stderr), 2;
     if (word == "--minutes") minutes = std::stod(words[i + 1]);
     if (word == "--round") only = std::stoi(words[i + 1]);
     if (word == "--out") out = words[i + 1];
@@ -371,9 +374,14 @@ int main(int count, char** words) {
     const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - begun).count() / 60; };
     Drive drive(out, tests::seed());
     const int rounds = only >= 0 ? 1 : static_cast<int>(drive.stops() / 4);
-    int done = 0;
+    int done = 0, failed = 0;
     while (minutes > 0 ? passed() < minutes : done < rounds) {
-      drive.round(only >= 0 ? only : done);
+      try {
+        drive.round(only >= 0 ? only : done);
+      } catch (const Failure& failure) {
+        std::fprintf(stderr, "%s\n", failure.what());
+        ++failed;
+      }
       ++done;
       if (minutes > 0 && done % 20 == 0) {
         std::printf("%.1f minutes: %d rounds, %d actions, slowest %.2f s (%s)\n", passed(), done, drive.actions(),
@@ -384,7 +392,7 @@ int main(int count, char** words) {
     std::printf("%d rounds over %zu lessons and scenes, %d actions, ISECT_SEED=%llu; the slowest took %.2f s: %s\n",
                 done, drive.stops(), drive.actions(), static_cast<unsigned long long>(tests::seed()), drive.slowest(),
                 drive.slowest_was().c_str());
-    return 0;
+    return failed > 0 ? 1 : 0;
   } catch (const std::exception& failure) {
     std::fprintf(stderr, "%s\n", failure.what());
     return 1;

@@ -55,12 +55,12 @@ bool shows_map(const Session& s) {
 void MapDrag::follow(Session& s, const Cases& cases, const Box2& plane, bool hovered) {
   const bool moved = pointer_now() != last_;
   last_ = pointer_now();
-  if (!ImGui::GetIO().MouseDown[0]) held_ = false;
+  if (!ImGui::GetIO().MouseDown[0] || held_in_ != &s.player.lesson()) held_ = false;
   const bool inside = (last_.array() >= plane.lo.array()).all() && (last_.array() <= plane.hi.array()).all();
   if (hovered && inside && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     s.player.end_action();
     s.player.remember("drag");
-    held_ = true, snapping_ = false;
+    held_ = true, held_in_ = &s.player.lesson(), snapping_ = false;
     start_ = case_at(cases, plane, last_);
   } else if (!moved && snapping_ == ImGui::GetIO().KeyShift) {
     return;

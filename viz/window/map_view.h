@@ -26,6 +26,7 @@ class MapDrag {
 
  private:
   bool held_ = false, snapping_ = false;
+  const Lesson* held_in_ = nullptr;
   Vec2 start_ = Vec2::Zero();  ///< the place where it was taken hold of
   Vec2 last_ = Vec2::Zero();   ///< the pointer in the frame before
 };

@@ -259,6 +259,7 @@ void SceneView::keyboard(Session& s, const View& view) {
 
 void SceneView::pointer(Session& s, const View& view, bool hovered, bool active) {
   const ImGuiIO& io = ImGui::GetIO();
+  if (held_ && held_in_ != &s.player.lesson()) held_.reset(), end_search(s);  // a key has brought another lesson
   if (const Cases* cases = map_of(s)) {
     const Theme ink = look(s, view);
     map_drag_.follow(s, *cases, plane_of(*cases, view.corner(), view.width(), view.height(), ink), hovered);
@@ -277,7 +278,7 @@ void SceneView::pointer(Session& s, const View& view, bool hovered, bool active)
     end_search(s);
     if (held_) {
       s.player.remember("drag");
-      start_ = held_->at, snapping_ = false;
+      held_in_ = &s.player.lesson(), start_ = held_->at, snapping_ = false;
       begun_ = s.player.parameters(), pressed_ = followed_ = mouse();
       grip_ = mouse() - view.project(held_->at).at;
     } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {

@@ -47,6 +47,7 @@ class SceneView {
   double turning_ = -1;         ///< seconds for which keys have turned or shifted it; < 0: they do not
   bool sketched_ = false;       ///< while it is dragged: it is drawn smoothly once the button is released
   std::optional<Handle> held_;  ///< while a handle is dragged: the handle as it is now
+  const Lesson* held_in_ = nullptr;
   /// A snap that takes more than a frame to find, and what was on show when it began.
   struct Search {
     Snap snap;
