@@ -174,11 +174,50 @@ Judged judge(const std::string& verdict, const Named& a, const Named& b) {
 
 namespace {
 
+/// So many doubles further.
+double stepped(double x, int steps) {
+  for (int i = 0; i < std::abs(steps); ++i) x = std::nextafter(x, steps < 0 ? -HUGE_VAL : HUGE_VAL);
+  return x;
+}
+
 bool near_to(double given, const Rational& exact) {
   if (std::isinf(given)) return abs(exact) >= Rational(std::numeric_limits<double>::max());
-  double low = given, high = given;
-  for (int i = 0; i < 4; ++i) low = std::nextafter(low, -HUGE_VAL), high = std::nextafter(high, HUGE_VAL);
+  const double low = stepped(given, -4), high = stepped(given, 4);
   return (std::isinf(low) || Rational(low) <= exact) && (std::isinf(high) || exact <= Rational(high));
+}
+
+/// Whether a line enters a body with a radius, or leaves it, within four doubles of t: near it they meet, and on the
+/// way to it, or from it, they do not.
+bool changes_near(const Thing& line, const Thing& body, double t, bool enters) {
+  const auto part = [&](std::optional<double> from, std::optional<double> to) {
+    Thing piece = line;
+    if (from && std::isfinite(*from) && (!piece.range.lo || *piece.range.lo < Rational(*from)))
+      piece.range.lo = Rational(*from);
+    if (to && std::isfinite(*to) && (!piece.range.hi || Rational(*to) < *piece.range.hi))
+      piece.range.hi = Rational(*to);
+    const bool has_points = !piece.range.lo || !piece.range.hi || *piece.range.lo <= *piece.range.hi;
+    return has_points && meet(piece, body);
+  };
+  if (std::isinf(t)) return enters ? !part({}, stepped(t, -1)) : !part(stepped(t, 1), {});
+  const double low = stepped(t, -4), high = stepped(t, 4);
+  return part(low, high) && !(enters ? part({}, stepped(low, -1)) : part(stepped(high, 1), {}));
+}
+
+/// Of a line and a ball or a capsule: where the line as a whole enters and leaves, and where the part that it is does.
+std::string wrong_in_round(const Json& result, const Thing& line, const Thing& body) {
+  Thing whole = line;
+  whole.range = {};
+  struct End {
+    const char* name;
+    const Thing* of;
+    bool enters;
+  };
+  for (const End& end : {End{"t0", &whole, true}, End{"t1", &whole, false}, End{"t_enter_solid", &line, true},
+                         End{"t_in", &line, true}, End{"t_out", &line, false}})
+    if (result.contains(end.name) && result[end.name].is_number() &&
+        !changes_near(*end.of, body, result[end.name].get<double>(), end.enters))
+      return end.name;
+  return "";
 }
 
 }  // namespace
@@ -191,8 +230,9 @@ std::string wrong_in_result(const Json& result, bool of_query, const Named& a, c
   if (bodies && relation.ends_with("b_contains_a") && !contains(b.thing, a.thing)) return "relation " + relation;
   const Named *line = &a, *other = &b;
   if (line->thing.kind != Kind::line) std::swap(line, other);
-  if (line->thing.kind != Kind::line || other->thing.kind == Kind::line || other->thing.radius > 0) return "";
+  if (line->thing.kind != Kind::line || other->thing.kind == Kind::line) return "";
   if (is_zero(line->thing.points[1])) return "";
+  if (other->thing.radius > 0) return result.is_object() ? wrong_in_round(result, line->thing, other->thing) : "";
   const bool t_is_of_line = result.is_object() && result.value("ray_hit", true) && result.value("hit", true);
   if (!t_is_of_line) return "";
   std::optional<Range> part;
