@@ -126,9 +126,8 @@ Json sphere_box(Job& job) {
       return {{"intersects", run<Event>(job, [&](auto&& trace) { return sphere_aabb::accumulate(ball, b, trace); })}};
 
     const Relation r = run<Event>(job, [&](auto&& trace) { return relate(ball, b, trace); });
-    const bool in_box = r == Relation::a_inside_b || r == Relation::equal;  // equal: the same point
     return telling_empty({{"intersects", r != Relation::disjoint},
-                          {"relation", in_box                      ? "box_contains_sphere"
+                          {"relation", r == Relation::a_inside_b   ? "box_contains_sphere"
                                        : r == Relation::b_inside_a ? "sphere_contains_box"
                                                                    : name(r)}},
                          b, "box");

@@ -43,16 +43,15 @@ std::optional<Ring<double, 2>> convex_corners(const Ring<double, 2>&);
 
 /// How two convex solids lie, or a ball or a capsule and one, as "relation".
 Json relation_of_solids(const Setting&, const Object& a, const Object& b);
+/// How a surface (A) of triangles lies to a ball or a capsule that has a volume: its own points count, not what it may
+/// enclose.
+Relation relate_surface(const std::vector<Triangle<double, 3>>&, const Capsule<double, 3>&);
 /// What the pair's query says, of segment a with both its ends as given, where their difference is no vector of
 /// floating-point numbers; nothing if there is no such test.
 std::optional<Json> exact_of_segment(const Setting&, const Object& a, const Object& b);
 
 /// Throws NotDecided: an outline that has no area, crosses or touches itself.
 [[noreturn]] void refuse_outline(const Object&);
-
-/// How many half-spaces two solids may have in all for their own test: its price rises with the fourth power. Beyond,
-/// hulls are asked facet by facet, for the same answer or for less.
-constexpr std::size_t many_facets = 40;
 
 /// "relation" of a result; where it has none, whether they meet.
 void relate(const Setting&, const Object& a, const Object& b, Answer&);

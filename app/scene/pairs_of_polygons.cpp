@@ -52,16 +52,6 @@ void tell_it(const Setting& s, const Object& a, const Object& b, Answer& out) {
 
 bool some_meets(const Triangles& triangles, const auto& meets) { return std::ranges::any_of(triangles, meets); }
 
-/// By the facets of the hull, which may be many.
-bool meets_hull(const Triangles& triangles, const Hull3<double>& hull, const HalfSpaces& faces) {
-  if (locate(triangles.front().vertices[0], faces) != Location::out) return true;
-  const auto corner = [&](int i) { return hull.vertices[static_cast<std::size_t>(i)]; };
-  return std::ranges::any_of(hull.triangles, [&](const auto& facet) {
-    const Triangle<double, 3> f = {{corner(facet[0]), corner(facet[1]), corner(facet[2])}};
-    return some_meets(triangles, [&](const auto& t) { return intersects(t, f); });
-  });
-}
-
 bool meet(const Setting& s, const Triangles& triangles, const Object& b) {
   switch (b.type) {
     case Type::sphere:
@@ -75,8 +65,6 @@ bool meet(const Setting& s, const Triangles& triangles, const Object& b) {
         return some_meets(others, [&](const auto& other) { return intersects(t, other); });
       });
     }
-    case Type::hull:
-      return meets_hull(triangles, hull_of(s, b), faces_of(s, b));
     default:
       return some_meets(triangles, [faces = faces_of(s, b)](const auto& t) { return intersects(t, faces); });
   }
@@ -102,21 +90,7 @@ std::optional<HalfSpaces> plate(const Setting& s, const Object& o) {
   return result;
 }
 
-/// A ball or a capsule that has a volume.
-Relation to_round(const Triangles& triangles, const Capsule<double, 3>& round) {
-  bool inside = true, touch = false, overlap = false;
-  for (const Triangle<double, 3>& t : triangles) {
-    const Relation r = relate(round, t);
-    inside &= r == Relation::b_inside_a, touch |= r == Relation::touching;
-    overlap |= r == Relation::b_inside_a || r == Relation::overlapping;
-  }
-  return inside    ? Relation::a_inside_b
-         : overlap ? Relation::overlapping
-         : touch   ? Relation::touching
-                   : Relation::disjoint;
-}
-
-/// A convex solid that has a volume, of few faces: the surface reaches into it iff one of its triangles does.
+/// A convex solid that has a volume: the surface reaches into it iff one of its triangles does.
 Relation to_solid(const Triangles& triangles, const HalfSpaces& solid) {
   const auto in_solid = [&](const Triangle<double, 3>& t) {
     return std::ranges::all_of(t.vertices, [&](const Vec3& v) { return locate(v, solid) != Location::out; });
@@ -132,7 +106,7 @@ Relation to_solid(const Triangles& triangles, const HalfSpaces& solid) {
 Json polygon_result(const Setting& s, const Object& a, const Object& b) {
   const Triangles triangles = surface_of(s, a);
   const bool round = b.type == Type::sphere || b.type == Type::capsule;
-  if (round && capsule_in_space(s, b).radius > 0) return as_relation(to_round(triangles, capsule_in_space(s, b)));
+  if (round && capsule_in_space(s, b).radius > 0) return as_relation(relate_surface(triangles, capsule_in_space(s, b)));
 
   const std::optional<HalfSpaces> flat = plate(s, a);
   std::optional<HalfSpaces> other;
@@ -145,10 +119,8 @@ Json polygon_result(const Setting& s, const Object& a, const Object& b) {
   } else {
     other = faces_of(s, b);
   }
-  if (other && flat && flat->faces.size() + other->faces.size() <= many_facets)
-    return as_relation(relate(*flat, *other));
-  const bool few = other && other->faces.size() <= many_facets;
-  if (few && half_spaces::detail::common(other->faces, false, NoTrace()) > 0)
+  if (other && flat) return as_relation(relate(*flat, *other));
+  if (other && half_spaces::detail::has_interior(other->faces, NoTrace()))
     return as_relation(to_solid(triangles, *other));
   return {{"meet", meet(s, triangles, b)}};
 }
@@ -184,6 +156,19 @@ Json cloud_and_polygon(const Setting& s, const Object& a, const Object& b) {
 }
 
 }  // namespace
+
+Relation relate_surface(const std::vector<Triangle<double, 3>>& triangles, const Capsule<double, 3>& round) {
+  bool inside = true, touch = false, overlap = false;
+  for (const Triangle<double, 3>& t : triangles) {
+    const Relation r = relate(round, t);
+    inside &= r == Relation::b_inside_a, touch |= r == Relation::touching;
+    overlap |= r == Relation::b_inside_a || r == Relation::overlapping;
+  }
+  return inside    ? Relation::a_inside_b
+         : overlap ? Relation::overlapping
+         : touch   ? Relation::touching
+                   : Relation::disjoint;
+}
 
 std::vector<Pair> pairs_of_polygons() {
   using enum Type;

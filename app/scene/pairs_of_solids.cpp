@@ -52,106 +52,23 @@ std::vector<Triangle<double, 3>> facets(const Hull3<double>& hull) {
   return all;
 }
 
-/// What of the open segment p q is strictly inside all faces: whether anything is, told by the last face that it enters
-/// and the first that it leaves.
-bool passes_within(const Vec3& p, const Vec3& q, const HalfSpaces& solid) {
-  struct Ratio {
-    Exact num, den;  // den > 0
-    bool after(const Ratio& x) const { return (num * x.den - x.num * den).sign() > 0; }
-  };
-  std::optional<Ratio> last_entry, first_exit;
-  for (const half_spaces::Face& face : solid.faces) {
-    const inequalities::Row<Exact> row = half_spaces::detail::row<Exact>(face);
-    const auto at = [&](const Vec3& x) {
-      return row[0] * Exact(x[0]) + row[1] * Exact(x[1]) + row[2] * Exact(x[2]) + row[3];
-    };
-    const Exact from = at(p), to = at(q);
-    if (from.sign() <= 0 && to.sign() <= 0) return false;
-    if (from.sign() > 0 && to.sign() > 0) continue;
-    if (from.sign() <= 0) {
-      if (const Ratio t = {-from, to - from}; !last_entry || t.after(*last_entry)) last_entry = t;
-    } else {
-      if (const Ratio t = {from, from - to}; !first_exit || first_exit->after(t)) first_exit = t;
-    }
-  }
-  return !last_entry || !first_exit || first_exit->after(*last_entry);
-}
-
-/// Neither the capsule nor the hull, which has a volume, holds the other: then the capsule reaches into the hull iff it
-/// does so through a facet.
-Relation beside_hull(const Capsule<double, 3>& capsule, const Hull3<double>& hull, const HalfSpaces& solid) {
-  if (capsule.radius == 0 && passes_within(capsule.p, capsule.q, solid)) return Relation::overlapping;
-  Relation result = Relation::disjoint;
-  for (const Triangle<double, 3>& facet : facets(hull)) {
-    if (capsule.radius == 0) {
-      if (intersects(capsule, facet)) return Relation::touching;
-      continue;
-    }
-    const Relation r = relate(capsule, facet);
-    if (r == Relation::touching) result = r;
-    if (r != Relation::touching && r != Relation::disjoint) return Relation::overlapping;
-  }
-  return result;
-}
-
-Relation round_to_hull(const Setting& s, const Object& a, const Object& b) {
-  const HalfSpaces solid = faces_of(s, b);
-  const Hull3<double> hull = hull_of(s, b);
-  const Capsule<double, 3> capsule = capsule_in_space(s, a);
+/// A ball or capsule, which is asked of each facet; without a radius it is a segment, which is a solid.
+Relation relate_to_hull(const Capsule<double, 3>& capsule, const Hull3<double>& hull, const HalfSpaces& solid) {
+  if (capsule.radius == 0) return relate(capsule, solid);
   const auto end_in = [&](const Vec3& end) {
     return sphere_half_spaces::detail::contained(end, capsule.radius, solid, NoTrace());
   };
   if (end_in(capsule.p) && end_in(capsule.q)) return Relation::a_inside_b;
-  const bool holds_hull = std::ranges::all_of(
-      facets(hull), [&](const Triangle<double, 3>& f) { return relate(capsule, f) == Relation::b_inside_a; });
-  return holds_hull ? Relation::b_inside_a : beside_hull(capsule, hull, solid);
-}
-
-/// Those of a hull in space; in the plane its sides, as triangles that are segments.
-std::vector<Triangle<double, 3>> facets(const Setting& s, const Object& hull) {
-  if (!s.flat) return facets(hull_of(s, hull));
-  const std::vector<Vec3> corners = outline_of(s, hull);
-  std::vector<Triangle<double, 3>> all;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec3& next = corners[i + 1 < corners.size() ? i + 1 : 0];
-    all.push_back({{corners[i], next, next}});
-  }
-  return all;
-}
-
-/// How convex solid A lies to hull B. Of many facets each is asked whether it reaches into A. So it is not told of a
-/// solid without a volume how it meets such a hull, unless the hull holds it.
-Json solid_to_hull(const Setting& s, const HalfSpaces& a, const Object& b, bool turned) {
-  const auto as_asked = [turned](Relation r) { return as_relation(turned ? reversed(r) : r); };
-  const HalfSpaces solid = faces_of(s, b);
-  if (a.faces.size() + solid.faces.size() <= many_facets) return as_asked(relate(a, solid));
-  if (a.faces.size() > many_facets)
-    throw NotDecided(fmt::format("the test of two such solids is made for {} faces at most", many_facets));
-  const int room = half_spaces::detail::common(a.faces, false, NoTrace());
-  if (room < 0) return as_asked(Relation::disjoint);
-  const std::vector<Triangle<double, 3>> rim = facets(s, b);
-  const bool hull_in = std::ranges::all_of(rim, [&](const Triangle<double, 3>& facet) {
-    return std::ranges::all_of(facet.vertices, [&](const Vec3& v) { return locate(v, a) != Location::out; });
-  });
-  if (half_spaces::detail::inside(a, solid, NoTrace()))
-    return as_asked(hull_in ? Relation::equal : Relation::a_inside_b);
-  if (hull_in) return as_asked(Relation::b_inside_a);
-  int most = -1;
-  for (const Triangle<double, 3>& facet : rim) {
-    most = std::max(most, triangle_half_spaces::detail::common(facet, a.faces, NoTrace()));
-    if (most > 0) return as_asked(Relation::overlapping);
-  }
-  if (room == 0 && most == 0) return {{"meet", true}};
-  return as_asked(most == 0 ? Relation::touching : Relation::disjoint);
+  return reversed(relate_surface(facets(hull), capsule));
 }
 
 Json solids_result(const Setting& s, const Object& a, const Object& b) {
   if (is_round(b.type)) return as_relation(reversed(relate_round(s, b, faces_of(s, a))));
   if (is_round(a.type))
-    return as_relation(b.type == Type::hull && !s.flat ? round_to_hull(s, a, b) : relate_round(s, a, faces_of(s, b)));
+    return as_relation(b.type == Type::hull && !s.flat
+                           ? relate_to_hull(capsule_in_space(s, a), hull_of(s, b), faces_of(s, b))
+                           : relate_round(s, a, faces_of(s, b)));
   if (a.type == Type::triangle) return as_relation(relate(triangle_of(s, a), faces_of(s, b)));
-  if (b.type == Type::hull) return solid_to_hull(s, faces_of(s, a), b, false);
-  if (a.type == Type::hull) return solid_to_hull(s, faces_of(s, b), a, true);
   return as_relation(relate(faces_of(s, a), faces_of(s, b)));
 }
 

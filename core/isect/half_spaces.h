@@ -6,11 +6,13 @@
 // axes as its normal, a hull's facet one of two differences of corners. Every verdict is the sign of a determinant of
 // them, see isect/parts/inequalities.h. A lies in B iff for no face of B there is a point of A beyond it.
 //
-// The price: for n half-spaces in all, of the order of n^4 signs. That is meant for a dozen or two, a box and a
-// frustum. Boxes and oriented boxes among themselves have faster tests, isect/aabb_aabb.h and isect/obb_obb.h.
+// The price: some n signs a corner on the way to the answer, for n half-spaces in all; whether m faces hold a solid of
+// n is asked face by face. Boxes and oriented boxes among themselves have faster tests, isect/aabb_aabb.h and
+// isect/obb_obb.h.
 //
 // A shape of the plane counts as the prism over it, which has no end in z.
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <variant>
@@ -136,10 +138,15 @@ inline auto text_of(const std::vector<Face>& faces) {
 
 inline int count(const std::vector<Face>& faces) { return static_cast<int>(faces.size()); }
 
-/// See inequalities::common.
+/// Whether they have a common point.
 template <class Trace>
-int common(const std::vector<Face>& faces, bool last, Trace&& trace) {
-  return inequalities::common(count(faces), text_of(faces), last, trace);
+bool have_a_point(const std::vector<Face>& faces, Trace&& trace) {
+  return !inequalities::contradictory(count(faces), text_of(faces), trace);
+}
+/// Whether they have a common interior point.
+template <class Trace>
+bool has_interior(const std::vector<Face>& faces, Trace&& trace) {
+  return inequalities::common(count(faces), text_of(faces), trace) > 0;
 }
 
 inline HalfSpaces both(const HalfSpaces& a, const HalfSpaces& b) {
@@ -148,38 +155,30 @@ inline HalfSpaces both(const HalfSpaces& a, const HalfSpaces& b) {
   return all;
 }
 
-/// Whether A, which is not empty, lies in that half-space.
+/// Whether A, which is not empty, lies in B, of which these are the faces.
 template <class Trace>
-bool inside(const HalfSpaces& a, Face face, Trace&& trace) {
-  std::vector<Face> faces = a.faces;
-  face.turned = !face.turned;
-  faces.push_back(face);
-  return common(faces, true, trace) <= 0;
-}
-
-/// Whether A, which is not empty, lies in B.
-template <class Trace>
-bool inside(const HalfSpaces& a, const HalfSpaces& b, Trace&& trace) {
-  for (const Face& face : b.faces)
-    if (!inside(a, face, trace)) return false;
-  return true;
+bool inside(const HalfSpaces& a, const std::vector<Face>& b, Trace&& trace) {
+  const auto text = text_of(a.faces);
+  inequalities::System system(count(a.faces), text, trace);
+  return std::ranges::all_of(b, [&](const Face& face) {
+    return system.implies([&]<class W>() -> inequalities::Row<W> { return row<W>(face); });
+  });
 }
 
 /// Whether some point is interior to both solids, which have a common point: of a thin one within the plane or line
 /// that it spans, so that the faces that it lies on as a whole do not count.
 template <class Trace>
 bool interiors_meet(const HalfSpaces& a, const HalfSpaces& b, Trace&& trace) {
+  const std::vector<Face> faces = both(a, b).faces;
+  if (has_interior(faces, trace)) return true;
   std::vector<char> strict;
   for (const HalfSpaces* const solid : {&a, &b}) {
-    const bool thin = common(solid->faces, false, trace) == 0;
-    for (Face face : solid->faces) {
-      face.turned = !face.turned;
-      strict.push_back(!thin || !inside(*solid, face, trace));
-    }
+    const auto text = text_of(solid->faces);
+    inequalities::System system(count(solid->faces), text, trace);
+    for (int i = 0; i < count(solid->faces); ++i) strict.push_back(!system.is_equation(i));
   }
-  const std::vector<Face> faces = both(a, b).faces;
   const auto is_strict = [&](int i) { return strict[static_cast<std::size_t>(i)] != 0; };
-  return inequalities::common(count(faces), text_of(faces), false, is_strict, trace) > 0;
+  return inequalities::common(count(faces), text_of(faces), is_strict, trace) > 0;
 }
 
 }  // namespace detail
@@ -283,24 +282,24 @@ HalfSpaces half_spaces_of(const Hull3<S>& hull) {
 /// Whether they have a common point. Exact.
 template <class Trace = NoTrace>
 bool intersects(const HalfSpaces& a, const HalfSpaces& b, Trace&& trace = {}) {
-  return half_spaces::detail::common(half_spaces::detail::both(a, b).faces, false, trace) >= 0;
+  return half_spaces::detail::have_a_point(half_spaces::detail::both(a, b).faces, trace);
 }
 
 /// Whether it has a point. Exact.
 template <class Trace = NoTrace>
 bool has_a_point(const HalfSpaces& a, Trace&& trace = {}) {
-  return half_spaces::detail::common(a.faces, false, trace) >= 0;
+  return half_spaces::detail::have_a_point(a.faces, trace);
 }
 
 /// How two solids lie. Exact, for those without a volume, too. One without a point is disjoint from all.
 template <class Trace = NoTrace>
 Relation relate(const HalfSpaces& a, const HalfSpaces& b, Trace&& trace = {}) {
-  const int meet = half_spaces::detail::common(half_spaces::detail::both(a, b).faces, false, trace);
-  if (meet < 0) return Relation::disjoint;
-  const bool a_in_b = half_spaces::detail::inside(a, b, trace), b_in_a = half_spaces::detail::inside(b, a, trace);
+  if (!intersects(a, b, trace)) return Relation::disjoint;
+  const bool a_in_b = half_spaces::detail::inside(a, b.faces, trace),
+             b_in_a = half_spaces::detail::inside(b, a.faces, trace);
   if (a_in_b) return b_in_a ? Relation::equal : Relation::a_inside_b;
   if (b_in_a) return Relation::b_inside_a;
-  return meet > 0 || half_spaces::detail::interiors_meet(a, b, trace) ? Relation::overlapping : Relation::touching;
+  return half_spaces::detail::interiors_meet(a, b, trace) ? Relation::overlapping : Relation::touching;
 }
 
 /// How the plane (A) and the solid lie: disjoint, touching, or overlapping, when the solid has points on both sides.
@@ -311,12 +310,12 @@ Relation relate(const Plane<S, N>& plane, const HalfSpaces& solid, Trace&& trace
   half_spaces::Face before = {half_spaces::Level{half_spaces::detail::in_space<S, N>(plane.normal), plane.d}};
   half_spaces::Face behind = before;
   behind.turned = true;
-  const bool all_before = half_spaces::detail::inside(solid, before, trace),
-             all_behind = half_spaces::detail::inside(solid, behind, trace);
+  const bool all_before = half_spaces::detail::inside(solid, {before}, trace),
+             all_behind = half_spaces::detail::inside(solid, {behind}, trace);
   if (!all_before && !all_behind) return Relation::overlapping;
   std::vector<half_spaces::Face> on = solid.faces;
   on.push_back(before), on.push_back(behind);
-  return half_spaces::detail::common(on, false, trace) >= 0 ? Relation::touching : Relation::disjoint;
+  return half_spaces::detail::have_a_point(on, trace) ? Relation::touching : Relation::disjoint;
 }
 
 /// Where the point lies: on the boundary, too, where the solid has no volume. Exact.

@@ -3,12 +3,10 @@
 // hull; and against another triangle, which is flat and has half-spaces as well.
 //
 // The points of the triangle are a + s (b - a) + t (c - a) with s, t >= 0, s + t <= 1. So each half-space says one
-// linear inequality in s and t, and whether all have a common solution is a question in the plane: three of them
-// contradict each other, or none do (see isect/parts/inequalities.h, here in two variables). A triangle that is a
-// segment or a point needs no case of its own.
+// linear inequality in s and t, and whether all have a common solution is asked as in isect/parts/inequalities.h. A
+// triangle that is a segment or a point needs no case of its own.
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <variant>
 
@@ -23,57 +21,30 @@ using Event = std::variant<Fallback>;
 
 namespace detail {
 
-/// In s, in t, and without them.
+/// In s, in t, in nothing else, and without them.
 template <Filtered W>
-std::array<W, 3> row(const std::vector<half_spaces::Face>& faces, const Triangle<double, 3>& x, int i) {
-  if (i == 0) return {W(1), W(0), W(0)};
-  if (i == 1) return {W(0), W(1), W(0)};
-  if (i == 2) return {W(-1), W(-1), W(1)};
+inequalities::Row<W> row(const std::vector<half_spaces::Face>& faces, const Triangle<double, 3>& x, int i) {
+  if (i == 0) return {W(1), W(0), W(0), W(0)};
+  if (i == 1) return {W(0), W(1), W(0), W(0)};
+  if (i == 2) return {W(-1), W(-1), W(0), W(1)};
   const inequalities::Row<W> face = half_spaces::detail::row<W>(faces[static_cast<std::size_t>(i - 3)]);
   const Components<W, 3> n = inequalities::detail::normal(face);
   const auto& [a, b, c] = x.vertices;
-  return {dot(n, difference<W>(b, a)), dot(n, difference<W>(c, a)), dot(n, exactly<W>(a)) + face[3]};
+  return {dot(n, difference<W>(b, a)), dot(n, difference<W>(c, a)), W(0), dot(n, exactly<W>(a)) + face[3]};
 }
 
 /// 1: some point within the triangle lies in the interior of all half-spaces. 0: a point of it lies in all. -1: none.
 template <class Trace>
 int common(const Triangle<double, 3>& x, const std::vector<half_spaces::Face>& faces, Trace&& trace) {
-  const int n = static_cast<int>(faces.size()) + 3;
-  std::vector<std::array<Bounded<double>, 3>> quick;
-  for (int i = 0; i < n; ++i) quick.push_back(row<Bounded<double>>(faces, x, i));
-  const auto at = [&]<class W>(int i) -> std::array<W, 3> {
-    if constexpr (std::is_same_v<W, Bounded<double>>)
-      return quick[static_cast<std::size_t>(i)];
-    else
-      return row<W>(faces, x, i);
-  };
-  const auto turn = [&]<class W>(int i, int j) -> W {
-    const std::array<W, 3> p = at.template operator()<W>(i), q = at.template operator()<W>(j);
-    return p[0] * q[1] - p[1] * q[0];
-  };
-  std::vector<int> signs(static_cast<std::size_t>(n) * n);
-  const auto sign = [&](int i, int j) -> int& { return signs[static_cast<std::size_t>(i) * n + j]; };
-  for (int i = 0; i < n; ++i)
-    for (int j = i + 1; j < n; ++j)
-      sign(i, j) = sign_of_long([&]<class W>() -> W { return turn.template operator()<W>(i, j); }, trace);
+  const auto text = [&]<class W>(int i) -> inequalities::Row<W> { return row<W>(faces, x, i); };
+  return inequalities::common(half_spaces::detail::count(faces) + 3, text, trace);
+}
 
-  int least = 1;
-  for (int i = 0; i < n; ++i)
-    for (int j = i + 1; j < n; ++j)
-      for (int k = j + 1; k < n; ++k) {
-        const auto [lo, hi] = std::minmax({sign(j, k), -sign(i, k), sign(i, j)});
-        if (lo == hi ? lo == 0 : lo < 0 && hi > 0) continue;
-        const int sum = sign_of_long(
-            [&]<class W>() -> W {
-              return at.template operator()<W>(i)[2] * turn.template operator()<W>(j, k) -
-                     at.template operator()<W>(j)[2] * turn.template operator()<W>(i, k) +
-                     at.template operator()<W>(k)[2] * turn.template operator()<W>(i, j);
-            },
-            trace);
-        least = std::min(least, hi > 0 ? sum : -sum);
-        if (least < 0) return least;
-      }
-  return least;
+/// Whether a point of the triangle lies in all.
+template <class Trace>
+bool meets(const Triangle<double, 3>& x, const std::vector<half_spaces::Face>& faces, Trace&& trace) {
+  const auto text = [&]<class W>(int i) -> inequalities::Row<W> { return row<W>(faces, x, i); };
+  return !inequalities::contradictory(half_spaces::detail::count(faces) + 3, text, trace);
 }
 
 /// Whether no corner lies in that half-space.
@@ -144,10 +115,10 @@ Relation relate(const Triangle<S, N>& triangle, const HalfSpaces& solid, Trace&&
   const bool inside = std::ranges::all_of(
       triangle.vertices, [&](const Point<S, N>& v) { return locate<S, N>(v, solid, trace) != Location::out; });
   if (solid.dimension == 3 &&
-      half_spaces::detail::common(solid.faces, false, trace) > 0)  // it has a volume: no triangle holds it
+      half_spaces::detail::has_interior(solid.faces, trace))  // it has a volume: no triangle holds it
     return inside ? Relation::a_inside_b : meet > 0 ? Relation::overlapping : Relation::touching;
   const HalfSpaces own = triangle_half_spaces::detail::solid_of(x, solid.dimension, trace);
-  const bool held = half_spaces::detail::inside(solid, own, trace);
+  const bool held = half_spaces::detail::inside(solid, own.faces, trace);
   if (inside) return held ? Relation::equal : Relation::a_inside_b;
   if (held) return Relation::b_inside_a;
   return meet > 0 || half_spaces::detail::interiors_meet(own, solid, trace) ? Relation::overlapping
@@ -161,7 +132,7 @@ bool intersects(const Triangle<S, N>& triangle, const HalfSpaces& solid, Trace&&
   const Triangle<double, 3> x = triangle_half_spaces::detail::in_space<S, N>(triangle);
   for (const half_spaces::Face& face : solid.faces)  // most are beyond one face
     if (triangle_half_spaces::detail::beyond(x, face, trace)) return false;
-  return triangle_half_spaces::detail::common(x, solid.faces, trace) >= 0;
+  return triangle_half_spaces::detail::meets(x, solid.faces, trace);
 }
 
 /// Whether two triangles in space have a common point. Exact, in one plane, too, and where they are segments or points.
@@ -174,7 +145,7 @@ bool intersects(const Triangle<S, 3>& a, const Triangle<S, 3>& b, Trace&& trace 
   const bool flat_x = degenerate(x, trace), flat_y = degenerate(y, trace);
   if (flat_x && flat_y) return intersects(as_segment(x, trace), as_segment(y, trace), trace);
   const Triangle<double, 3>&outer = flat_y ? x : y, &inner = flat_y ? y : x;
-  return triangle_half_spaces::detail::common(inner, half_spaces_of(outer).faces, trace) >= 0;
+  return triangle_half_spaces::detail::meets(inner, half_spaces_of(outer).faces, trace);
 }
 
 }  // namespace isect

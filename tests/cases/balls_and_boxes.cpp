@@ -63,9 +63,9 @@ Case ball_and_box(const Sphere<S, N>& ball, const Aabb<S, N>& box) {
   const Json in = both(fields(ball), fields(box));
   if (!finite(ball) || !finite(box)) return policy(in, is_f32<S>);
   const Relation r = oracle::relation(ball, box);
-  const std::string name = r == Relation::a_inside_b || r == Relation::equal ? "box_contains_sphere"
-                           : r == Relation::b_inside_a                       ? "sphere_contains_box"
-                                                                             : word(r);
+  const std::string name = r == Relation::a_inside_b   ? "box_contains_sphere"
+                           : r == Relation::b_inside_a ? "sphere_contains_box"
+                                                       : word(r);
   return {in, {{"intersects", r != Relation::disjoint}, {"relation", name}}, is_f32<S>};
 }
 

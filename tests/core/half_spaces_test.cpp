@@ -118,6 +118,72 @@ TEST_CASE("two convex solids lie as their corners tell", "[half_spaces]") {
     CHECK(seen[static_cast<std::size_t>(r)] > 0);
 }
 
+/// The same solid with sums of its faces among them, which follow from them: many touch it in a corner or an edge.
+HalfSpaces with_more_faces(Draw& draw, const HalfSpaces& solid, int more) {
+  HalfSpaces result = solid;
+  const auto level = [&](std::size_t i) { return std::get<half_spaces::Level>(solid.faces[i].form); };
+  for (int k = 0; k < more; ++k) {
+    half_spaces::Level sum = {Vec::Zero(), draw.random() % 4 == 0 ? 1.0 : 0.0};
+    for (int term = 0; term < 3; ++term) {
+      const half_spaces::Level one = level(draw.random() % solid.faces.size());
+      const double weight = static_cast<double>(draw.random() % 3);
+      sum.normal += weight * one.normal, sum.d += weight * one.d;
+    }
+    result.faces.insert(result.faces.begin() + static_cast<long>(draw.random() % (result.faces.size() + 1)), {sum});
+  }
+  return result;
+}
+
+TEST_CASE("a solid lies alike however many faces it is given by", "[half_spaces]") {
+  std::array<int, 6> seen = {};
+  Draw draw;
+  for (int round = 0; round < tests::cases(300, 6000); ++round) {
+    const auto drawn = [&](int kind) {
+      return kind == 0   ? half_spaces_of(draw.box())
+             : kind == 1 ? half_spaces_of(draw.kdop())
+                         : half_spaces_of(draw.frustum());
+    };
+    const HalfSpaces a = drawn(round % 3), b = round % 20 == 0 ? a : drawn(round / 3 % 3);
+    const Relation truth = relate(a, b);
+    const HalfSpaces many_a = with_more_faces(draw, a, 30), many_b = with_more_faces(draw, b, 60);
+    CAPTURE(round);
+    REQUIRE(relate(many_a, many_b) == truth);
+    REQUIRE(relate(many_b, a) == reversed(truth));
+    const Triangle<double, 3> t = draw.triangle();
+    REQUIRE(relate(t, many_a) == relate(t, a));
+    REQUIRE(intersects(t, many_a) == (relate(t, a) != Relation::disjoint));
+    const Sphere<double, 3> ball = {draw.vector(3), draw.number(0, 3)};
+    if (round % 10 == 0) REQUIRE(relate(ball, many_a) == relate(ball, a));
+    ++seen[static_cast<std::size_t>(truth)];
+  }
+  for (const Relation r : {Relation::disjoint, Relation::equal, Relation::touching, Relation::overlapping})
+    CHECK(seen[static_cast<std::size_t>(r)] > 0);
+}
+
+TEST_CASE("hulls of a thousand corners lie as their corners tell", "[half_spaces]") {
+  Draw draw;
+  std::vector<Vec> points;
+  for (int i = 0; i < 1000; ++i) {
+    const double turn = 2.399963229728653 * i, z = 1 - (i + 0.5) / 500, r = std::sqrt(1 - z * z);
+    points.emplace_back(1000 * Vec(r * std::cos(turn), r * std::sin(turn), z).array().round().matrix());
+  }
+  const auto hull_at = [&](const Vec& shift, double scale) {
+    std::vector<Vec> moved;
+    for (const Vec& p : points) moved.push_back(scale * p + shift);
+    return half_spaces_of(convex_hull(moved));
+  };
+  const HalfSpaces whole = hull_at(Vec::Zero(), 1);
+  const Vec top = *std::ranges::max_element(points, {}, [](const Vec& p) { return p.z(); });
+  const Vec low = *std::ranges::min_element(points, {}, [](const Vec& p) { return p.z(); });
+  CHECK(relate(whole, hull_at(Vec::Zero(), 2)) == Relation::a_inside_b);
+  CHECK(relate(hull_at(Vec::Zero(), 2), whole) == Relation::b_inside_a);
+  CHECK(relate(whole, hull_at(top, 1)) == Relation::overlapping);
+  const Vec beyond = top - low;  // corner on corner
+  CHECK(relate(whole, hull_at(beyond, 1)) == Relation::touching);
+  CHECK(relate(whole, hull_at(beyond + Vec(0, 0, 1), 1)) == Relation::disjoint);
+  CHECK(relate(whole, hull_at(beyond - Vec(0, 0, 1), 1)) == Relation::overlapping);
+}
+
 TEST_CASE("boxes and oriented boxes lie as half-spaces as their own tests say", "[half_spaces]") {
   rounds(150, [](Draw& draw, int round) {
     const Aabb<double, 3> a = draw.box(), b = draw.box();

@@ -1,16 +1,15 @@
 #pragma once
-// Linear inequalities a_i.x + w_i >= 0 in space: have they a common point, how far is it from the origin, which are its
-// corners? Each by signs of determinants.
+// Linear inequalities a_i.x + w_i >= 0 in space: have they a common point, which others follow from them, how far is
+// what they have in common from the origin, which are its corners? Each by signs of determinants.
 //
-// Common point. There is none iff the inequalities contradict each other: for some weights l_i >= 0 the sum of l_i a_i
-// is 0 and that of l_i w_i negative (Farkas). They have no common interior point iff the latter is at most 0 for some
-// that are not all 0 (Gordan). By Caratheodory four of the a_i do, linearly independent but for one relation between
-// them; that relation, by Cramer, has the weights
-//
-//   [jkl], -[ikl], [ijl], -[ijk],   [ijk] being the determinant of a_i, a_j, a_k.
-//
-// Fewer than four are found with weights of 0 for others. So that there always are four, the unit vectors are added,
-// whose weights must be 0.
+// What follows. An inequality holds wherever all of them do iff it is a sum of them, and of 1 >= 0, with weights that
+// are not negative (Farkas; of inequalities that have a common point). There is no common point iff -1 >= 0 is such a
+// sum, and one is an equation iff its opposite is. Four rows (a, w) that are independent make a basis: by Cramer a
+// row's weight at one of the four is its value at the corner where the other three planes meet, over the value there
+// of the one that is weighed. If a weight is negative, that corner is a point of all inequalities, which tells that
+// nothing follows, or some row is violated there and takes the place of the one that is weighed. The first that can
+// leaves, the first that can comes: so no basis comes twice (Bland). Source: Schrijver, Theory of Linear and Integer
+// Programming (1986), theorem 7.1.
 //
 // Distance. By duality the squared distance of the origin from what they have in common is the greatest of all
 // g.G^-1 g over independent sets of at most three a_i, where G are their products, g = -w, and G^-1 g >= 0: each such
@@ -64,15 +63,6 @@ class Rows {
   std::vector<Row<Bounded<double>>> quick_;
 };
 
-/// Row i of the text, the unit vectors behind the last.
-template <Filtered W, class Text>
-Row<W> row_or_unit(const Text& text, int count, int i) {
-  if (i < count) return text.template operator()<W>(i);
-  Row<W> unit = {W(0), W(0), W(0), W(0)};
-  unit[static_cast<std::size_t>(i - count)] = W(1);
-  return unit;
-}
-
 /// The point where three planes meet, times their determinant.
 template <Filtered W>
 Components<W, 3> corner(const Row<W>& x, const Row<W>& y, const Row<W>& z) {
@@ -85,64 +75,172 @@ Components<W, 3> corner(const Row<W>& x, const Row<W>& y, const Row<W>& z) {
 
 }  // namespace detail
 
-/// 1: they have a common point at which none of the `strict` ones is an equation. 0: a common point, but no such one.
-/// -1: none. `text` is operator()<W>(i) -> Row<W>, `strict` i -> bool. With `last` asked only for contradictions in
-/// which the last row has a weight.
-template <class Text, class Strict, class Trace>
-int common(int count, const Text& text, bool last, const Strict& strict, Trace&& trace) {
-  using namespace detail;
-  const auto padded = [&]<class W>(int i) -> Row<W> { return row_or_unit<W>(text, count, i); };
-  const Rows rows(count + 3, padded);
-  const int n = rows.count();
-  const auto place = [n](int i, int j, int k) { return (static_cast<std::size_t>(i) * n + j) * n + k; };
-  std::vector<signed char> signs(static_cast<std::size_t>(n) * n * n);
-  for (int i = 0; i < n; ++i)
-    for (int j = i + 1; j < n; ++j)
-      for (int k = j + 1; k < n; ++k)
-        signs[place(i, j, k)] = static_cast<signed char>(sign_of_long(
-            [&]<class W>() -> W {
-              return determinant(rows.template row<W>(i), rows.template row<W>(j), rows.template row<W>(k));
-            },
-            trace));
+/// Inequalities that one asks what follows from them. `text` is operator()<W>(i) -> Row<W>.
+template <class Text, class Trace>
+class System {
+ public:
+  System(int count, const Text& text, Trace& trace)
+      : count_(count), padded_{text, count}, rows_(count + 5, padded_), trace_(trace) {
+    start();
+  }
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
 
-  int least = 1;
-  for (int i = 0; i < n; ++i)
-    for (int j = i + 1; j < n; ++j)
-      for (int k = j + 1; k < n; ++k)
-        for (int l = k + 1; l < n; ++l) {
-          const std::array<int, 4> of = {i, j, k, l};
-          const std::array<int, 4> weight = {signs[place(j, k, l)], -signs[place(i, k, l)], signs[place(i, j, l)],
-                                             -signs[place(i, j, k)]};
-          const auto [lo, hi] = std::minmax_element(weight.begin(), weight.end());
-          if (*lo == *hi ? *lo == 0 : *lo < 0 && *hi > 0) continue;
-          bool counts = !last;
-          bool idle = true;    // the unit vectors
-          bool parts = false;  // some strict one has a weight, so that a sum of 0 contradicts it
-          for (std::size_t m = 0; m < 4; ++m) {
-            if (of[m] >= count) idle &= weight[m] == 0;
-            if (of[m] == count - 1) counts |= weight[m] != 0;
-            if (of[m] < count && weight[m] != 0) parts |= strict(of[m]);
-          }
-          if (!counts || !idle) continue;
-          const int sum = sign_of_long(
-              [&]<class W>() -> W {
-                const Row<W> a = rows.template row<W>(i), b = rows.template row<W>(j), c = rows.template row<W>(k),
-                             d = rows.template row<W>(l);
-                return (a[3] * determinant(b, c, d) - b[3] * determinant(a, c, d)) +
-                       (c[3] * determinant(a, b, d) - d[3] * determinant(a, b, c));
-              },
-              trace);
-          if (sum != 0 || parts) least = std::min(least, *hi > 0 ? sum : -sum);
-          if (least < 0) return least;
-        }
-  return least;
+  /// Whether the inequality is a sum of them with weights that are not negative: it holds wherever all of them do, if
+  /// they have a common point. `goal` is operator()<W>() -> Row<W>.
+  template <class Goal>
+  bool implies(const Goal& goal) {
+    return follows(goal, first_negative(goal));
+  }
+  /// Whether inequality i is an equation wherever all hold.
+  bool is_equation(int i) {
+    if (strict_[static_cast<std::size_t>(i)]) return false;
+    const auto opposite = [&]<class W>() -> Row<W> {
+      Row<W> row = rows_.template row<W>(i);
+      for (W& x : row) x = -x;
+      return row;
+    };
+    const int own = place_of(i);
+    return follows(opposite, own < 4 ? own : first_negative(opposite));
+  }
+  /// Whether they have no common point: then 0 = 1.
+  bool contradictory() { return is_equation(count_); }
+
+ private:
+  static constexpr int none_negative = -1, out_of_span = -2;
+
+  /// The rows, then 1 >= 0, then the unit vectors, which fill the basis where the rows span less.
+  struct Padded {
+    const Text& text;
+    int count;
+
+    template <class W>
+    Row<W> operator()(int i) const {
+      if (i < count) return text.template operator()<W>(i);
+      Row<W> unit = {W(0), W(0), W(0), W(0)};
+      unit[static_cast<std::size_t>(i == count ? 3 : i - count - 1)] = W(1);
+      return unit;
+    }
+  };
+
+  bool is_row(int i) const { return i <= count_; }
+  /// 4 if it is not in the basis.
+  int place_of(int i) const { return static_cast<int>(std::ranges::find(basis_, i) - basis_.begin()); }
+
+  /// See implies. `leaves` is what the goal's first_negative says.
+  template <class Goal>
+  bool follows(const Goal& goal, int leaves) {
+    for (; leaves >= 0; leaves = first_negative(goal)) {
+      const int comes = first_violated(leaves);
+      if (comes < 0) return false;
+      basis_[static_cast<std::size_t>(leaves)] = comes;
+      side_ = -side_;
+    }
+    return leaves == none_negative;
+  }
+
+  /// Where the planes of the basis but that at `place` meet, and by what the corner is multiplied.
+  template <Filtered W>
+  Row<W> corner_without(std::size_t place) const {
+    std::array<Row<W>, 3> other;
+    for (std::size_t i = 0; i < 3; ++i) other[i] = rows_.template row<W>(basis_[i < place ? i : i + 1]);
+    const Components<W, 3> at = detail::corner(other[0], other[1], other[2]);
+    return {at[0], at[1], at[2], detail::determinant(other[0], other[1], other[2])};
+  }
+  /// The sign there of a row, in the direction in which that of the basis is positive.
+  template <class Of>
+  int sign_without(std::size_t place, const Row<Bounded<double>>& quick, const Of& of) const {
+    const int sign = sign_of_long(
+        [&]<class W>() -> W {
+          const Row<W> row = of.template operator()<W>();
+          const auto at = [&]() -> Row<W> {
+            if constexpr (std::is_same_v<W, Bounded<double>>)
+              return quick;
+            else
+              return corner_without<W>(place);
+          }();
+          return (row[0] * at[0] + row[1] * at[1]) + (row[2] * at[2] + row[3] * at[3]);
+        },
+        trace_);
+    return place % 2 == 0 ? -side_ * sign : side_ * sign;
+  }
+  auto text_of(int i) const {
+    return [this, i]<class W>() -> Row<W> { return rows_.template row<W>(i); };
+  }
+
+  /// As many rows as are independent.
+  void start() {
+    for (int i = 0; i < 4; ++i) basis_[static_cast<std::size_t>(i)] = count_ + 1 + i;
+    for (int i = 0; i <= count_; ++i)
+      for (std::size_t place = 0; place < 4; ++place) {
+        if (is_row(basis_[place]) || sign_without(place, corner_without<Bounded<double>>(place), text_of(i)) == 0)
+          continue;
+        basis_[place] = i;
+        break;
+      }
+    side_ = sign_without(3, corner_without<Bounded<double>>(3), text_of(basis_[3]));
+  }
+
+  /// Which place of the basis has a negative weight in the goal, of those the first row.
+  template <class Goal>
+  int first_negative(const Goal& goal) const {
+    int first = none_negative;
+    for (std::size_t place = 0; place < 4; ++place) {
+      const int sign = sign_without(place, corner_without<Bounded<double>>(place), goal);
+      if (sign != 0 && !is_row(basis_[place])) return out_of_span;
+      if (sign < 0 && (first < 0 || basis_[place] < basis_[static_cast<std::size_t>(first)]))
+        first = static_cast<int>(place);
+    }
+    return first;
+  }
+
+  /// The first row that is violated at the corner without that of the basis. If there is none, the corner is common to
+  /// all, and tells which are no equations.
+  int first_violated(int leaves) {
+    const auto place = static_cast<std::size_t>(leaves);
+    const Row<Bounded<double>> corner = corner_without<Bounded<double>>(place);
+    std::vector<int> positive;
+    for (int i = 0; i <= count_; ++i) {
+      const int own = place_of(i);
+      const int sign = own < 4 ? own == leaves : sign_without(place, corner, text_of(i));
+      if (sign < 0) return i;
+      if (sign > 0) positive.push_back(i);
+    }
+    for (const int i : positive) strict_[static_cast<std::size_t>(i)] = 1;
+    return -1;
+  }
+
+  int count_;
+  Padded padded_;
+  detail::Rows<Padded> rows_;
+  Trace& trace_;
+  std::array<int, 4> basis_ = {};
+  int side_ = 1;  // of the basis' determinant
+  std::vector<char> strict_ = std::vector<char>(static_cast<std::size_t>(count_) + 1);
+};
+
+/// Whether they have no common point.
+template <class Text, class Trace>
+bool contradictory(int count, const Text& text, Trace&& trace) {
+  return System(count, text, trace).contradictory();
+}
+
+/// 1: they have a common point at which none of the `strict` ones is an equation. 0: a common point, but no such one.
+/// -1: none. `strict` is i -> bool.
+template <class Text, class Strict, class Trace>
+int common(int count, const Text& text, const Strict& strict, Trace&& trace) {
+  System system(count, text, trace);
+  if (system.contradictory()) return -1;
+  for (int i = 0; i < count; ++i)
+    if (strict(i) && system.is_equation(i)) return 0;
+  return 1;
 }
 
 /// 1: they have a common interior point. 0: a common point, but no interior one. -1: none.
 template <class Text, class Trace>
-int common(int count, const Text& text, bool last, Trace&& trace) {
+int common(int count, const Text& text, Trace&& trace) {
   return common(
-      count, text, last, [](int) { return true; }, trace);
+      count, text, [](int) { return true; }, trace);
 }
 
 /// The sign of d - r, where d is the origin's distance from the common points, of which there is one; r >= 0.
@@ -265,18 +363,19 @@ bool all_corners(int count, const Text& text, const Holds& holds, Trace&& trace)
 /// Whether no direction leads away for ever: from what they have in common, if they have a common point.
 template <class Text, class Trace>
 bool bounded(int count, int dimension, const Text& text, Trace&& trace) {
+  const auto direction = [&]<class W>(int i) -> Row<W> {
+    Row<W> row = text.template operator()<W>(i);
+    row[3] = W(0);
+    return row;
+  };
+  System system(count, direction, trace);
   for (int way = 0; way < 2 * dimension; ++way) {
-    const auto receding = [&]<class W>(int i) -> Row<W> {
-      if (i < count) {
-        Row<W> row = text.template operator()<W>(i);
-        row[3] = W(0);
-        return row;
-      }
-      Row<W> row = {W(0), W(0), W(0), W(-1)};
+    const auto no_further = [&]<class W>() -> Row<W> {
+      Row<W> row = {W(0), W(0), W(0), W(0)};
       row[static_cast<std::size_t>(way / 2)] = W(way % 2 == 0 ? 1 : -1);
       return row;
     };
-    if (common(count + 1, receding, false, trace) >= 0) return false;
+    if (!system.implies(no_further)) return false;
   }
   return true;
 }
