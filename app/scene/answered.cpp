@@ -3,6 +3,7 @@
 #include "app/scene/answered.h"
 
 #include "app/scene/contact.h"
+#include "app/scene/first_place.h"
 
 #include <fmt/format.h>
 
@@ -25,29 +26,26 @@ namespace {
 struct Hit {
   std::size_t object;
   double t;
-  double place;  ///< t, or what orders hits where t is beyond the range of numbers
+  mutable std::optional<Place> place = {};  ///< t itself, where it was asked for
 };
 
 /// Whether it stands where a ray can reach it: no other ray, and no point.
 bool can_be_first(Type t) { return t == Type::segment || !(runs_along_a_line(t) || t == Type::point); }
 
-/// The scene with the ray's direction about as long as 1, so that t is about the distance. Nothing where that would
-/// lose a bit, and for a segment, whose t lies between 0 and 1.
-std::optional<viz::Parameters> with_direction_of_one(const Context& c, const Object& ray) {
-  if (ray.type == Type::segment) return {};
-  viz::Parameters parameters = c.setting.parameters;
-  viz::Vec3& direction = std::get<viz::Vec3>(parameters.at(ray.name + ".dir"));
-  const int exponent = std::ilogb(direction.cwiseAbs().maxCoeff());
-  bool exact = true;
-  const auto scale = [&exact](double& x, int by) {
-    const double scaled = std::ldexp(x, by);
-    exact &= std::ldexp(scaled, -by) == x;
-    x = scaled;
-  };
-  for (double& x : direction) scale(x, -exponent);
-  for (const char* end : {"tmin", "tmax"})
-    if (c.setting.has(ray, end)) scale(std::get<double>(parameters.at(ray.name + "." + end)), exponent);
-  return exact ? std::optional(std::move(parameters)) : std::nullopt;
+/// Whether their doubles, each within 4 ulp of the true t, leave no doubt that x is less than y.
+bool surely_less(double x, double y) {
+  using Limits = std::numeric_limits<double>;
+  return std::isfinite(x) && std::isfinite(y) &&
+         y - x > 8 * (Limits::epsilon() * std::max(std::abs(x), std::abs(y)) + Limits::denorm_min());
+}
+
+/// The sign of x's t less y's, exactly.
+int order(const Context& c, const Object& ray, const Hit& x, const Hit& y) {
+  if (surely_less(x.t, y.t)) return -1;
+  if (surely_less(y.t, x.t)) return 1;
+  for (const Hit* hit : {&x, &y})
+    if (!hit->place) hit->place = first_place(c.setting, ray, c.object(hit->object));
+  return compare(*x.place, *y.place);
 }
 
 /// Of these objects, by rising t; those that no test decides go to `open`.
@@ -56,15 +54,10 @@ std::vector<Hit> hits_of(const Context& c, std::size_t ray, const std::vector<st
   std::vector<Hit> hits;
   for (const std::size_t i : objects) {
     const Answer answer = ask(c.setting, c.object(ray), c.object(i));
-    if (answer.first_hit) hits.push_back({i, *answer.first_hit, *answer.first_hit});
+    if (answer.first_hit) hits.push_back({i, *answer.first_hit});
     if (answer.open) open.push_back(i);
   }
-  // Beyond the numbers, or among the least, or 0: several of them may differ
-  if (std::ranges::count_if(hits, [](const Hit& hit) { return !std::isnormal(hit.t); }) > 1)
-    if (const auto parameters = with_direction_of_one(c, c.object(ray)))
-      for (Hit& hit : hits)
-        hit.place = ask({*parameters, c.setting.flat}, c.object(ray), c.object(hit.object)).first_hit.value_or(hit.t);
-  std::ranges::stable_sort(hits, {}, &Hit::place);
+  std::ranges::stable_sort(hits, [&](const Hit& x, const Hit& y) { return order(c, c.object(ray), x, y) < 0; });
   return hits;
 }
 std::vector<Hit> hits_of(const Context& c, std::size_t ray, std::vector<std::size_t>& open) {
@@ -76,7 +69,6 @@ std::vector<Hit> hits_of(const Context& c, std::size_t ray, std::vector<std::siz
 
 std::string shown_t(double t) { return std::isinf(t) ? "a number too large for a double" : viz::shown(t); }
 
-/// Each t is within 4 ulp of the true one, so closer ones are not told apart.
 viz::Verdict first_of(const Context& c, std::size_t ray, const std::vector<Hit>& hits,
                       const std::vector<std::size_t>& open) {
   if (!open.empty()) {
@@ -88,13 +80,13 @@ viz::Verdict first_of(const Context& c, std::size_t ray, const std::vector<Hit>&
   }
   if (hits.empty()) return {viz::Verdict::Kind::no, c.name(ray) + " meets none of them"};
   const std::string first = c.name(hits[0].object);
-  const auto apart = [](double x, double y) {
-    using Limits = std::numeric_limits<double>;
-    return y - x > 8 * (Limits::epsilon() * std::max(std::abs(x), std::abs(y)) + Limits::denorm_min());
-  };
-  if (hits.size() > 1 && !apart(hits[0].place, hits[1].place))
-    return {viz::Verdict::Kind::on, fmt::format("{} meets {} and {} at the same *t*, as far as rounding tells",
-                                                c.name(ray), first, c.name(hits[1].object))};
+  std::string names = first, last;
+  for (std::size_t i = 1; i < hits.size() && order(c, c.object(ray), hits[0], hits[i]) == 0; ++i) {
+    if (!last.empty()) names += ", " + last;
+    last = c.name(hits[i].object);
+  }
+  if (!last.empty())
+    return {viz::Verdict::Kind::on, fmt::format("{} meets {} and {} at the same *t*", c.name(ray), names, last)};
   return {viz::Verdict::Kind::yes,
           fmt::format("{} meets {} first, at *t* = {}", c.name(ray), first, shown_t(hits[0].t))};
 }

@@ -34,17 +34,8 @@ Exact3 normal_of(const Ring<double, 3>& outline) {
   return n;
 }
 
-/// A place on the ray, num / den, den > 0.
-struct Place {
-  Exact num, den;
-
-  Place(Exact n, Exact d) : num(std::move(n)), den(std::move(d)) {
-    if (den.sign() < 0) num = -num, den = -den;
-  }
-  /// The sign of this place less the other.
-  int beyond(const Place& other) const { return (num * other.den - other.num * den).sign(); }
-  int beyond(double t) const { return std::isinf(t) ? (t < 0 ? 1 : -1) : beyond(Place(Exact(t), Exact(1.0))); }
-};
+/// The sign of the place less t.
+int beyond(const Place& place, double t) { return std::isinf(t) ? (t < 0 ? 1 : -1) : compare(place, place_at(t)); }
 
 /// Its corners, from the ray's origin.
 using Outline = std::vector<Exact2>;
@@ -68,14 +59,13 @@ class InPlane {
   InPlane(const Interval<double>& range, Exact2 direction, std::vector<Outline> outlines)
       : range_(range), direction_(std::move(direction)), outlines_(std::move(outlines)) {}
 
-  std::optional<double> first() {
+  std::optional<Place> first() {
     if (!(range_.lo <= range_.hi) || range_.lo == HUGE_VAL || range_.hi == -HUGE_VAL) return {};
     if (direction_[0].sign() != 0 || direction_[1].sign() != 0)
       for (const Outline& o : outlines_)
         for (std::size_t i = 0; i < o.size(); ++i) edge(o[i], o[(i + 1) % o.size()]);
-    if (std::isfinite(range_.lo) && starts_inside()) return range_.lo;
-    if (!first_) return {};
-    return std::clamp(quotient(first_->num, first_->den), range_.lo, range_.hi);
+    if (std::isfinite(range_.lo) && starts_inside()) return place_at(range_.lo);
+    return first_;
   }
 
  private:
@@ -84,18 +74,18 @@ class InPlane {
     if (side_a.sign() * side_b.sign() > 0) return;
     if (side_a.sign() == 0 && side_b.sign() == 0) {  // along the ray
       const Exact length = dot(direction_, direction_);
-      Place from(dot(a, direction_), length), to(dot(b, direction_), length);
-      if (from.beyond(to) > 0) std::swap(from, to);
-      if (to.beyond(range_.lo) < 0 || from.beyond(range_.hi) > 0) return;
-      take(from.beyond(range_.lo) < 0 ? Place(Exact(range_.lo), Exact(1.0)) : from);
+      Place from = quotient_at(dot(a, direction_), length), to = quotient_at(dot(b, direction_), length);
+      if (compare(from, to) > 0) std::swap(from, to);
+      if (beyond(to, range_.lo) < 0 || beyond(from, range_.hi) > 0) return;
+      take(beyond(from, range_.lo) < 0 ? place_at(range_.lo) : from);
       return;
     }
-    const Place at(cross(a, b - a), side_b - side_a);
-    if (at.beyond(range_.lo) >= 0 && at.beyond(range_.hi) <= 0) take(at);
+    const Place at = quotient_at(cross(a, b - a), side_b - side_a);
+    if (beyond(at, range_.lo) >= 0 && beyond(at, range_.hi) <= 0) take(at);
   }
 
   void take(const Place& place) {
-    if (!first_ || place.beyond(*first_) < 0) first_ = place;
+    if (!first_ || compare(place, *first_) < 0) first_ = place;
   }
 
   /// At the range's lower end.
@@ -138,8 +128,15 @@ Projection projection(const Ring<double, 3>& outline) {
 
 namespace {
 
-std::optional<double> first_along(const Point<double, 3>& origin, const Exact3& direction,
-                                  const Interval<double>& range, const Ring<double, 3>& outline) {
+std::optional<double> nearest(const std::optional<Place>& place, const Interval<double>& range) {
+  if (!place) return {};
+  return std::clamp(quotient(place->num, place->den), range.lo, range.hi);
+}
+
+}  // namespace
+
+std::optional<Place> place_in_plane(const Point<double, 3>& origin, const Exact3& direction,
+                                    const Interval<double>& range, const Ring<double, 3>& outline) {
   const auto [x, y, clockwise] = projection(outline);
   Outline corners;
   for (const Point<double, 3>& v : outline) {
@@ -149,23 +146,31 @@ std::optional<double> first_along(const Point<double, 3>& origin, const Exact3& 
   return InPlane(range, {direction[x], direction[y]}, {corners}).first();
 }
 
-}  // namespace
+std::optional<Place> place_in_plane(const Point<double, 2>& origin, const Exact2& direction,
+                                    const Interval<double>& range, const std::vector<Ring<double, 2>>& outlines) {
+  return InPlane(range, direction, seen_from(origin, outlines)).first();
+}
 
 std::optional<double> first_in_plane(const Ray<double, 3>& ray, const Ring<double, 3>& outline) {
   const Vector<double, 3>& d = ray.direction;
-  return first_along(ray.origin, {Exact(d[0]), Exact(d[1]), Exact(d[2])}, ray.range, outline);
+  return nearest(place_in_plane(ray.origin, {Exact(d[0]), Exact(d[1]), Exact(d[2])}, ray.range, outline), ray.range);
 }
 std::optional<double> first_in_plane(const Segment<double, 3>& segment, const Ring<double, 3>& outline) {
-  return first_along(segment.p, difference(segment.q, segment.p), {0, 1}, outline);
+  return nearest(place_in_plane(segment.p, difference(segment.q, segment.p), {0, 1}, outline), {0, 1});
 }
 
 std::optional<double> first_in_plane(const Ray<double, 2>& ray, const std::vector<Ring<double, 2>>& outlines) {
-  return InPlane(ray.range, {Exact(ray.direction[0]), Exact(ray.direction[1])}, seen_from(ray.origin, outlines))
-      .first();
+  const Exact2 direction = {Exact(ray.direction[0]), Exact(ray.direction[1])};
+  return nearest(place_in_plane(ray.origin, direction, ray.range, outlines), ray.range);
 }
 
 std::optional<double> first_in_plane(const Segment<double, 2>& segment, const std::vector<Ring<double, 2>>& outlines) {
-  return InPlane({0, 1}, difference(segment.q, segment.p), seen_from(segment.p, outlines)).first();
+  return nearest(place_in_plane(segment.p, difference(segment.q, segment.p), {0, 1}, outlines), {0, 1});
+}
+
+Crossing crossing_of_plane(const Point<double, 3>& origin, const Exact3& direction, const Ring<double, 3>& outline) {
+  const Exact3 n = normal_of(outline);
+  return {dot(n, difference(outline[0], origin)), dot(n, direction)};
 }
 
 Location locate_corner(const Kdop<double, 2>& kdop, const std::vector<Ring<double, 2>>& outlines) {

@@ -2,11 +2,14 @@
 // A ray and a polygon that lie in one plane: what `intersect` in isect/ray_polygon.h leaves to a test in two
 // dimensions.
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include <isect/ray_polygon.h>
 #include <isect/shapes.h>
+
+#include "app/scene/place.h"
 
 namespace isect::program::scene {
 
@@ -27,6 +30,19 @@ RayPolygon<double> across_plane(const Segment<double, 3>&, const Ring<double, 3>
 /// ring of two corners is a segment.
 std::optional<double> first_in_plane(const Ray<double, 2>&, const std::vector<Ring<double, 2>>& outlines);
 std::optional<double> first_in_plane(const Segment<double, 2>&, const std::vector<Ring<double, 2>>& outlines);
+
+/// What first_in_plane finds, as the number itself, which is no root. Each coordinate of the direction is exact.
+std::optional<Place> place_in_plane(const Point<double, 3>& origin, const std::array<Exact, 3>& direction,
+                                    const Interval<double>& range, const Ring<double, 3>& outline);
+std::optional<Place> place_in_plane(const Point<double, 2>& origin, const std::array<Exact, 2>& direction,
+                                    const Interval<double>& range, const std::vector<Ring<double, 2>>& outlines);
+
+/// Where the line crosses the plane of an outline with an area: t = num / den; den is 0 where it does not.
+struct Crossing {
+  Exact num, den;
+};
+Crossing crossing_of_plane(const Point<double, 3>& origin, const std::array<Exact, 3>& direction,
+                           const Ring<double, 3>& outline);
 
 /// Where a corner of the k-DOP lies among outlines and their holes, by the even-odd rule: `out` if it has none. Exact,
 /// though no double may be that corner. All is finite.

@@ -138,7 +138,7 @@ TEST_CASE("a segment in space whose direction would be rounded is answered by it
   CHECK(all[1]["verdict"] == "p lies on the boundary of A");  // the others are answered
 }
 
-TEST_CASE("hits too near for their rounding are not put in order", "[scene]") {
+TEST_CASE("hits that only roots and quotients tell apart are put in order", "[scene]") {
   const Shell shell;
   const auto first = [&](const std::string& x) {
     return verdict(shell,
