@@ -1,9 +1,12 @@
 #include "app/scene/lesson.h"
 
+#include <Eigen/Geometry>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <iterator>
 #include <map>
@@ -13,6 +16,7 @@
 #include "app/scene/answered.h"
 #include "app/scene/save.h"
 #include "app/scene/walks.h"
+#include "viz/camera.h"
 #include "viz/chart.h"
 #include "viz/rich_text.h"
 
@@ -25,6 +29,54 @@ using viz::Role;
 /// What has no inside comes first.
 Role usual_role(Type t) {
   return runs_along_a_line(t) || t == Type::point || t == Type::cloud ? Role::first : Role::second;
+}
+
+/// Of all objects together: the usual ones, or where these would all look alike, as bodies do, two in turn, so that
+/// those that are asked about with each other differ.
+std::vector<Role> roles_of_all(const File& file) {
+  std::vector<Role> roles;
+  for (const Object& o : file.objects) roles.push_back(usual_role(o.type));
+  if (roles.size() < 2 || std::ranges::adjacent_find(roles, std::ranges::not_equal_to{}) != roles.end()) return roles;
+  std::vector<std::vector<std::size_t>> asked_before(roles.size());  // with which earlier ones
+  for (const Asked& asked : file.asked)
+    if (const PairAsked* pair = std::get_if<PairAsked>(&asked))
+      asked_before[std::max(pair->a, pair->b)].push_back(std::min(pair->a, pair->b));
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    const auto first = std::ranges::count_if(asked_before[i], [&](std::size_t k) { return roles[k] == Role::first; });
+    const auto second = std::ssize(asked_before[i]) - first;
+    roles[i] = (first == second ? i % 2 == 0 : first < second) ? Role::first : Role::second;
+  }
+  return roles;
+}
+
+/// The name of a body of many corners, in its middle or at its top, keeps off the names of others, as this camera sees
+/// them: it stands at the highest corner that does, or else at the one that is farthest from them.
+void part_names(viz::Scene& scene, const Room& room, const viz::Camera& camera) {
+  const viz::Vec3 ahead = viz::View(camera, 1, 1).forward();
+  const double apart = 0.15 * room.reach;
+  std::vector<viz::Label*> names;
+  for (viz::Item& item : scene.items)
+    if (viz::Label* label = std::get_if<viz::Label>(&item)) names.push_back(label);
+  for (viz::Label* label : names) {
+    const auto to_others = [&](const viz::Vec3& p) {
+      double least = INFINITY;
+      for (const viz::Label* other : names)
+        if (other != label) least = std::min(least, (other->at - p).cross(ahead).norm());
+      return least;
+    };
+    if (label->until || to_others(label->at) > apart) continue;
+    for (const viz::Item& item : scene.items) {
+      const std::vector<viz::Vec3>* corners = nullptr;
+      if (const viz::Mesh* mesh = std::get_if<viz::Mesh>(&item); mesh && mesh->name == label->text)
+        corners = &mesh->vertices;
+      if (const viz::Solid* solid = std::get_if<viz::Solid>(&item); solid && solid->name == label->text)
+        corners = &solid->vertices;
+      if (!corners) continue;
+      const auto height = [&](const viz::Vec3& p) { return std::pair(to_others(p) > apart, p.y()); };
+      const viz::Vec3& best = *std::ranges::max_element(*corners, {}, height);
+      label->at = height(best).first ? best : *std::ranges::max_element(*corners, {}, to_others);
+    }
+  }
 }
 
 /// What no number of its own tells.
@@ -75,7 +127,8 @@ constexpr std::size_t most_told = 12;
 class Walker {
  public:
   Walker(const File& file, const viz::Parameters& parameters)
-      : context_{file, {parameters, file.flat}, room({parameters, file.flat}, file.objects)} {}
+      : context_{file, {parameters, file.flat}, room({parameters, file.flat}, file.objects)},
+        roles_(roles_of_all(file)) {}
 
   viz::Walk made(PairAnswers& pairs) {
     const auto asked_of_pairs = std::ranges::count_if(
@@ -118,13 +171,6 @@ class Walker {
   }
 
  private:
-  /// Whether several objects would all look alike, as two bodies do.
-  bool of_one_role() const {
-    const auto role_of = [](const Object& o) { return usual_role(o.type); };
-    const std::vector<Object>& all = context_.file.objects;
-    return all.size() > 1 && std::ranges::all_of(all, [&](const Object& o) { return role_of(o) == role_of(all[0]); });
-  }
-
   Answered answer_to(const Asked& asked) const {
     return std::visit([&](const auto& a) { return answered(context_, a); }, asked);
   }
@@ -162,13 +208,13 @@ class Walker {
     for (std::size_t i = 0; i < context_.file.objects.size(); ++i) {
       const Object& o = context_.object(i);
       const auto at = std::ranges::find(lit, i);
-      Role role = usual_role(o.type);
-      if (lit.empty() && of_one_role()) role = i % 2 == 0 ? Role::first : Role::second;
+      Role role = lit.empty() ? roles_[i] : usual_role(o.type);
       if (!lit.empty() && at == lit.end()) role = Role::muted;
       if (lit.size() == 2 && at != lit.end()) role = at == lit.begin() ? Role::first : Role::second;
       std::ranges::move(drawn(context_.setting, o, context_.room, role), std::back_inserter(scene.items));
       std::ranges::move(handles(context_.setting, o, role), std::back_inserter(scene.handles));
     }
+    if (!context_.file.flat) part_names(scene, context_.room, context_.file.camera);
     for (const Note& note : context_.file.notes)  // each on its point
       scene.items.push_back(viz::Label{note.at, note.text, Role::text, note.at});
     return scene;
@@ -288,6 +334,7 @@ class Walker {
   }
 
   Context context_;
+  std::vector<Role> roles_;  ///< of all objects, where none is asked about
   std::vector<std::pair<std::string, std::string>> rows_;
 };
 

@@ -1,15 +1,20 @@
 // Figures as files: what is written where, the same every time, and how wrong requests are refused.
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/scene/lesson.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 #include "viz/files.h"
+#include "viz/rich_text.h"
 #include "viz/tikz.h"
 
 namespace render_test {
 namespace fs = std::filesystem;
+namespace program = isect::program;
 namespace viz = isect::viz;
 using Catch::Matchers::StartsWith;
 using isect::test::Contains;
@@ -181,12 +186,48 @@ TEST_CASE("figures are set in the family asked for, if it is installed", "[rende
   }
 }
 
-TEST_CASE("bodies of a scene of one's own do not all have one colour", "[render]") {
+namespace {
+
+/// The first picture of a scene.
+viz::Scene first_picture(const std::string& scene) {
+  const viz::Lesson& lesson = program::scene::kept_lesson_of(scene, ISECT_EXAMPLE_SCENES);
+  return lesson.steps(lesson.presets.front().parameters).steps.front().scene;
+}
+
+const viz::Label& name(const viz::Scene& scene, const std::string& of) {
+  for (const viz::Item& item : scene.items)
+    if (const viz::Label* label = std::get_if<viz::Label>(&item); label && viz::plain(label->text) == of) return *label;
+  throw std::logic_error("no name " + of);
+}
+
+}  // namespace
+
+TEST_CASE("bodies of a scene of one's own do not all have one colour, and those asked about together never",
+          "[render]") {
   const Shell shell;
   write(shell.work() / "s.json", R"({"objects": [{"sphere": "S", "center": [0, 0, 0], "radius": 1},
                                                  {"box": "T", "lo": [1, -1, -1], "hi": [3, 0, 1]}]})");
   const std::string svg = shell("isect render s.json --step 1 --theme print --format svg --out -").out;
   CHECK_THAT(svg, Contains("#0b60c8") && Contains("#a34e00"));
+
+  const viz::Scene scene = first_picture(viz::read_file(ISECT_EXAMPLE_SCENES "/triangle-and-box.json"));
+  CHECK(name(scene, "A").role == viz::Role::first);
+  CHECK(name(scene, "s").role == viz::Role::second);
+  CHECK(name(scene, "t").role == viz::Role::second);
+}
+
+TEST_CASE("the name of a mesh or a frustum keeps off a name that stands at its top", "[render]") {
+  const std::string body[] = {
+      R"({"mesh": "T", "points": [[0,1,0],[2,0,0],[0,0,2],[-2,0,-1]], "triangles": [[0,2,1],[0,3,2],[0,1,3],[1,2,3]]})",
+      R"({"frustum": "T", "eye": [0,-2,0], "forward": [0,1,0], "up": [0,0,1], "angle": 60, "near": 1, "far": 3})"};
+  for (const std::string& b : body) {
+    const viz::Vec3 top = name(first_picture(R"({"objects": [)" + b + "]}"), "T").at;
+    const std::string ball =
+        fmt::format(R"({{"sphere": "S", "center": [{}, {}, {}], "radius": 0.5}})", top.x(), top.y() + 0.1, top.z());
+    const viz::Scene both = first_picture(R"({"objects": [)" + b + ", " + ball + "]}");
+    CHECK((name(both, "T").at - name(both, "S").at).norm() > 1);
+    CHECK((top - name(both, "S").at).norm() < 0.2);
+  }
 }
 
 TEST_CASE("captions in the manifest are LaTeX, too", "[render]") {
