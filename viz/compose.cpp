@@ -7,6 +7,7 @@
 #include "viz/compose/canvas.h"
 #include "viz/halos.h"
 #include "viz/objects.h"
+#include "viz/rich_text.h"
 
 namespace isect::viz {
 namespace {
@@ -26,6 +27,11 @@ Composed compose(const Scene& scene, const View& view, const Theme& theme, bool 
     canvas.own(add_object(result.objects, {"floor", "grid", Role::grid}), [&] { draw_floor(canvas); });
   for (std::size_t i = 0; i < canvas.ball_items.size(); ++i)
     canvas.own(canvas.ball_items[i], [&] { draw_ball(canvas, static_cast<int>(i)); });
+  for (std::size_t i = 0; i < canvas.capsule_items.size(); ++i) {
+    const Line& axis = std::get<Line>(scene.items[canvas.capsule_items[i]]);
+    canvas.own(add_object(result.objects, {"capsule", plain(axis.name), axis.role}),
+               [&] { draw_capsule(canvas, static_cast<int>(i), axis.role); });
+  }
   draw_solids(canvas);
   for (std::size_t i = 0; i < scene.items.size(); ++i)
     canvas.own(static_cast<int>(i), [&] { std::visit([&](const auto& it) { draw(canvas, it); }, scene.items[i]); });

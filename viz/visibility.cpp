@@ -7,8 +7,10 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <type_traits>
 
 #include <isect/clip_segment.h>
+#include <isect/convex_hull.h>
 #include <isect/ray_polygon.h>
 #include <isect/ray_sphere.h>
 #include <isect/sphere_sphere.h>
@@ -132,11 +134,37 @@ bool misses(const Ray<double, 3>& sight, const Polygon<double, 3>& screen) {
   return beyond(lo) < -doubt * (far + lo * speed) || (std::isfinite(hi) && beyond(hi) > doubt * (far + hi * speed));
 }
 
-/// Whether the ball lies in the solid, up to a rounding.
+// Whether the ball lies in the body, up to a rounding.
 bool contains(const Shell& solid, const Vec3& center, double radius) {
   return !solid.inside.empty() && std::all_of(solid.inside.begin(), solid.inside.end(), [&](const Plane<double, 3>& p) {
     return p.normal.dot(center) + p.d >= radius - 2 * drawn_in * solid.size;
   });
+}
+bool contains(const Ball& ball, const Vec3& center, double radius) {
+  return (center - ball.center).norm() + radius <= (1 + drawn_in) * ball.radius;
+}
+bool contains(const Capsule<double, 3>& capsule, const Vec3& center, double radius) {
+  const Vec3 axis = capsule.q - capsule.p;
+  const double along = axis.isZero(0) ? 0 : std::clamp(axis.dot(center - capsule.p) / axis.squaredNorm(), 0.0, 1.0);
+  return (center - capsule.p - along * axis).norm() + radius <= (1 + drawn_in) * capsule.radius;
+}
+
+double size_of(const Shell& solid) { return solid.size; }
+double size_of(const Ball& ball) { return ball.radius; }
+double size_of(const Capsule<double, 3>& capsule) { return capsule.radius; }
+
+Vec3 middle_of(const Capsule<double, 3>& c) { return (c.p + c.q) / 2; }
+double reach_of(const Capsule<double, 3>& c) { return (c.q - c.p).norm() / 2 + c.radius; }
+
+/// The distance between the points o + s d, s in [0, end], |d| = 1, and the segment p q (Ericson, Real-Time Collision
+/// Detection, 2005, 5.1.9).
+double distance(const Vec3& o, const Vec3& d, double end, const Vec3& p, const Vec3& q) {
+  const Vec3 axis = q - p, r = o - p;
+  const double e = axis.squaredNorm(), f = axis.dot(r), c = d.dot(r), b = d.dot(axis), apart = e - b * b;
+  double s = apart > 0 ? std::clamp((b * f - c * e) / apart, 0.0, end) : 0;
+  const double t = e > 0 ? std::clamp((b * s + f) / e, 0.0, 1.0) : 0;
+  s = std::clamp(b * t - c, 0.0, end);
+  return (r + s * d - t * axis).norm();
 }
 
 /// Where the segment o + s d, s in [0, 1], may begin or cease to be hidden: where it passes before or behind an edge,
@@ -202,16 +230,25 @@ bool seen_apart(const Vec3& from, const Vec3& to, const View& view, const Vec3& 
   return (a + t * d).norm() > more * radius + 1e-9 * (from.norm() + to.norm());
 }
 
-/// What may hide some of a segment.
+/// What may hide some of a segment, or of a circle of radius `reach` about a point. Ball number `own` is left out.
 struct Near {
-  Near(const Vec3& from, const Vec3& to, const View& view, const Occluders& all) : screens(all.screens) {
-    for (const Ball& ball : all.balls)
-      if (!seen_apart(from, to, view, ball.center, ball.radius)) balls.push_back(ball);
+  Near(const Vec3& from, const Vec3& to, const View& view, const Occluders& all, double reach = 0, int own = -1)
+      : screens(all.screens) {
+    const auto apart = [&](const Vec3& center, double radius) {
+      return seen_apart(from, to, view, center, radius + reach);
+    };
+    for (int i = 0; i < static_cast<int>(all.balls.size()); ++i)
+      if (i != own && !apart(all.balls[i].center, all.balls[i].radius)) balls.push_back(all.balls[i]);
     for (const Shell& solid : all.solids)
-      if (!seen_apart(from, to, view, solid.middle, solid.size)) solids.push_back(&solid);
+      if (!apart(solid.middle, solid.size)) solids.push_back(&solid);
+    for (const Capsule<double, 3>& capsule : all.capsules)
+      if (!apart(middle_of(capsule), reach_of(capsule))) capsules.push_back(capsule);
   }
 
+  bool round() const { return !balls.empty() || !capsules.empty(); }
+
   std::vector<Ball> balls;
+  std::vector<Capsule<double, 3>> capsules;
   std::vector<const Shell*> solids;
   const std::vector<Polygon<double, 3>>& screens;
 };
@@ -233,6 +270,10 @@ bool hidden_among(const Vec3& p, const View& view, const auto& among, int own) {
   }
   for (const auto& solid : among.solids)
     if (runs_through(sight, of(solid))) return true;
+  for (const Capsule<double, 3>& capsule : among.capsules)
+    if (!misses(sight, middle_of(capsule), reach_of(capsule)) &&
+        distance(p, direction, to_eye, capsule.p, capsule.q) < (1 - drawn_in) * capsule.radius)
+      return true;
   const double beyond = drawn_in * std::max(view.camera().half_height, p.norm());  // p may lie on the screen itself
   const Ray<double, 3> past_own = {p, direction, {beyond, to_eye}};
   for (const Polygon<double, 3>& screen : among.screens)
@@ -242,12 +283,12 @@ bool hidden_among(const Vec3& p, const View& view, const auto& among, int own) {
 
 /// The places to look at on a segment.
 std::vector<double> places(const Vec3& from, const Vec3& to, const View& view, const Near& near) {
-  if (near.solids.empty() && near.screens.empty()) return even(near.balls.empty() ? 1 : 64);
+  if (near.solids.empty() && near.screens.empty()) return even(near.round() ? 64 : 1);
   Cuts cuts(from, to, view);
   for (const Shell* solid : near.solids) cuts.behind(*solid);
   for (const Polygon<double, 3>& screen : near.screens) cuts.behind(screen);
   std::vector<double> all = cuts.places();
-  if (!near.balls.empty()) {
+  if (near.round()) {
     for (int i = 0; i < 64; ++i) all.push_back((i + 0.5) / 64);
     std::sort(all.begin(), all.end());
   }
@@ -289,32 +330,66 @@ Shell shell(const Solid& solid) {
   return result;
 }
 
-Occluders around_ball(const Occluders& all, int index) {
-  const Ball& ball = all.balls[index];
-  Occluders left = {{}, {}, all.screens};
-  for (int i = 0; i < static_cast<int>(all.balls.size()); ++i) {
-    const Relation how = relate(Sphere<double, 3>{ball.center, ball.radius},
-                                Sphere<double, 3>{all.balls[i].center, all.balls[i].radius});
-    if (i == index || how != Relation::a_inside_b) left.balls.push_back(all.balls[i]);
-  }
-  std::copy_if(all.solids.begin(), all.solids.end(), std::back_inserter(left.solids),
-               [&](const Shell& solid) { return !contains(solid, ball.center, ball.radius); });
+namespace {
+
+/// All but the bodies of which `holds` is true, and of each kind the one of this number.
+Occluders without(const Occluders& all, const auto& holds, int ball, int solid, int capsule) {
+  Occluders left = {{}, {}, all.screens, {}};
+  const auto keep = [&](const auto& bodies, int but, auto& to) {
+    for (int i = 0; i < static_cast<int>(bodies.size()); ++i)
+      if (i != but && !holds(bodies[i])) to.push_back(bodies[i]);
+  };
+  keep(all.balls, ball, left.balls), keep(all.solids, solid, left.solids);
+  keep(all.capsules, capsule, left.capsules);
   return left;
+}
+
+}  // namespace
+
+Occluders around_ball(const Occluders& all, int index) {
+  const Ball& own = all.balls[index];
+  const auto holds = [&](const auto& body) {
+    if constexpr (std::is_same_v<decltype(body), const Ball&>)  // its equal does not
+      return relate(Sphere<double, 3>{own.center, own.radius}, Sphere<double, 3>{body.center, body.radius}) ==
+             Relation::a_inside_b;
+    else
+      return contains(body, own.center, own.radius);
+  };
+  return without(all, holds, -1, -1, -1);
 }
 
 Occluders around_solid(const Occluders& all, int index, const std::vector<Vec3>& vertices, bool itself) {
-  Occluders left = {{}, {}, all.screens};
-  const auto holds_all = [&](const auto& inside) { return std::all_of(vertices.begin(), vertices.end(), inside); };
-  for (const Ball& ball : all.balls)
-    if (!holds_all([&](const Vec3& p) { return (p - ball.center).norm() <= ball.radius; })) left.balls.push_back(ball);
-  for (int i = 0; i < static_cast<int>(all.solids.size()); ++i)
-    if (i == index ? itself : !holds_all([&](const Vec3& p) { return contains(all.solids[i], p, 0); }))
-      left.solids.push_back(all.solids[i]);
-  return left;
+  const auto holds = [&](const auto& body) {
+    return &body != static_cast<const void*>(&all.solids[index]) &&
+           std::ranges::all_of(vertices, [&](const Vec3& p) { return contains(body, p, 0); });
+  };
+  return without(all, holds, -1, itself ? -1 : index, -1);
+}
+
+Occluders around_capsule(const Occluders& all, int index, bool itself) {
+  const Capsule<double, 3>& own = all.capsules[index];
+  const auto holds = [&](const auto& body) {
+    return &body != static_cast<const void*>(&own) && contains(body, own.p, own.radius) &&
+           contains(body, own.q, own.radius);
+  };
+  return without(all, holds, -1, -1, itself ? -1 : index);
+}
+
+std::optional<Occluders> around_contents(const Occluders& all, const std::vector<Vec3>& points) {
+  constexpr double off = 0x1p-20;  // of the body's size
+  const auto holds = [&](const auto& body) {
+    return std::ranges::all_of(points, [&](const Vec3& p) { return contains(body, p, off * size_of(body)); });
+  };
+  if (std::ranges::none_of(all.balls, holds) && std::ranges::none_of(all.solids, holds) &&
+      std::ranges::none_of(all.capsules, holds))
+    return {};
+  return without(all, holds, -1, -1, -1);
 }
 
 bool lies_behind(const Polygon<double, 3>& screen, const View& view, const Occluders& all) {
-  if ((all.balls.empty() && all.solids.empty()) || screen.rings.empty() || screen.rings[0].empty()) return false;
+  if ((all.balls.empty() && all.solids.empty() && all.capsules.empty()) || screen.rings.empty() ||
+      screen.rings[0].empty())
+    return false;
   const Vec3 &on = screen.rings[0][0], towards = view.towards_eye(on);
   Vec3 n = area(screen.rings[0]).normalized();
   if (n.dot(towards) < 0) n = -n;
@@ -322,6 +397,9 @@ bool lies_behind(const Polygon<double, 3>& screen, const View& view, const Occlu
     return n.dot(p - on) >= radius - 1e-9 * (radius + (p - on).norm());
   };
   return std::ranges::all_of(all.balls, [&](const Ball& ball) { return before(ball.center, ball.radius); }) &&
+         std::ranges::all_of(
+             all.capsules,
+             [&](const Capsule<double, 3>& c) { return before(c.p, c.radius) && before(c.q, c.radius); }) &&
          std::ranges::all_of(all.solids, [&](const Shell& solid) {
            return std::ranges::all_of(solid.edges,
                                       [&](const Shell::Edge& e) { return before(e.from, 0) && before(e.to, 0); });
@@ -367,11 +445,43 @@ std::vector<Stretch> stretches(const Vec3& center, const Vec3& u, const Vec3& v,
     const double angle = 2 * std::numbers::pi * s;
     return center + std::cos(angle) * u + std::sin(angle) * v;
   };
+  const Near near(center, center, view, occluders, std::max(u.norm(), v.norm()), own);
   const auto is_hidden = [&](const Vec3& p) {
     if (own >= 0 && (p - occluders.balls[own].center).dot(view.towards_eye(p)) < 0) return true;
-    return hidden(p, view, occluders, own);
+    return hidden_among(p, view, near, -1);
   };
   return split(at, is_hidden, even(96));
+}
+
+Rim rim(const Ball& ball, const View& view) {
+  const Vec3 n = view.towards_eye(ball.center);
+  Rim result = {ball.center, {}, {}};
+  double radius = ball.radius;
+  if (view.camera().perspective) {
+    const double share = ball.radius / (view.eye() - ball.center).norm();
+    result.middle += share * ball.radius * n;
+    radius *= std::sqrt(1 - share * share);
+  }
+  result.u = radius * n.cross(view.up()).normalized();
+  result.v = n.cross(result.u);
+  return result;
+}
+
+std::vector<Vec3> outline(const Capsule<double, 3>& capsule, const View& view) {
+  constexpr int corners = 96;  // of each end's rim
+  std::vector<Vec3> points;
+  for (const Vec3& end : {capsule.p, capsule.q}) {
+    const Rim circle = rim({end, capsule.radius}, view);
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners;
+      points.push_back(circle.middle + std::cos(angle) * circle.u + std::sin(angle) * circle.v);
+    }
+  }
+  std::vector<Vec2> seen;
+  for (const Vec3& p : points) seen.push_back(view.project(p).at);
+  std::vector<Vec3> chain;
+  for (const Vec2& corner : convex_hull(seen)) chain.push_back(points[std::ranges::find(seen, corner) - seen.begin()]);
+  return chain;
 }
 
 Outline outline(const Ball& ball, const View& view) {

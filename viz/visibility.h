@@ -1,6 +1,7 @@
 #pragma once
 // What a viewer sees of a curve: the core's own ray tests decide which part lies behind a solid.
 
+#include <optional>
 #include <vector>
 
 #include <isect/shapes.h>
@@ -29,29 +30,37 @@ struct Shell {
 };
 Shell shell(const Solid&);
 
-/// What hides: the balls, the solids and the regions that say so, of one scene.
+/// What hides: the balls, the solids, the regions that say so and the capsules of one scene.
 struct Occluders {
   std::vector<Ball> balls = {};
   std::vector<Shell> solids = {};
   std::vector<Polygon<double, 3>> screens = {};
+  std::vector<Capsule<double, 3>> capsules = {};
 
-  bool none() const { return balls.empty() && solids.empty() && screens.empty(); }
+  bool none() const { return balls.empty() && solids.empty() && screens.empty() && capsules.empty(); }
 };
 
-/// What hides ball number `index`, or solid number `index`: all but the solids and balls it lies in wholly. Contents
-/// are seen through their container. `itself`: the solid counts, too, as it does for its far edges.
+// Contents are seen through their container, whatever both are: what lies in a ball, a solid or a capsule wholly is
+// drawn as if that were not there. What reaches out of it is hidden as far as it is within.
+
+/// What hides ball, solid or capsule number `index`: all but what it lies in wholly. `itself`: the solid counts, too,
+/// as it does for its far edges.
 Occluders around_ball(const Occluders&, int index);
 Occluders around_solid(const Occluders&, int index, const std::vector<Vec3>& vertices, bool itself = true);
+Occluders around_capsule(const Occluders&, int index, bool itself = true);
+/// What hides lines between these points, or the area between them: all but what they lie in wholly, off its surface;
+/// a line on a surface is no content. Nothing if that is all there is: to ask is cheap.
+std::optional<Occluders> around_contents(const Occluders&, const std::vector<Vec3>& points);
 
-/// Whether all balls and solids, if there are any, stand before the screen's plane or on it: none is behind any of it.
+/// Whether all bodies, if there are any, stand before the screen's plane or on it: none is behind any of it.
 bool lies_behind(const Polygon<double, 3>& screen, const View&, const Occluders&);
 
-/// Whether the viewing ray from `p` to the eye runs through the inside of a ball or a solid, or through a screen. Ball
+/// Whether the viewing ray from `p` to the eye runs through the inside of a body, or through a screen. Ball
 /// number `own` is left out.
 bool hidden(const Vec3& p, const View&, const Occluders&, int own = -1);
 
 /// Splits the segment where it passes behind an outline. Behind solids and screens no stretch is missed that
-/// is longer than 1e-9 of it, behind balls none longer than 1/64.
+/// is longer than 1e-9 of it, behind balls and capsules none longer than 1/64.
 std::vector<Stretch> stretches(const Vec3& from, const Vec3& to, const View&, const Occluders&);
 /// Splits a chain of segments; stretches run on over the vertices.
 std::vector<Stretch> stretches(const std::vector<Vec3>& points, bool closed, const View&, const Occluders&);
@@ -65,5 +74,13 @@ struct Outline {
   Vec2 center, major, minor;
 };
 Outline outline(const Ball&, const View&);
+/// A capsule's: a closed chain of points on its surface whose picture is its outline, but for what a chord of a circle
+/// of 96 corners cuts off.
+std::vector<Vec3> outline(const Capsule<double, 3>&, const View&);
+/// The circle on a ball's surface that is its outline: two perpendicular radii around its middle.
+struct Rim {
+  Vec3 middle, u, v;
+};
+Rim rim(const Ball&, const View&);
 
 }  // namespace isect::viz

@@ -171,14 +171,9 @@ struct Drawer {
     const Vec3 p = at("p"), q = at("q");
     const double r = s.number(o, "r");
     items.push_back(viz::Line{p, q, role, viz::Pen::construction});
-    if (!s.flat) {
+    if (!s.flat) {  // drawn as one body
       items.push_back(viz::Ball{p, r, role});
-      items.push_back(viz::Ball{q, r, role});
-      const Vec3 axis = q - p, u = axis.isZero(0) ? Vec3::UnitX() : across(axis, false), v = unit(axis).cross(u);
-      for (const double angle : {0.0, 0.5, 1.0, 1.5}) {
-        const Vec3 side = r * (std::cos(angle * std::numbers::pi) * u + std::sin(angle * std::numbers::pi) * v);
-        items.push_back(viz::Line{p + side, q + side, role});
-      }
+      if (p != q) items.push_back(viz::Ball{q, r, role});
     } else {
       const Vec3 along = q.isApprox(p, 0) ? Vec3::UnitX() : unit(q - p);
       const double turn = std::atan2(along.y(), along.x());

@@ -147,7 +147,7 @@ TEST_CASE("hits that only roots and quotients tell apart are put in order", "[sc
                        x + R"(,-1,-1], "hi": [1,1,1]})",
                    R"([{"first hit": "r"}])");
   };
-  CHECK(first("-1") == "r meets A and B at the same t, as far as rounding tells");
+  CHECK(first("-1") == "r meets A and B at the same t");
   CHECK(first("-1.5") == "r meets B first, at t = 3.5");
   CHECK(first("-0.5") == "r meets A first, at t = 4");
 }
@@ -531,7 +531,7 @@ TEST_CASE("the parts of a scene's objects bear their names, in figures and in wo
     {"polygon": "P", "points": [[6, -1, -1], [6, 1, -1], [6, 1, 1]]}], "ask": [["r1", "C"], ["r1", "A"]]})");
   REQUIRE(shell("isect render s.json --step 1 --format svg --out out").status == 0);
   const std::string svg = contents(shell.work() / "out/scene/s/01-objects.svg");
-  for (const char* id : {"arrow-r1", "ball-C", "line-C", "solid-A", "solid-B", "region-P"})
+  for (const char* id : {"arrow-r1", "capsule-C", "line-C", "solid-A", "solid-B", "region-P"})
     CHECK_THAT(svg, Contains(std::string("<g id=\"") + id));
   CHECK_THAT(svg, !Contains("id=\"solid-second") && !Contains("id=\"region-second"));
   const Ran words = shell("isect explain s.json");

@@ -1,12 +1,14 @@
 #include "viz/compose.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "tests/catch.h"
 #include "tests/viz/drawn.h"
 #include "viz/halos.h"
 #include "viz/solids.h"
 #include "viz/text.h"
+#include "viz/visibility.h"
 
 namespace compose_test {
 using namespace isect::viz;
@@ -96,6 +98,116 @@ TEST_CASE("a line through a ball is dashed where it is hidden and solid elsewher
   CHECK(dashed > 0);
   CHECK(solid > dashed);
   CHECK(dashed + solid == Approx((view.project({3, 0, 0}).at - view.project({-3, 0, 0}).at).norm()));
+}
+
+namespace {
+
+double length(const Path& path) {
+  std::vector<Vec2> points = flatten(path, 0.5);
+  if (path.closed) points.push_back(points.front());
+  double sum = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += (points[i] - points[i - 1]).norm();
+  return sum;
+}
+
+/// How long the dashed lines of the first object are, and the solid ones.
+std::pair<double, double> dashed_and_solid(const Scene& scene, const View& view) {
+  const Theme style = theme(ThemeName::print, view.width(), view.height());
+  const Colour ink = style.ink(Role::first);
+  std::pair<double, double> sum = {0, 0};
+  for (const Stroke& s : all<Stroke>(compose(scene, view, style).shapes))
+    if (s.colour.r == ink.r && s.colour.g == ink.g && s.colour.b == ink.b)
+      (s.dash[0] > 0 ? sum.first : sum.second) += length(s.path);
+  return sum;
+}
+
+std::vector<Item> capsule(const Vec3& p, const Vec3& q, double radius, Role role) {
+  return {Line{p, q, role, Pen::construction, "**C**"}, Ball{p, radius, role, "**C**"}, Ball{q, radius, role, "**C**"}};
+}
+
+Solid box(const Vec3& middle, double half, Role role) {
+  return solid(isect::Aabb<double, 3>{middle - Vec3::Constant(half), middle + Vec3::Constant(half)}, role);
+}
+
+/// One of every kind, of radius 1 at most.
+std::vector<std::vector<Item>> contents(const Vec3& at) {
+  const auto from = [&](double x, double y, double z) -> Vec3 { return at + Vec3(x, y, z); };
+  return {{Ball{at, 0.9, Role::first}},
+          {box(at, 0.5, Role::first)},
+          capsule(from(-0.4, 0, 0), from(0.4, 0.2, 0), 0.3, Role::first),
+          {Line{from(-0.8, -0.3, 0), from(0.8, 0.3, 0.2), Role::first}},
+          {Line{from(-0.8, -0.3, 0), from(0.8, 0.3, 0.2), Role::first, Pen::solid, "**s**"}},
+          {Arrow{from(-0.8, -0.3, 0), from(0.8, 0.3, 0.2), Role::first}},
+          {Chain{{from(-0.5, 0, 0), from(0, 0.5, 0), from(0.5, 0, 0.5)}, true, Role::first}},
+          {Circle{at, 0.8, Role::first, Pen::solid, false, {1, 2, 3}}},
+          {Region{.rings = {{from(-0.6, -0.4, 0), from(0.6, -0.4, 0.2), from(0, 0.7, -0.2)}}, .role = Role::first}}};
+}
+
+std::vector<std::vector<Item>> containers() {
+  return {{Ball{{0, 0, 0}, 2.5, Role::second}},
+          {box({0, 0, 0}, 2, Role::second)},
+          capsule({-2, 0, 0}, {2, 0, 0}, 1.6, Role::second)};
+}
+
+Scene together(const std::vector<Item>& a, const std::vector<Item>& b) {
+  Scene scene;
+  scene.items = a;
+  scene.items.insert(scene.items.end(), b.begin(), b.end());
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("what lies in a body is drawn as without it, whatever both are; what reaches out is hidden within",
+          "[compose]") {
+  Camera camera;
+  camera.half_height = 5;
+  const View view(camera, 800, 800);
+  for (const std::vector<Item>& container : containers()) {
+    for (const std::vector<Item>& content : contents({0, 0, 0})) {
+      CAPTURE(container.front().index(), content.front().index());
+      const auto [dashed, drawn] = dashed_and_solid(together({}, content), view);
+      const auto [dashed_inside, drawn_inside] = dashed_and_solid(together(container, content), view);
+      CHECK(dashed_inside == Approx(dashed).margin(1e-6));
+      CHECK(drawn_inside == Approx(drawn).epsilon(2e-3));  // a ball alone has a true circle
+    }
+    const double edge = std::holds_alternative<Ball>(container.front())    ? 2.5
+                        : std::holds_alternative<Solid>(container.front()) ? 2
+                                                                           : 3.6;
+    for (const std::vector<Item>& content : contents({edge, 0, 0})) {
+      CAPTURE(container.front().index(), content.front().index());
+      const auto [dashed, drawn] = dashed_and_solid(together({}, content), view);
+      const auto [dashed_between, drawn_between] = dashed_and_solid(together(container, content), view);
+      CHECK(dashed_between > dashed + 10);
+      CHECK(drawn_between < drawn - 10);
+      CHECK(drawn_between > 10);
+    }
+  }
+}
+
+TEST_CASE("a capsule is one body: it hides by its middle, too, and has one outline", "[compose]") {
+  Camera front;
+  front.azimuth = 0, front.elevation = 0, front.half_height = 4;
+  for (const bool perspective : {false, true}) {
+    front.perspective = perspective;
+    const View view(front, 600, 600);
+    const auto dashed = [&](double z) {
+      const Line behind = {{0, -3, z}, {0, 3, z}, Role::first};
+      return dashed_and_solid(together(capsule({-2, 0, 0}, {2, 0, 0}, 1, Role::second), {behind}), view).first;
+    };
+    CHECK(dashed(-2) == Approx((view.project({0, 1, -2}).at - view.project({0, -1, -2}).at).norm()).epsilon(0.2));
+    CHECK(dashed(0) == Approx((view.project({0, 1, 0}).at - view.project({0, -1, 0}).at).norm()).epsilon(0.2));
+    CHECK(dashed(2) == 0);
+
+    // Two straight sides of length 4 and a circle of radius 1, of which nothing is hidden
+    const std::vector<Vec3> chain = outline(isect::Capsule<double, 3>{{-2, 0, 0}, {2, 0, 0}, 1}, view);
+    double around = 0;
+    for (std::size_t i = 0; i < chain.size(); ++i)
+      around += (view.project(chain[(i + 1) % chain.size()]).at - view.project(chain[i]).at).norm();
+    CHECK(around / view.scale_at(Vec3::Zero()) == Approx(8 + 2 * std::numbers::pi).epsilon(perspective ? 0.05 : 1e-3));
+    const auto [hidden, seen] = dashed_and_solid(together(capsule({-2, 0, 0}, {2, 0, 0}, 1, Role::first), {}), view);
+    CHECK(seen >= around * 0.999);
+  }
 }
 
 TEST_CASE("a named line is hidden where it runs behind a mesh or in it", "[compose]") {

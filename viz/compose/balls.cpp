@@ -1,4 +1,5 @@
-// Balls: a gradient lit from the upper left, the analytic silhouette and one equator.
+// Balls: a gradient lit from the upper left, the analytic silhouette and one equator. Capsules: the silhouette, and a
+// ring at each end of the axis.
 
 #include <Eigen/Geometry>
 
@@ -15,22 +16,15 @@ bool same(const Ball& a, const Ball& b) { return a.center == b.center && a.radiu
 /// The circle in space whose picture is the ball's outline.
 std::vector<Stretch> silhouette(const Canvas& c, int index) {
   const Ball& b = c.occluders.balls[index];
-  const Vec3 n = c.view.towards_eye(b.center);
-  Vec3 middle = b.center;
-  double radius = b.radius;
-  if (c.view.camera().perspective) {
-    const double share = b.radius / (c.view.eye() - b.center).norm();
-    middle += share * b.radius * n;
-    radius *= std::sqrt(1 - share * share);
-  }
-  const Vec3 u = n.cross(c.view.up()).normalized(), v = n.cross(u);
+  const Rim circle = rim(b, c.view);
   Occluders others = around_ball(c.occluders, index);
   std::erase_if(others.balls, [&](const Ball& other) { return same(other, b); });
-  return stretches(middle, radius * u, radius * v, c.view, others, -1);
+  return stretches(circle.middle, circle.u, circle.v, c.view, others, -1);
 }
 
 bool alone(const Occluders& occluders) {
-  return occluders.balls.size() == 1 && occluders.solids.empty() && occluders.screens.empty();
+  return occluders.balls.size() == 1 && occluders.solids.empty() && occluders.screens.empty() &&
+         occluders.capsules.empty();
 }
 
 }  // namespace
@@ -62,6 +56,24 @@ void draw_ball(Canvas& c, int index) {
   else
     c.curve(silhouette(c, index), ink, s.outline, false);
   std::vector<Vec2> points = flatten(rim, 0.5);
+  points.push_back(points.front());
+  c.block(points, s.outline / 2, true);
+}
+
+void draw_capsule(Canvas& c, int index, Role role) {
+  const Capsule<double, 3>& body = c.occluders.capsules[static_cast<std::size_t>(index)];
+  const Sizes& s = c.sizes();
+  const Colour ink = c.theme.ink(role);
+  const std::vector<Vec3> chain = outline(body, c.view);
+  const Path path = polyline(c.projected(chain), true);
+  c.fills.emplace_back(area(c, path, role));
+
+  const Vec3 axis = (body.q - body.p).normalized(), u = body.radius * axis.unitOrthogonal(), v = axis.cross(u);
+  const Occluders around = around_capsule(c.occluders, index);
+  for (const Vec3& end : {body.p, body.q})
+    c.curve(stretches(end, u, v, c.view, around, -1), ink.with_alpha(0.75), s.hidden * 1.1, false);
+  c.curve(stretches(chain, true, c.view, around_capsule(c.occluders, index, false)), ink, s.outline, false);
+  std::vector<Vec2> points = c.projected(chain);
   points.push_back(points.front());
   c.block(points, s.outline / 2, true);
 }

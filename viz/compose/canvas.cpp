@@ -30,10 +30,48 @@ Canvas::Canvas(const Scene& s, const View& v, const Theme& t, bool grips)
     if (const Region* region = std::get_if<Region>(&item); region && region->hides)
       occluders.screens.push_back({region->rings});
   }
+  find_capsules();
   const auto ball = [&](int i) { return std::get<Ball>(scene.items[i]); };
   std::stable_sort(ball_items.begin(), ball_items.end(),
                    [&](int a, int b) { return depth(ball(a).center) > depth(ball(b).center); });
   for (const int i : ball_items) occluders.balls.push_back(ball(i));
+}
+
+void Canvas::find_capsules() {
+  for (std::size_t i = 0; i < scene.items.size(); ++i) {
+    const Line* axis = std::get_if<Line>(&scene.items[i]);
+    if (!axis || axis->pen != Pen::construction || axis->name.empty()) continue;
+    const auto end = [&](const Vec3& at) {
+      return std::ranges::find_if(ball_items, [&](int k) {
+        const Ball& ball = std::get<Ball>(scene.items[k]);
+        return ball.name == axis->name && ball.center == at;
+      });
+    };
+    const auto p = end(axis->from), q = end(axis->to);
+    if (p == q || p == ball_items.end() || q == ball_items.end()) continue;
+    const double radius = std::get<Ball>(scene.items[*p]).radius;
+    if (std::get<Ball>(scene.items[*q]).radius != radius) continue;
+    occluders.capsules.push_back({axis->from, axis->to, radius});
+    capsule_items.push_back(static_cast<int>(i));
+    std::erase_if(ball_items, [ends = std::array{*p, *q}](int k) { return k == ends[0] || k == ends[1]; });
+  }
+}
+
+namespace {
+
+std::optional<Occluders> without_containers(const Canvas& c, const std::vector<Vec3>& points, Role role, Pen pen) {
+  return role == Role::hit || pen != Pen::solid ? std::nullopt : around_contents(c.occluders, points);
+}
+
+}  // namespace
+
+Occluders Canvas::around(const std::vector<Vec3>& points, Role role, Pen pen) const {
+  return without_containers(*this, points, role, pen).value_or(occluders);
+}
+
+std::vector<Stretch> Canvas::seen(const std::vector<Vec3>& points, bool closed, Role role, Pen pen) const {
+  const std::optional<Occluders> left = without_containers(*this, points, role, pen);
+  return stretches(points, closed, view, left ? *left : occluders);
 }
 
 std::vector<Vec2> Canvas::projected(const std::vector<Vec3>& points) const {

@@ -14,6 +14,9 @@ namespace isect::viz {
 
 Colour mixed(const Colour& a, const Colour& b, double share);
 
+// Two balls of one name and radius with a construction line of that name from middle to middle are a capsule, drawn as
+// one body.
+
 class Canvas {
  public:
   Canvas(const Scene&, const View&, const Theme&, bool handles);
@@ -22,9 +25,10 @@ class Canvas {
   const View& view;
   const Theme& theme;
   const bool handles;                       ///< the grips of the handles are drawn
-  Occluders occluders;                      ///< balls far to near
+  Occluders occluders;                      ///< balls far to near, those of capsules left out
   std::vector<Triangle<double, 3>> facets;  ///< of meshes: they hide the lines and arrows that have names
   std::vector<int> ball_items;              ///< the place of each of them among the scene's items
+  std::vector<int> capsule_items;           ///< that of each capsule's axis
 
   // Painter's order: floor, curved fills and rasters, hidden lines, what lies within solids, their front faces, visible
   // lines, markers.
@@ -63,8 +67,15 @@ class Canvas {
   static bool is_split(Pen pen, bool split_thick) {
     return pen == Pen::solid || (split_thick && (pen == Pen::thick || pen == Pen::highlight));
   }
+  /// What hides an object's lines between these points: not what they are the contents of. What is shared, or bold, is
+  /// no object.
+  Occluders around(const std::vector<Vec3>& points, Role, Pen) const;
+  std::vector<Stretch> seen(const std::vector<Vec3>& points, bool closed, Role, Pen) const;
   /// The radius to keep off the marker at `p`, 0 where there is none.
   double dot_radius(const Vec3& p) const;
+
+ private:
+  void find_capsules();
 };
 
 /// A flat area of this role, hatched where the theme says so.
@@ -72,7 +83,8 @@ Fill area(const Canvas&, const Path& outline, Role);
 
 // One function a kind of item. `draw` draws it whole, fill and lines.
 void draw_floor(Canvas&);
-void draw_ball(Canvas&, int index);  ///< into canvas.occluders.balls
+void draw_ball(Canvas&, int index);           ///< into canvas.occluders.balls
+void draw_capsule(Canvas&, int index, Role);  ///< into canvas.occluders.capsules
 void draw(Canvas&, const Line&);
 void draw(Canvas&, const Arrow&);
 void draw(Canvas&, const Chain&);

@@ -25,6 +25,8 @@ Standing standing(const std::vector<Vec3>& vertices) {
 std::vector<Standing> all_standing(const Canvas& c) {
   std::vector<Standing> all;
   for (const Ball& b : c.occluders.balls) all.push_back({b.center, b.radius, b.center.y() - b.radius});
+  for (const Capsule<double, 3>& capsule : c.occluders.capsules)
+    for (const Vec3& end : {capsule.p, capsule.q}) all.push_back({end, capsule.radius, end.y() - capsule.radius});
   for (const Item& item : c.scene.items) {
     if (const Solid* solid = std::get_if<Solid>(&item)) all.push_back(standing(solid->vertices));
     if (const Mesh* mesh = std::get_if<Mesh>(&item)) all.push_back(standing(mesh->vertices));

@@ -11,8 +11,8 @@ namespace isect::viz {
 namespace {
 
 /// What hides it, with those facets of meshes that the eye sees on both sides of it.
-Occluders with_facets(const Canvas& c, const Vec3& from, const Vec3& to) {
-  Occluders all = c.occluders;
+Occluders with_facets(const Canvas& c, const Vec3& from, const Vec3& to, Role role, Pen pen) {
+  Occluders all = c.around({from, to}, role, pen);
   const Vec2 p = c.at(from), q = c.at(to), lo = p.cwiseMin(q), hi = p.cwiseMax(q);
   const auto side = [&](const Vec2& x) { return (q - p).x() * (x - p).y() - (q - p).y() * (x - p).x(); };
   for (const Triangle<double, 3>& facet : c.facets) {
@@ -27,8 +27,8 @@ Occluders with_facets(const Canvas& c, const Vec3& from, const Vec3& to) {
 
 void segment(Canvas& c, const Vec3& from, const Vec3& to, Role role, Pen pen, bool named = false) {
   if (Canvas::is_split(pen, false))
-    c.curve(named && !c.facets.empty() ? stretches(from, to, c.view, with_facets(c, from, to))
-                                       : stretches(from, to, c.view, c.occluders),
+    c.curve(named && !c.facets.empty() ? stretches(from, to, c.view, with_facets(c, from, to, role, pen))
+                                       : c.seen({from, to}, false, role, pen),
             c.theme.ink(role), c.width(pen, role), true);
   else
     c.plain_line({c.at(from), c.at(to)}, false, role, pen);
@@ -103,7 +103,7 @@ void draw(Canvas& c, const Chain& it) {
   if (it.points.size() < 2) return;
   if (!Canvas::is_split(it.pen, true) || c.occluders.none())
     return c.plain_line(c.projected(it.points), it.closed, it.role, it.pen);
-  const std::vector<Stretch> parts = stretches(it.points, it.closed, c.view, c.occluders);
+  const std::vector<Stretch> parts = c.seen(it.points, it.closed, it.role, it.pen);
   const double width = c.width(it.pen, it.role);
   if (it.pen == Pen::highlight) edge(c, parts, width);
   c.curve(parts, c.theme.ink(it.role), width, true);
@@ -122,7 +122,8 @@ void draw(Canvas& c, const Circle& it) {
     c.fills.emplace_back(disc);
   }
   if (Canvas::is_split(it.pen, true) && !c.occluders.none())
-    return c.curve(stretches(it.center, u, v, c.view, c.occluders, -1), ink, c.width(it.pen, it.role), true);
+    return c.curve(stretches(it.center, u, v, c.view, c.around(whole.front().points, it.role, it.pen), -1), ink,
+                   c.width(it.pen, it.role), true);
   std::vector<Vec2> points = c.projected(whole.front().points);
   points.pop_back();
   c.plain_line(points, true, it.role, it.pen);
