@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "viz/rich_text.h"
@@ -99,6 +100,23 @@ bool is_tangled(const Candidate& candidate, const TextBox& box, const PlacedLabe
          (candidate.far && cross(from, candidate.anchor, begin, *other.leads_to));
 }
 
+/// Those that may touch a label in any of the places.
+std::vector<Obstacle> reached(const std::vector<Candidate>& candidates, const Vec2& half,
+                              const std::vector<Obstacle>& obstacles, const Sizes& sizes) {
+  if (candidates.empty()) return {};
+  TextBox all = box_around(candidates.front().middle, half);
+  for (const Candidate& candidate : candidates) {
+    const TextBox box = box_around(candidate.middle, half);
+    all = {std::min(all.left, box.left), std::min(all.top, box.top), std::max(all.right, box.right),
+           std::max(all.bottom, box.bottom)};
+  }
+  std::vector<Obstacle> near;
+  std::ranges::copy_if(obstacles, std::back_inserter(near), [&](const Obstacle& o) {
+    return length_inside(o.from, o.to, grown(all, o.radius + 0.5 * sizes.label_clear)) > 0;
+  });
+  return near;
+}
+
 /// What it disturbs, or the first part of that which is no less than `enough`.
 Fit fit(const Candidate& candidate, const Vec2& half, const std::vector<Vec2>& others,
         const std::vector<PlacedLabel>& placed, const std::vector<Obstacle>& obstacles, const Bounds& bounds,
@@ -183,11 +201,12 @@ std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels, const s
     const bool segment = (wanted.to - wanted.from).norm() > 1e-6;
     const std::vector<Candidate> candidates =
         segment ? beside_segment(wanted, half, sizes) : beside_point(wanted, half, sizes);
+    const std::vector<Obstacle> near = reached(candidates, half, obstacles, sizes);
     const Candidate* best = nullptr;
     Fit best_fit = {std::numeric_limits<double>::infinity(), false};
     for (const Candidate& candidate : candidates) {
       const double enough = best_fit.cost - slack;  // of equals, the first
-      const Fit f = fit(candidate, half, wanted.others, placed, obstacles, bounds, sizes, enough);
+      const Fit f = fit(candidate, half, wanted.others, placed, near, bounds, sizes, enough);
       if (f.cost < enough) best = &candidate, best_fit = f;
     }
     if (best == nullptr) continue;  // a position that is no number
