@@ -75,6 +75,34 @@ TEST_CASE("a strip goes up to the verdict, unless other steps are asked for", "[
   CHECK_THAT(shell("isect render s.json --step verdict --format svg").out, Contains("/03-") && !Contains("answers"));
 }
 
+TEST_CASE("figures of a strip are equally large: their letters stand in rows and columns, at any width", "[strip]") {
+  const Shell shell;
+  for (const std::string lesson : {"ray-sphere", "concave-polygon", "hierarchy", "capsule-capsule"})
+    for (const std::string width : {"8cm", "16cm"}) {
+      const std::string svg = shell("isect strip " + lesson + " --step 1-6 --columns 3 --width " + width +
+                                    " --format svg --labels text --out -")
+                                  .out;
+      std::vector<std::pair<double, double>> at;
+      for (char letter = 'a'; letter <= 'f'; ++letter) {
+        const std::size_t words = svg.find(std::string("<tspan>(") + letter + ") ");
+        REQUIRE(words != svg.npos);
+        const std::size_t text = svg.rfind("<text x=\"", words), y = svg.find(" y=\"", text);
+        at.emplace_back(std::stod(svg.substr(text + 9)), std::stod(svg.substr(y + 4)));
+      }
+      CAPTURE(lesson, width);
+      const double column = at[1].first - at[0].first, row = at[3].second - at[0].second;
+      CHECK(column > 70);
+      CHECK(row > 0.5 * column);
+      for (int i = 0; i < 6; ++i) {
+        CHECK(at[i].first == Approx(at[0].first + i % 3 * column).margin(0.01));
+        CHECK(at[i].second == Approx(at[i < 3 ? 0 : 3].second).margin(0.01));
+      }
+      CHECK(at[0].first < column);  // the first stands at the left edge, the last at the right one
+      const std::size_t wide = svg.find("width=\"");
+      CHECK(std::stod(svg.substr(wide + 7)) - at[2].first == Approx(at[0].first).margin(0.01));
+    }
+}
+
 TEST_CASE("strips and animations stay when the steps beside them are rendered again", "[strip]") {
   const Shell shell;
   REQUIRE(shell("isect strip ray-sphere --step 2-3").status == 0);

@@ -12,10 +12,12 @@
 #include "tests/catch.h"
 #include "viz/closing.h"
 #include "viz/files.h"
+#include "viz/labels.h"
 #include "viz/paper.h"
 #include "viz/rich_text.h"
 #include "viz/strip.h"
 #include "viz/tex.h"
+#include "viz/text.h"
 
 namespace paper_test {
 using namespace isect::viz;
@@ -133,6 +135,48 @@ TEST_CASE("no label of a strip meets another, with captions as without", "[paper
       CHECK(label_faults(strip.drawing, strip.labels, 6).empty());
     }
   }
+}
+
+TEST_CASE("no bold heading on paper stands on a line, so that it would cut a shape, nor beside another as one",
+          "[paper]") {
+  int headings = 0;
+  for (const Lesson* lesson : all_lessons()) {
+    std::vector<Walk> walks;
+    for (const Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
+    const bool compares = lesson->id == "relations";  // shapes of all kinds, each below its heading
+    for (std::size_t i = 0; i < (compares ? walks.size() : 1); ++i)
+      for (const double width : {5, 8, 16})
+        for (int step = 0; step < static_cast<int>(walks[i].steps.size()); ++step) {
+          const auto camera = [&](double aspect) {
+            return closer(frame_alike(opening(*lesson), walks[i], walks, aspect), walks[i].steps[step].scene, aspect);
+          };
+          const auto made = readable_figure(walks[i], step, ThemeName::print, {width * points_a_cm, 0}, true, camera);
+          REQUIRE(made);
+          const std::vector<Shape>& shapes = made->figure.drawing.shapes;
+          std::vector<TextBox> row;
+          for (std::size_t k = 0; k < shapes.size(); ++k) {
+            const Text* text = std::get_if<Text>(&shapes[k]);
+            if (!text || !text->bold) continue;
+            if (plain(text->markup).size() == 1) continue;  // of an axis
+            INFO(lesson->id << "/" << lesson->presets[i].id << ", " << walks[i].steps[step].slug << " at " << width
+                            << " cm: " << plain(text->markup));
+            ++headings;
+            CHECK(text->halo == 0);
+            const TextBox box = measure(*text);
+            for (const Shape& shape : shapes)  // drawn before it or after it
+              if (const Stroke* stroke = std::get_if<Stroke>(&shape)) {
+                const std::vector<Vec2> line = flatten(stroke->path, 0.5);
+                for (std::size_t j = 1; j < line.size(); ++j) CHECK(length_inside(line[j - 1], line[j], box) == 0);
+              }
+            for (const TextBox& other : row) {
+              const bool beside = box.top < other.bottom && other.top < box.bottom;
+              CHECK_FALSE((beside && box.left < other.right + 2 && other.left < box.right + 2));
+            }
+            row.push_back(box);
+          }
+        }
+  }
+  CHECK(headings > 1000);
 }
 
 TEST_CASE("every text of every lesson is ASCII in LaTeX, with its dollars and braces in pairs", "[paper]") {
