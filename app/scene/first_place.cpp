@@ -21,18 +21,18 @@ using viz::Vec3;
 using Exact3 = Components<Exact, 3>;
 
 /// A ray, a line or a segment with both its ends as given.
-struct Along {
+struct Course {
   Point<double, 3> origin;
   Exact3 direction;
   Interval<double> range;
 };
 
-Along along_of(const Setting& s, const Object& o) {
+Course course_of(const Setting& s, const Object& o) {
   if (o.type == Type::segment) {
     const Vec3 from = s.point(o, "from");
     return {from, difference<Exact>(s.point(o, "to"), from), {0, 1}};
   }
-  Along along = {s.point(o, "origin"), exactly<Exact>(s.point(o, "dir")), {0, HUGE_VAL}};
+  Course along = {s.point(o, "origin"), exactly<Exact>(s.point(o, "dir")), {0, HUGE_VAL}};
   if (o.type == Type::line) along.range.lo = -HUGE_VAL;
   if (s.has(o, "tmin")) along.range.lo = s.number(o, "tmin");
   if (s.has(o, "tmax")) along.range.hi = s.number(o, "tmax");
@@ -40,56 +40,56 @@ Along along_of(const Setting& s, const Object& o) {
 }
 
 /// What of the line lies in a convex set: from the greatest of `from` to the least of `to`.
-struct Part {
+struct Chord {
   std::vector<Place> from, to;
   bool none = false;
 };
 
-/// -num / rate is where num + rate t is 0; the part is where that is not negative.
-void keep(Part& part, const Exact& num, const Exact& rate) {
+/// -num / rate is where num + rate t is 0; the chord is where that is not negative.
+void cut(Chord& chord, const Exact& num, const Exact& rate) {
   if (rate.sign() == 0)
-    part.none |= num.sign() < 0;
+    chord.none |= num.sign() < 0;
   else
-    (rate.sign() > 0 ? part.from : part.to).push_back(quotient_at(-num, rate));
+    (rate.sign() > 0 ? chord.from : chord.to).push_back(quotient_at(-num, rate));
 }
 
-/// The part is where a t^2 + 2 b t + c <= 0, a >= 0, and b = 0 where a is.
-void keep_between_roots(Part& part, const Exact& a, const Exact& b, const Exact& c) {
+/// The chord is where a t^2 + 2 b t + c <= 0, a >= 0, and b = 0 where a is.
+void cut_by_roots(Chord& chord, const Exact& a, const Exact& b, const Exact& c) {
   const Exact square = b * b - a * c;
-  part.none |= a.sign() == 0 ? c.sign() > 0 : square.sign() < 0;
-  if (part.none || a.sign() == 0) return;
-  part.from.push_back({-b, a, -1, square});
-  part.to.push_back({-b, a, 1, square});
+  chord.none |= a.sign() == 0 ? c.sign() > 0 : square.sign() < 0;
+  if (chord.none || a.sign() == 0) return;
+  chord.from.push_back({-b, a, -1, square});
+  chord.to.push_back({-b, a, 1, square});
 }
 
-Part part_in(const Along& line, const HalfSpaces& solid) {
-  Part part;
+Chord chord_of(const Course& line, const HalfSpaces& solid) {
+  Chord chord;
   for (const half_spaces::Face& face : solid.faces) {
     const inequalities::Row<Exact> row = half_spaces::detail::row<Exact>(face);
     const Exact3 n = inequalities::detail::normal(row);
-    keep(part, dot(n, exactly<Exact>(line.origin)) + row[3], dot(n, line.direction));
+    cut(chord, dot(n, exactly<Exact>(line.origin)) + row[3], dot(n, line.direction));
   }
-  return part;
+  return chord;
 }
 
-Part part_in_ball(const Along& line, const Vec3& center, double radius) {
+Chord chord_of_ball(const Course& line, const Vec3& center, double radius) {
   const Exact3 f = difference<Exact>(line.origin, center);
-  Part part;
-  keep_between_roots(part, dot(line.direction, line.direction), dot(f, line.direction),
-                     dot(f, f) - Exact(radius) * Exact(radius));
-  return part;
+  Chord chord;
+  cut_by_roots(chord, dot(line.direction, line.direction), dot(f, line.direction),
+               dot(f, f) - Exact(radius) * Exact(radius));
+  return chord;
 }
 
 /// A capsule is the ball around p, the ball around q, and what of a cylinder lies between them.
-std::vector<Part> parts_in_capsule(const Along& line, const Vec3& p, const Vec3& q, double radius) {
+std::vector<Chord> chords_of_capsule(const Course& line, const Vec3& p, const Vec3& q, double radius) {
   const Exact3 v = difference<Exact>(q, p), f = difference<Exact>(line.origin, p);
   const Exact3 e = cross(line.direction, v), g = cross(f, v);
-  Part round;
-  keep_between_roots(round, dot(e, e), dot(e, g), dot(g, g) - Exact(radius) * Exact(radius) * dot(v, v));
+  Chord round;
+  cut_by_roots(round, dot(e, e), dot(e, g), dot(g, g) - Exact(radius) * Exact(radius) * dot(v, v));
   const Exact along = dot(f, v), rate = dot(line.direction, v);
-  keep(round, along, rate);
-  keep(round, dot(v, v) - along, -rate);
-  return {part_in_ball(line, p, radius), part_in_ball(line, q, radius), round};
+  cut(round, along, rate);
+  cut(round, dot(v, v) - along, -rate);
+  return {chord_of_ball(line, p, radius), chord_of_ball(line, q, radius), round};
 }
 
 HalfSpaces half_spaces_of_any(const Triangle<double, 3>& x) {
@@ -98,58 +98,59 @@ HalfSpaces half_spaces_of_any(const Triangle<double, 3>& x) {
   return half_spaces_of(Segment<double, 3>{edge.p, edge.q});
 }
 
-/// The first point of a part in the range, if there is one.
-std::optional<Place> first_of(const Along& line, Part part) {
-  if (part.none) return {};
-  if (std::isfinite(line.range.lo)) part.from.push_back(place_at(line.range.lo));
-  if (std::isfinite(line.range.hi)) part.to.push_back(place_at(line.range.hi));
+/// The first point of a chord in the range, if there is one.
+std::optional<Place> first_point(const Course& line, Chord chord) {
+  if (chord.none) return {};
+  if (std::isfinite(line.range.lo)) chord.from.push_back(place_at(line.range.lo));
+  if (std::isfinite(line.range.hi)) chord.to.push_back(place_at(line.range.hi));
   const auto less = [](const Place& x, const Place& y) { return compare(x, y) < 0; };
-  if (part.from.empty()) return {};
-  const Place& first = *std::ranges::max_element(part.from, less);
+  if (chord.from.empty()) return {};
+  const Place& first = *std::ranges::max_element(chord.from, less);
   const auto ends_before = [&](const Place& end) { return compare(end, first) < 0; };
-  if (std::ranges::any_of(part.to, ends_before)) return {};
+  if (std::ranges::any_of(chord.to, ends_before)) return {};
   return first;
 }
 
-std::optional<Place> first_of(const Along& line, const std::vector<Part>& parts) {
+std::optional<Place> first_point(const Course& line, const std::vector<Chord>& chords) {
   std::optional<Place> first;
-  for (const Part& part : parts)
-    if (std::optional<Place> found = first_of(line, part); found && (!first || compare(*found, *first) < 0))
+  for (const Chord& chord : chords)
+    if (std::optional<Place> found = first_point(line, chord); found && (!first || compare(*found, *first) < 0))
       first = std::move(found);
   return first;
 }
 
 /// In the plane of the outline, or where it crosses that, inside as it is known to be.
-std::optional<Place> first_in_outline(const Along& line, const Ring<double, 3>& outline) {
+std::optional<Place> first_in_outline(const Course& line, const Ring<double, 3>& outline) {
   const auto [num, den] = crossing_of_plane(line.origin, line.direction, outline);
   if (den.sign() != 0) return quotient_at(num, den);
   return place_in_plane(line.origin, line.direction, line.range, outline);
 }
 
-std::optional<Place> found(const Setting& s, const Along& line, const Object& o) {
+std::optional<Place> place_of(const Setting& s, const Course& line, const Object& o) {
   switch (o.type) {
     case Type::plane: {
       const half_spaces::Level level = {s.point(o, "normal"), s.number(o, "d")};
-      return first_of(line, part_in(line, {{{level, false}, {level, true}}}));
+      return first_point(line, chord_of(line, {{{level, false}, {level, true}}}));
     }
     case Type::sphere:
-      return first_of(line, part_in_ball(line, s.point(o, "center"), s.number(o, "radius")));
+      return first_point(line, chord_of_ball(line, s.point(o, "center"), s.number(o, "radius")));
     case Type::capsule:
-      return first_of(line, parts_in_capsule(line, s.point(o, "p"), s.point(o, "q"), s.number(o, "r")));
+      return first_point(line, chords_of_capsule(line, s.point(o, "p"), s.point(o, "q"), s.number(o, "r")));
     case Type::segment:
-      return first_of(line, part_in(line, half_spaces_of(Segment<double, 3>{s.point(o, "from"), s.point(o, "to")})));
+      return first_point(line,
+                         chord_of(line, half_spaces_of(Segment<double, 3>{s.point(o, "from"), s.point(o, "to")})));
     case Type::box:
     case Type::obb:
     case Type::kdop:
     case Type::frustum:
     case Type::hull:
-      return first_of(line, part_in(line, faces_of(s, o)));
+      return first_point(line, chord_of(line, faces_of(s, o)));
     case Type::mesh: {
-      std::vector<Part> parts;
+      std::vector<Chord> chords;
       const TriangleMesh<double> mesh = mesh_of(o);
       for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
-        parts.push_back(part_in(line, half_spaces_of_any(triangle(mesh, i))));
-      return first_of(line, parts);
+        chords.push_back(chord_of(line, half_spaces_of_any(triangle(mesh, i))));
+      return first_point(line, chords);
     }
     case Type::triangle:
     case Type::polygon: {
@@ -158,7 +159,7 @@ std::optional<Place> found(const Setting& s, const Along& line, const Object& o)
         for (const std::vector<Vec3>& ring : s.rings(o)) rings.push_back(points_of<2>(ring));
         return place_in_plane(line.origin.head<2>(), {line.direction[0], line.direction[1]}, line.range, rings);
       }
-      if (o.type == Type::triangle) return first_of(line, part_in(line, half_spaces_of_any(triangle_of(s, o))));
+      if (o.type == Type::triangle) return first_point(line, chord_of(line, half_spaces_of_any(triangle_of(s, o))));
       return first_in_outline(line, points_of<3>(s.rings(o).front()));
     }
     default:
@@ -169,9 +170,9 @@ std::optional<Place> found(const Setting& s, const Along& line, const Object& o)
 }  // namespace
 
 Place first_place(const Setting& s, const Object& along, const Object& o) {
-  const Along line = along_of(s, along);
+  const Course line = course_of(s, along);
   if (dot(line.direction, line.direction).sign() == 0) return place_at(line.range.lo);
-  const std::optional<Place> place = found(s, line, o);
+  const std::optional<Place> place = place_of(s, line, o);
   if (!place) throw std::logic_error(o.name + " is not met by " + along.name);
   return *place;
 }
