@@ -86,9 +86,10 @@ void CaseNames::rasterise(const Cases& cases) {
 
 bool CaseNames::filled(int branch, const Vec2& middle, const Vec2& half) const {
   const Vec2 inset = Vec2::Constant(hair), lo = middle - half + inset, hi = middle + half - inset;
+  const bool within = (half.array() >= 0).all() && (lo.array() >= 0).all() && hi.x() <= columns && hi.y() <= rows;
+  if (!within) return false;  // also in a plane without room, whose cells have no size
   const int x0 = static_cast<int>(std::floor(lo.x())), y0 = static_cast<int>(std::floor(lo.y())),
             x1 = static_cast<int>(std::ceil(hi.x())), y1 = static_cast<int>(std::ceil(hi.y()));
-  if (x0 < 0 || y0 < 0 || x1 > columns || y1 > rows) return false;
   if (count(branch, x0, y0, x1, y1) != (x1 - x0) * (y1 - y0)) return false;
   const TextBox box = box_around(drawn(middle), half.cwiseProduct(cell_));
   for (const std::vector<TextBox>* all : {&taken_, &crossable_})
@@ -97,8 +98,8 @@ bool CaseNames::filled(int branch, const Vec2& middle, const Vec2& half) const {
 }
 
 bool CaseNames::filled(const Vec2& middle, const Vec2& half) const {
-  const int x = std::clamp(static_cast<int>(middle.x()), 0, columns - 1);
-  const int y = std::clamp(static_cast<int>(middle.y()), 0, rows - 1);
+  const int x = static_cast<int>(std::clamp(middle.x(), 0.0, columns - 1.0));
+  const int y = static_cast<int>(std::clamp(middle.y(), 0.0, rows - 1.0));
   for (int i = 0; i < static_cast<int>(sums_.size()); ++i)
     if (count(i, x, y, x + 1, y + 1) == 1) return filled(i, middle, half);
   return false;

@@ -3,6 +3,7 @@
 #include "viz/case_map.h"
 
 #include "tests/catch.h"
+#include "viz/case_names.h"
 
 namespace case_map_test {
 using namespace isect::viz;
@@ -159,6 +160,15 @@ TEST_CASE("a deferred chart is made in parts, by whichever copy is asked", "[cas
   CHECK(std::holds_alternative<Bars>(copy->kind));
   CHECK(parts == 5);
   CHECK_FALSE(chart.prepare());
+}
+
+TEST_CASE("the name of a region stands in no plane without room", "[case_map]") {
+  const Lesson l = lesson();
+  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters)->kind);
+  for (const double width : {60.0, 0.0, -1e-7, -60.0}) {
+    const CaseNames names(cases, {100, 100, 100 + width, 140});
+    for (const int region : {outside, disc, right}) CHECK(names.place(region, {400, 20}).cost > 0);
+  }
 }
 
 }  // namespace case_map_test

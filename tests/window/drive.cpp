@@ -124,6 +124,7 @@ class Drive {
   void round(int number) {
     std::filesystem::remove_all(out_ + "/figures");
     told_.clear();
+    log_.close();
     log_.open(out_ + "/actions.txt", std::ios::trunc);
     random_.seed(seed_ * 1'000'003 + static_cast<std::uint64_t>(number));
     const Lesson& lesson = *stops_[(static_cast<std::size_t>(number) * 7 + seed_) % stops_.size()];
