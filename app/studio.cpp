@@ -54,6 +54,37 @@ void need_pixels_in_bounds(double pixels, const std::string& cure) {
 
 }  // namespace
 
+namespace {
+
+// On paper a picture is twice as wide as it is high, or higher for what would leave much of that width empty.
+constexpr double widest_shape = 2, highest_shape = 1.4;
+
+double shape_of(const Excerpt& e, const viz::Walk& walk) {
+  viz::Box2 all = {viz::Vec2::Constant(INFINITY), viz::Vec2::Constant(-INFINITY)};
+  for (const viz::Step& step : walk.steps) {
+    if (step.scene.items.empty()) continue;
+    const viz::Box2 box = viz::extent(step.scene.items, e.camera.value_or(viz::opening(*e.lesson)));
+    all = {all.lo.cwiseMin(box.lo), all.hi.cwiseMax(box.hi)};
+  }
+  const viz::Vec2 size = all.hi - all.lo;
+  return size.y() > 0 && size.x() > 0 ? std::clamp(size.x() / size.y(), highest_shape, widest_shape) : widest_shape;
+}
+
+/// As camera_for. On paper, where room is dear, a scene that is seen from nearer than the others of its walk takes
+/// more.
+viz::Camera paper_camera(const Excerpt& e, const viz::Step& step, double aspect) {
+  constexpr double taken = 0.8;
+  if (e.camera) return *e.camera;
+  const viz::Camera framed = viz::frame_alike(viz::opening(*e.lesson), e.walk, walks_of(*e.lesson), aspect);
+  const viz::Camera usual = viz::closer(framed, step.scene, aspect);
+  if (!(usual.half_height < framed.half_height)) return usual;
+  viz::Camera nearer = viz::frame(usual, {&step.scene}, aspect, 0);
+  nearer.half_height = std::min(usual.half_height, nearer.half_height / taken);
+  return nearer;
+}
+
+}  // namespace
+
 viz::Camera camera_for(const Excerpt& e, const viz::Step& step, double aspect) {
   if (e.camera) return *e.camera;
   const viz::Camera framed = viz::frame_alike(viz::opening(*e.lesson), e.walk, walks_of(*e.lesson), aspect);
@@ -135,9 +166,12 @@ void Studio::tell_widened(const std::string& which, double width) {
   if (is_widened(width)) widened_.push_back(told(which, width));
 }
 
-viz::OnPaper Studio::on_paper(const Excerpt& e, const viz::Walk& walk, int step, const viz::PaperSize& size,
-                              bool title) {
-  const auto camera = [&](double aspect) { return camera_for(e, walk.steps[step], aspect); };
+viz::OnPaper Studio::on_paper(const Excerpt& e, const viz::Walk& walk, int step, viz::PaperSize size, bool title) {
+  const auto camera = [&](double aspect) { return paper_camera(e, walk.steps[step], aspect); };
+  if (!(size.height > 0) && !walk.steps[step].scene.chart) {
+    const double usual = viz::paper_layout(walk, step, style_.theme, size, title).height;
+    size.height = usual + size.width * (1 / shape_of(e, walk) - 1 / widest_shape);
+  }
   auto made = viz::readable_figure(walk, step, style_.theme, size, title, camera);
   if (!made)
     throw viz::BadInput(

@@ -35,7 +35,8 @@ class Studio {
 
  private:
   using Drawings = std::vector<viz::Drawing>;
-  viz::OnPaper on_paper(const Excerpt&, const viz::Walk&, int step, const viz::PaperSize&, bool title);
+  /// Where no height is given, as high as the walk's pictures need.
+  viz::OnPaper on_paper(const Excerpt&, const viz::Walk&, int step, viz::PaperSize, bool title);
   Drawings whole(const Excerpt&, const std::vector<int>& steps, const viz::PaperSize&);
   viz::Drawing whole_strip(const Excerpt&, int columns, bool captions, const viz::PaperSize&);
   /// What `draw` makes at the size at which it is as large as asked for once cropped.

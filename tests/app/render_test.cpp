@@ -279,6 +279,24 @@ TEST_CASE("all is every preset of every lesson", "[render]") {
   CHECK(files_in(shell.work() / "last/ray-sphere").size() < 2 * 30);
 }
 
+TEST_CASE("what a figure on paper shows takes its share of the width", "[render]") {
+  const Shell shell;
+  const auto share_of_width = [&](const std::string& figure) {
+    const viz::Picture p = viz::read_png(
+        shell("isect render " + figure + " --theme print --width 8cm --dpi 100 --format png --out -").out);
+    int left = p.width, right = 0;
+    for (int i = 0; i < p.width * p.height; ++i) {
+      const auto [least, most] = std::minmax({p.rgba[4 * i], p.rgba[4 * i + 1], p.rgba[4 * i + 2]});
+      if (most - least > 60) left = std::min(left, i % p.width), right = std::max(right, i % p.width);
+    }
+    return static_cast<double>(right - left) / p.width;
+  };
+  CHECK(share_of_width("bounding-volumes --preset tilted --step 1") > 0.36);  // a pin, higher than wide
+  CHECK(share_of_width("bounding-volumes --preset tilted --step 2") > 0.4);
+  CHECK(share_of_width("obb-obb --preset edges --step 1") > 0.55);
+  CHECK(share_of_width("obb-obb --preset edges --step 4") > 0.7);
+}
+
 TEST_CASE("size, width and theme reach the figure", "[render]") {
   const Shell shell;
   REQUIRE(shell("isect render ray-sphere --step 3 --size 320x200 --theme grey --out - >g.png").status == 0);
