@@ -150,8 +150,11 @@ void add_halos(std::vector<Shape>& shapes, const Theme& theme) {
   }
 }
 
-bool stands_on_line(const std::vector<Shape>& shapes, std::size_t text, const Theme& theme) {
-  const TextBox box = grown(measure(std::get<Text>(shapes[text])), theme.sizes.label_halo);
+namespace {
+
+/// Whether a line before the text comes nearer to it than this.
+bool has_line_near(const std::vector<Shape>& shapes, std::size_t text, double near) {
+  const TextBox box = grown(measure(std::get<Text>(shapes[text])), near);
   const auto meets = [&](const Stroke& stroke) {
     const TextBox wide = grown(box, stroke.width / 2), all = grown(around(stroke.path), stroke.width / 2);
     if (!(all.left <= box.right && box.left <= all.right && all.top <= box.bottom && box.top <= all.bottom))
@@ -168,10 +171,16 @@ bool stands_on_line(const std::vector<Shape>& shapes, std::size_t text, const Th
   });
 }
 
+}  // namespace
+
+bool stands_on_line(const std::vector<Shape>& shapes, std::size_t text, const Theme& theme) {
+  return has_line_near(shapes, text, theme.sizes.label_halo);
+}
+
 void add_halos_over_lines(std::vector<Shape>& shapes, const Theme& theme) {
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     Text* text = std::get_if<Text>(&shapes[i]);
-    if (!text || text->halo > 0 || !stands_on_line(shapes, i, theme)) continue;
+    if (!text || text->halo > 0 || !has_line_near(shapes, i, 0)) continue;
     const TextBox box = measure(*text);
     const Vec2 middle((box.left + box.right) / 2, (box.top + box.bottom) / 2);
     Colour below = theme.background;

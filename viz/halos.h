@@ -20,8 +20,9 @@ void add_halos(std::vector<Shape>&, const Theme&);
 
 /// Whether a line before a text runs through it, or would touch its halo.
 bool stands_on_line(const std::vector<Shape>&, std::size_t text, const Theme&);
-/// Gives every text without a halo one where a line before it runs through it or would touch the halo: in the colour of
-/// the fills that lie under its middle, or in the background's where it would not stand out from that.
+/// Gives every text without a halo one where a line before it runs through it: in the colour of the fills that lie
+/// under its middle, or in the background's where it would not stand out from that. Beside a line it would cut into
+/// that.
 void add_halos_over_lines(std::vector<Shape>&, const Theme&);
 
 }  // namespace isect::viz
