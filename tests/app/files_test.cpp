@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -539,6 +540,39 @@ TEST_CASE("a file at random is read, or refused with the place of what is wrong"
       if (!told || !placed) FAIL(why);
     }
   }
+}
+
+TEST_CASE("what is nested deep, long or written on many lines is refused soon, in a short message", "[files]") {
+  const auto refusal = [](const std::string& bytes, const std::string& name) -> std::string {
+    try {
+      read_shape(bytes, name);
+    } catch (const isect::viz::BadInput& e) {
+      return e.what();
+    }
+    return "it was read";
+  };
+  const auto polygon = [](const std::string& outline) {
+    return R"({"type": "Polygon", "coordinates": [)" + outline + "]}";
+  };
+  constexpr std::size_t deep = 300'000;
+  CHECK(refusal(polygon(std::string(deep, '[') + std::string(deep, ']')), "deep.json") ==
+        "deep.json: line 1: a list of lists is no position; two or three numbers are expected");
+  std::string numbers = "1";
+  for (int i = 0; i < 1000; ++i) numbers += ",1";
+  CHECK(refusal(polygon("[[" + numbers + "]]"), "long.json") ==
+        "long.json: line 1: [1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1... is no position; two or three numbers are "
+        "expected");
+
+  std::string accents = "a";
+  for (int i = 0; i < 30; ++i) accents += "\xc3\xa4";
+  CHECK(refusal("v 0 0 " + accents, "words.obj") ==
+        "words.obj: line 1: \"" + accents.substr(0, 39) + "...\" is no finite number");
+
+  std::string continued = "v 0 0 0\nf ";
+  for (int i = 0; i < 1'000'000; ++i) continued += "\\\n1 ";
+  const auto begin = std::chrono::steady_clock::now();
+  CHECK(refusal(continued, "lines.obj") == "lines.obj: line 2: a face of more than 2000 vertices");
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(10));  // it took the square of the lines
 }
 
 TEST_CASE("what a file holds beyond its shape, or not as it may be meant, is told with the answer", "[files]") {

@@ -96,10 +96,17 @@ class GeoJsonReader {
   void position(const nlohmann::json& json) {
     const auto is_number = [](const nlohmann::json& x) { return x.is_number(); };
     if (!json.is_array() || json.size() < 2 || json.size() > 3 || !std::ranges::all_of(json, is_number))
-      refuse(at_, fmt::format("{} is no position; two or three numbers are expected", json.dump(-1, ' ', true)));
+      refuse(at_, fmt::format("{} is no position; two or three numbers are expected", shown(json)));
     viz::Vec3 p = viz::Vec3::Zero();
     for (std::size_t i = 0; i < json.size(); ++i) p[static_cast<int>(i)] = json[i].get<double>();
     polygons_.position(p, json.size());
+  }
+
+  /// Not what is nested in it: that may be deep.
+  static std::string shown(const nlohmann::json& json) {
+    if (json.is_object()) return "an object";
+    const bool nested = std::ranges::any_of(json, [](const nlohmann::json& x) { return x.is_structured(); });
+    return nested ? "a list of lists" : shortened(json.dump(-1, ' ', true));
   }
 
   const std::string& file_;

@@ -50,7 +50,9 @@ class OffReader {
       if (kind.starts_with(part)) kind.remove_prefix(part.size());
     if (lower(kind) != "off")
       text_.refuse(fmt::format("{}; OFF, or STOFF, COFF, NOFF and their like in space are expected", in_quotes(word)));
-    if (lower(text_.line()).find("binary") != std::string::npos) text_.refuse("a binary OFF; one of text is expected");
+    const std::string_view line = text_.line();
+    if (lower(line.substr(0, line.find('#'))).find("binary") != std::string::npos)
+      text_.refuse("a binary OFF; one of text is expected");
   }
 
   void point(long i, long count) {

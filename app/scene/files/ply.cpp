@@ -136,17 +136,16 @@ class PlyReader {
   // The elements.
 
   void of_text() {
-    TextFile& text = text_;
     for (const PlyElement& e : elements_)
       for (long i = 0; i < e.count; ++i) {
         do {
-          if (!text.next()) refuse(file_, fmt::format("it ends early, before {} {} of {}", e.name, i + 1, e.count));
-        } while (text.ended());
-        take(e, text.number(), [&](PlyType type) { return number(text, text.word(), type); });
-        text.end_line();
+          if (!text_.next()) refuse(file_, fmt::format("it ends early, before {} {} of {}", e.name, i + 1, e.count));
+        } while (text_.ended());
+        take(e, text_.number(), [&](PlyType type) { return number(text_, text_.word(), type); });
+        text_.end_line();
       }
-    while (text.next())
-      if (!text.ended()) text.refuse("more than the elements that its header announces");
+    while (text_.next())
+      if (!text_.ended()) text_.refuse("more than the elements that its header announces");
   }
 
   void of_bytes() {
@@ -155,8 +154,7 @@ class PlyReader {
       for (long i = 0; i < e.count; ++i)
         take(e, static_cast<int>(i) + 1, [&](PlyType type) { return number(data, type); });
     const std::string_view left = std::string_view(bytes_).substr(bytes_.size() - data.left());
-    if (left.find_first_not_of("\r\n") != left.npos)
-      note_ = fmt::format("{} bytes behind the last element are left out.", left.size());
+    if (left.find_first_not_of("\r\n") != left.npos) note_ = bytes_left_out(left.size(), "element");
   }
 
   /// What is no finite number is refused where it is a coordinate.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "viz/utf8.h"
+
 namespace isect::program::scene {
 
 namespace {
@@ -15,17 +17,26 @@ bool goes_on(std::string_view line) { return line.ends_with('\\') && line.find('
 
 }  // namespace
 
-std::string in_quotes(std::string_view piece) {
+std::string shortened(std::string_view piece) {
   constexpr std::size_t most = 40;
+  std::size_t end = std::min(piece.size(), most);
+  while (end < piece.size() && end + 3 > most && viz::continues_character(piece[end])) --end;
   std::string text;
-  for (const char c : piece.substr(0, most)) {
+  for (const char c : piece.substr(0, end)) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte < ' ' || byte == 0x7F)
       text += fmt::format("\\x{:02x}", byte);
     else
       text += c;
   }
-  return fmt::format("\"{}{}\"", text, piece.size() > most ? "..." : "");
+  return text + (end < piece.size() ? "..." : "");
+}
+
+std::string in_quotes(std::string_view piece) { return '"' + shortened(piece) + '"'; }
+
+std::string bytes_left_out(std::size_t count, std::string_view last) {
+  return count == 1 ? fmt::format("1 byte behind the last {} is left out.", last)
+                    : fmt::format("{} bytes behind the last {} are left out.", count, last);
 }
 
 std::string lower(std::string_view text) {
@@ -61,7 +72,7 @@ bool TextFile::read_line(std::string_view& line) {
   std::size_t end = at_;
   while (end < bytes_.size() && bytes_[end] != '\n' && bytes_[end] != '\r') ++end;
   line = bytes_.substr(at_, end - at_);
-  at_ = end + (bytes_.substr(end, 2) == "\r\n" ? 2 : 1);
+  at_ = std::min(end + (bytes_.substr(end, 2) == "\r\n" ? 2 : 1), bytes_.size());
   ++lines_;
   return true;
 }
@@ -77,7 +88,7 @@ bool TextFile::next_joined() {
   if (!next()) return false;
   if (!goes_on(line_)) return true;
   joined_ = line_;
-  for (std::string_view more; goes_on(joined_) && read_line(more); joined_ += more) joined_.back() = ' ';
+  for (std::string_view more = line_; goes_on(more) && read_line(more); joined_ += more) joined_.back() = ' ';
   line_ = rest_ = joined_;
   return true;
 }

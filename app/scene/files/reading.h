@@ -21,7 +21,10 @@ namespace isect::program::scene {
   throw viz::BadInput(file + ": " + why);
 }
 
-/// A piece of a file as a message shows it, in double quotes: short, control characters written out.
+/// A piece of a file as a message shows it: its first 40 bytes, or up to 3 fewer so that no character is cut, control
+/// characters written out.
+std::string shortened(std::string_view piece);
+/// The same, in double quotes.
 std::string in_quotes(std::string_view piece);
 /// In small letters, of ASCII.
 std::string lower(std::string_view);
@@ -42,7 +45,7 @@ class TextFile {
   bool next_joined();
 
   std::string_view line() const { return line_; }
-  std::size_t offset() const { return at_; }  ///< of the byte behind the line
+  std::size_t offset() const { return at_; }  ///< of the byte behind the line and its end; at most the text's size
   int number() const { return number_; }      ///< of the line, from 1
 
   /// The next word of the line; empty where there is none.
@@ -94,6 +97,9 @@ class Bytes {
   std::size_t at_;
   bool swap_;
 };
+
+/// A note of bytes that stand behind the last of what a file announces.
+std::string bytes_left_out(std::size_t count, std::string_view last);
 
 /// A file's bytes, and its name for messages.
 using Reader = ShapeFile (*)(const std::string& bytes, const std::string& file);

@@ -57,9 +57,7 @@ class StlReader {
       data.skip(2);
     }
     ShapeFile shape = mesh.made();
-    if (data.left() > 0)
-      shape.note = fmt::format("{} byte{} behind the last facet {} left out.", data.left(), data.left() == 1 ? "" : "s",
-                               data.left() == 1 ? "is" : "are");
+    if (data.left() > 0) shape.note = bytes_left_out(data.left(), "facet");
     return shape;
   }
 
@@ -80,7 +78,8 @@ class StlReader {
       if (is_end) {
         expected = "solid";  // of another one
       } else if (keyword == "solid") {
-        if (lower(text.line()).find("facet") != std::string::npos) text.refuse("a solid and its facets on one line");
+        if (lower(text.line()).find(" facet normal ") != std::string::npos)
+          text.refuse("a solid and its facets on one line");
         expected = "facet";
       } else if (keyword == "facet") {
         normal(text);

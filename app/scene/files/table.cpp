@@ -46,13 +46,16 @@ class TableReader {
     return true;
   }
 
-  /// The first of these that stands outside of quotes; else blanks.
+  /// The first of these that stands outside of quotes and before a comment; else blanks.
   static char separator_of(std::string_view line) {
     for (const char c : {';', '\t', ','}) {
       bool within = false;
+      char before = ' ';
       for (const char at : line) {
         if (at == '"') within = !within;
+        if (at == '#' && before == ' ' && !within) break;
         if (at == c && !within) return c;
+        before = at;
       }
     }
     return ' ';
