@@ -25,6 +25,10 @@ double area_of(const Cases::Patch& patch) {
 
 }  // namespace
 
+bool is_thin(const Cases& cases, int branch) {
+  return std::ranges::none_of(cases.patches, [&](const Cases::Patch& patch) { return patch.branch == branch; });
+}
+
 CaseNames::CaseNames(const Cases& cases, const Bounds& plane)
     : cases_(cases),
       plane_(plane),

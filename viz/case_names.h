@@ -10,6 +10,9 @@
 
 namespace isect::viz {
 
+/// Whether a branch has no region: it is only a line or a point of the plane.
+bool is_thin(const Cases&, int branch);
+
 struct NamePlace {
   Vec2 middle;
   std::optional<Vec2> leads_to = {};  ///< a point of its region, where the name stands beside it

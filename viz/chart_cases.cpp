@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "viz/case_key.h"
 #include "viz/case_names.h"
 #include "viz/chart_parts.h"
 #include "viz/marks.h"
@@ -23,11 +24,6 @@ Colour colour_of(int branch, const Theme& theme) {
                                               {Role::highlight, 0.4}, {Role::text, 0.1}};
   const auto& [role, share] = inks[static_cast<std::size_t>(branch) % std::size(inks)];
   return tinted(theme, theme.ink(role), share);
-}
-
-/// A branch that is only a line or a point of the plane.
-bool is_thin(const Cases& cases, int branch) {
-  return std::ranges::none_of(cases.patches, [&](const Cases::Patch& patch) { return patch.branch == branch; });
 }
 
 class PlaneOfCases {
@@ -306,54 +302,6 @@ struct Titles {
   double below() const { return pitch * (std::max<double>(static_cast<double>(x.size()), 1) - 1); }
 };
 
-/// What explains the numbers that stand in place of names where a small map on paper has no room for these.
-struct Key {
-  std::vector<std::string> numbers;  ///< of each branch; of one that is nowhere on the map, its name
-  std::vector<std::vector<std::string>> rows;
-  static constexpr double pitch = 1.35, between = 1.4;  ///< rows and entries, in their size
-
-  Key(const ChartInk& ink, const Cases& cases, double width) : numbers(cases.branches) {
-    const double size = ink.sizes().label;
-    double used = 0;
-    for (int i = 0, next = 1; i < static_cast<int>(cases.branches.size()); ++i) {
-      if (!is_shown(cases, i)) continue;
-      numbers[i] = std::to_string(next++);
-      const std::string entry = "**" + numbers[i] + "** " + cases.branches[i];
-      const double own = ink.width(entry, size);
-      if (rows.empty() || used + between * size + own > width) rows.emplace_back(), used = -between * size;
-      rows.back().push_back(entry);
-      used += between * size + own;
-    }
-  }
-
-  double height(const ChartInk& ink) const {
-    return (0.3 + pitch * static_cast<double>(rows.size())) * ink.sizes().label;
-  }
-
-  /// In centred rows, from `top` down.
-  void draw(ChartInk& ink, double left, double right, double top) const {
-    const double size = ink.sizes().label;
-    ink.part("chart", "key");
-    double y = top + size;
-    for (const std::vector<std::string>& row : rows) {
-      double width = between * size * static_cast<double>(row.size() - 1);
-      for (const std::string& entry : row) width += ink.width(entry, size);
-      double x = (left + right - width) / 2;
-      for (const std::string& entry : row) {
-        ink.text(entry, {x, y}, {size});
-        x += ink.width(entry, size) + between * size;
-      }
-      y += pitch * size;
-    }
-  }
-
- private:
-  static bool is_shown(const Cases& cases, int branch) {
-    const auto here = [&](const Cases::Spot& spot) { return spot.branch == branch; };
-    return !is_thin(cases, branch) || std::ranges::any_of(cases.presets, here) || (cases.here && here(*cases.here));
-  }
-};
-
 Bounds plane_above(const ChartInk& ink, const Cases& cases, const Bounds& room, double key) {
   const double axis = ink.sizes().axis;
   const Titles titles(ink, cases, room.right - room.left);
@@ -366,7 +314,7 @@ Bounds plane_above(const ChartInk& ink, const Cases& cases, const Bounds& room, 
 }
 
 /// On paper, where not every name has its place: a map as wide as a page has room for leaders.
-std::optional<Key> key_for(const ChartInk& ink, const Cases& cases, const Bounds& room) {
+std::optional<CaseKey> key_for(const ChartInk& ink, const Cases& cases, const Bounds& room) {
   constexpr double roomy = 40;  // in sizes of the names
   if (!has_one_size(ink.theme()) || cases.named != Cases::Named::all) return {};
   if (room.right - room.left >= roomy * ink.sizes().label) return {};
@@ -374,7 +322,7 @@ std::optional<Key> key_for(const ChartInk& ink, const Cases& cases, const Bounds
   const Bounds b = plane_above(ink, cases, room, 0);
   if (!(b.right > b.left && b.bottom > b.top)) return {};
   if (PlaneOfCases(unseen, cases, b, left_of(ink, cases), cases.branches).has_room_for_names()) return {};
-  return Key(ink, cases, room.right - room.left);
+  return CaseKey(ink, cases, room.right - room.left);
 }
 
 double height_without_key(const ChartInk& ink, const Cases& cases, double width) {
@@ -387,22 +335,22 @@ double height_without_key(const ChartInk& ink, const Cases& cases, double width)
 }  // namespace
 
 Bounds plane_within(const ChartInk& ink, const Cases& cases, const Bounds& room) {
-  const std::optional<Key> key = key_for(ink, cases, room);
+  const std::optional<CaseKey> key = key_for(ink, cases, room);
   return plane_above(ink, cases, room, key ? key->height(ink) : 0);
 }
 
 double natural_height(const ChartInk& ink, const Cases& cases, double width) {
   const double height = height_without_key(ink, cases, width);
-  const std::optional<Key> key = key_for(ink, cases, {0, 0, width, height});
+  const std::optional<CaseKey> key = key_for(ink, cases, {0, 0, width, height});
   return height + (key ? key->height(ink) : 0);
 }
 
 void draw(ChartInk& ink, const Cases& cases, const Bounds& room) {
   const Sizes& s = ink.sizes();
   const Theme& t = ink.theme();
-  const std::optional<Key> key = key_for(ink, cases, room);
+  const std::optional<CaseKey> key = key_for(ink, cases, room);
   const Bounds b = plane_above(ink, cases, room, key ? key->height(ink) : 0);
-  PlaneOfCases plane(ink, cases, b, left_of(ink, cases), key ? key->numbers : cases.branches);
+  PlaneOfCases plane(ink, cases, b, left_of(ink, cases), key ? key->numbers() : cases.branches);
   plane.draw();
   ink.part("chart", "scales");
   ink.line({{b.left, b.top}, {b.right, b.top}, {b.right, b.bottom}, {b.left, b.bottom}, {b.left, b.top}},
