@@ -13,9 +13,10 @@ struct OnPaper {
   PaperSize size;
 };
 
-/// The step on paper of this size or, where its labels would meet, leave the figure, or as headings cut through shapes
-/// or run together, of the next larger one of the same shape at which they don't. None where there is no such size up
-/// to eight times as wide. `camera`: for a picture of this width to height.
+/// The step on paper of this size. Where its labels would meet or leave the figure, the paper grows, in its shape,
+/// until they don't: none if eight times the width are too few. Where headings cut through shapes or run together, it
+/// grows further if they stand clear on paper up to 1.6 times as wide, and no wider than 36 text sizes. `camera`: for a
+/// picture of this width to height.
 std::optional<OnPaper> readable_figure(const Walk&, int step, ThemeName, const PaperSize&, bool title,
                                        const std::function<Camera(double aspect)>& camera);
 
