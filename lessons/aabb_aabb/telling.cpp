@@ -81,6 +81,10 @@ class Teller {
                              e.disjoint   ? "One interval ends before the other begins."
                              : e.axis < 2 ? "No gap on this axis, but the next may have one."
                                           : "No gap on any axis."};
+    step.question->given = {{"a.min" + i, a.lo, "length", Role::first},
+                            {"a.max" + i, a.hi, "length", Role::first},
+                            {"b.min" + i, b.lo, "length", Role::second},
+                            {"b.max" + i, b.hi, "length", Role::second}};
     disjoint_ = e.disjoint;
     ++asked_;
   }

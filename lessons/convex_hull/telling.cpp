@@ -4,6 +4,7 @@
 
 #include <isect/convex_hull.h>
 #include "lessons/convex_hull/picture.h"
+#include "lessons/shared/digits.h"
 #include "lessons/shared/flat.h"
 #include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"
@@ -65,9 +66,19 @@ class Teller {
     return step;
   }
 
+  /// Its last points, as many as may matter.
+  std::string end_of_chain() const {
+    constexpr std::size_t enough = 5;
+    const std::size_t n = drawn_.chain.size(), first = n > enough ? n - enough : 0;
+    std::string all;
+    for (std::size_t i = first; i < n; ++i) all += (i > first ? ", " : "") + coordinates(drawn_.chain[i]);
+    return fmt::format("The chain {} {}.", first > 0 ? "ends with" : "is", all);
+  }
+
   /// One more point of a chain, with those that it removed.
   void say(const Added& e) {
     if (drawn_.chain.empty()) drawn_.upper = started_++ > 0;
+    const std::string chain = end_of_chain();
     for (const Removed& r : removed_) {
       drawn_.removed.push_back(r.p);
       drawn_.chain.pop_back();
@@ -82,10 +93,10 @@ class Teller {
     if (!none && asked_ < removed_.size()) {
       asked_ = removed_.size();
       const auto all = static_cast<double>(drawn_.chain.size() + removed_.size() - 1);
-      step.question = which_value(
-          fmt::format("Next is **q** = ({}, {}). How many points leave the chain?", shown(e.p.x()), shown(e.p.y())),
-          static_cast<double>(removed_.size()), {0, 1, all},
-          "Each point at which the chain makes no left turn towards **q** is dropped.");
+      step.question =
+          which_value(fmt::format("{} Next is **q** = {}. How many points leave the chain?", chain, coordinates(e.p)),
+                      static_cast<double>(removed_.size()), {0, 1, all},
+                      "Each point at which the chain makes no left turn towards **q** is dropped.");
       step.question->over = pointing_at(e.p);
       give_before(script_.walk(), {"chain"});
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lessons/convex_polygon/picture.h"
+#include "lessons/shared/digits.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
@@ -108,15 +109,20 @@ class Fan {
                      : e.turn == 0 ? "**p** lies on the ray through " + mid + ": drop the wedges before it."
                                    : "**p** lies right of the ray through " + mid + ": drop the wedges after it.");
     if (rounds_ == 1) {
-      const Point<double, 2>& v = s_.vertex(e.mid);
-      step.question = {
-          fmt::format("The fan is halved at {} = ({}, {}). What follows?", mid, shown(v.x()), shown(v.y())),
-          {"go on with the wedges before it", "go on with the wedges after it",
-           "return OUT: **p** is beyond the edge that follows it"},
-          out           ? 2
-          : e.turn >= 0 ? 1
-                        : 0,
-          "The orientation of **v**_0, " + mid + ", **p** decides the side; that of the edge rejects."};
+      const auto corner = [&](int k) {  // neighbours among many differ in their last digits
+        const Point<double, 2>& v = s_.vertex(k);
+        return s_.size() > most_rays ? with_minus_signs(fmt::format("({}, {})", to_text(v.x()), to_text(v.y())))
+                                     : coordinates(v);
+      };
+      step.question = {fmt::format("**p** = {} and **v**_0 = {}. The fan is halved at {} = {}, and the edge there ends "
+                                   "at {}. What follows?",
+                                   coordinates(s_.p), coordinates(s_.vertex(0)), mid, corner(e.mid), corner(e.mid + 1)),
+                       {"go on with the wedges before it", "go on with the wedges after it",
+                        "return OUT: **p** is beyond the edge that follows it"},
+                       out           ? 2
+                       : e.turn >= 0 ? 1
+                                     : 0,
+                       "The orientation of **v**_0, " + mid + ", **p** decides the side; that of the edge rejects."};
       step.question->over = over;
     }
     shown_.mid = -1;

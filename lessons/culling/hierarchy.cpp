@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "lessons/culling/culled.h"
+#include "lessons/shared/digits.h"
 #include "lessons/shared/plural.h"
 #include "lessons/shared/script.h"
 #include "viz/chart.h"
@@ -104,7 +105,8 @@ class UnderHierarchy {
     const Vec3 at = middle(box);
     if (culling == Culling::outside)
       step.scene.items.emplace_back(Label{at, plane_names[v.answer.rejecting_plane()], Role::miss});
-    step.question = {"Where does the node's box lie?",
+    step.question = {fmt::format("The node's box reaches from {} to {}. The frustum is {}. Where does the box lie?",
+                                 coordinates(box.lo), coordinates(box.hi), inner_side(eye_)),
                      {"wholly outside", "wholly inside", "across the boundary"},
                      culling == Culling::outside  ? 0
                      : culling == Culling::inside ? 1

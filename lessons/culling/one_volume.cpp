@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <isect/numbers/predicate.h>
 #include "lessons/culling/picture.h"
+#include "lessons/shared/digits.h"
 #include "lessons/shared/script.h"
 #include "viz/solids.h"
 
@@ -84,13 +86,25 @@ class OneVolume {
                              caption(side), formula(plane));
     step.scene = std::move(scene);
     Script::decide(step, comparison);
-    step.question = {fmt::format("Where does the {} lie, relative to the {} plane?", they_, name),
+    step.question = {where(plane),
                      {"wholly on its inner side", "wholly beyond it", "neither"},
                      side == Culling::inside    ? 0
                      : side == Culling::outside ? 1
                                                 : 2,
                      ball_ ? "Compare the distance of the centre with the radius."
                            : "Two opposite corners of the box decide: the p-vertex and the n-vertex."};
+    if (ball_)
+      step.question->given = {{"**n** · **c** + *D*", height_, "length", Role::second},
+                              {"*r*", std::get<Ball>(asked_).radius, "length", Role::second}};
+  }
+
+  /// Asked so that the numbers alone tell.
+  std::string where(int plane) const {
+    const char* const name = plane_names[plane];
+    if (ball_) return fmt::format("Where does the ball lie, relative to the {} plane, whose **n** has length 1?", name);
+    const Box& box = std::get<Box>(asked_);
+    return fmt::format("The box reaches from {} to {}. Where does it lie, relative to the {} plane, {}?",
+                       coordinates(box.lo), coordinates(box.hi), name, inner_side(plane_at(plane)));
   }
 
   Comparison ask_box(int i, Culling side, Scene& scene) {
@@ -136,7 +150,7 @@ class OneVolume {
     const double length = plane.normal.norm(), height = (plane.normal.dot(ball.center) + plane.d) / length;
     script_.value("distance", height, "length", height < 0 ? Role::miss : Role::hit);
     script_.value("*r*", ball.radius, "length", Role::second);
-    reaches_ = height + ball.radius;
+    reaches_ = height + ball.radius, height_ = height, least_ = std::min(least_, height);
     const Vec3 foot = ball.center - height / length * plane.normal;
     scene.items.emplace_back(Line{ball.center, foot, Role::construction, Pen::construction});
     scene.items.emplace_back(Dot{ball.center, Mark::disc, Role::second});
@@ -232,6 +246,8 @@ class OneVolume {
                        centre_inside()
                            ? "The centre lies on the inner side of all six."
                            : "Each plane alone leaves something. What is left may differ from plane to plane."};
+    if (culling == Culling::crossing && ball_)
+      step.question->given = {{"least **n** · **c** + *D*", least_, "length", Role::second}};
   }
 
   std::string answer_caption() const {
@@ -260,8 +276,10 @@ class OneVolume {
   const Answer truth_;
   const std::string they_;
   Script script_;
-  int sharing_ = 0;     ///< axes along the plane: what reaches farthest is a vertex, an edge or a face
-  double reaches_ = 0;  ///< how far the volume reaches over the plane in turn
+  int sharing_ = 0;          ///< axes along the plane: what reaches farthest is a vertex, an edge or a face
+  double height_ = 0;        ///< of a ball's centre over the plane in turn
+  double least_ = INFINITY;  ///< of these heights so far
+  double reaches_ = 0;       ///< how far the volume reaches over the plane in turn
 };
 
 }  // namespace

@@ -1,5 +1,9 @@
 #include "lessons/culling/picture.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include <isect/clip_polygon.h>
 #include "viz/solids.h"
 
@@ -15,6 +19,33 @@ Frustum<double> frustum(const Vec3& eye) {
   };
   return {{plane({3, 0, 8}, 0), plane({3, 0, -8}, 0), plane({1, 4, 0}, 0), plane({1, -4, 0}, 0), plane({1, 0, 0}, 1.5),
            plane({-1, 0, 0}, -7)}};
+}
+
+namespace {
+
+/// " + 12", " − 12", or nothing.
+std::string plus(double x) { return x == 0 ? "" : fmt::format(" {} {}", x < 0 ? "−" : "+", shown(std::abs(x))); }
+
+/// "*x* + 4" for −4.
+std::string less(const char* name, double x) { return x == 0 ? name : name + plus(-x); }
+
+}  // namespace
+
+std::string inner_side(const Plane<double, 3>& plane) {
+  std::string all;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double n = plane.normal[axis];
+    if (n == 0) continue;
+    all += all.empty() ? (n < 0 ? "−" : "") : n < 0 ? " − " : " + ";
+    all += (std::abs(n) == 1 ? "" : shown(std::abs(n)) + " ") + std::string("*") + "xyz"[axis] + "*";
+  }
+  return all + plus(plane.d) + " ≥ 0";
+}
+
+std::string inner_side(const Vec3& eye) {
+  const std::string x = less("*x*", eye.x());
+  return fmt::format("{} ≤ *x* ≤ {}, 4 |{}| ≤ {} and 8 |{}| ≤ 3 {}", shown(eye.x() + 1.5), shown(eye.x() + 7),
+                     less("*y*", eye.y()), x, less("*z*", eye.z()), eye.x() == 0 ? x : "(" + x + ")");
 }
 
 namespace {

@@ -25,6 +25,11 @@ Frustum<double> frustum(const viz::Vec3& eye);
 /// left, right, bottom, top, near, far
 extern const char* const plane_names[6];
 
+/// "3 *x* + 8 *z* + 12 ≥ 0": what lies on the inner side of a plane.
+std::string inner_side(const Plane<double, 3>&);
+/// The same of all six at once: "−2.5 ≤ *x* ≤ 3, 4 |*y*| ≤ *x* + 4 and 8 |*z*| ≤ 3 (*x* + 4)".
+std::string inner_side(const viz::Vec3& eye);
+
 /// The core's answer, and each plane that it tested on the way.
 struct Answer {
   Culling culling;

@@ -125,10 +125,12 @@ class WholeScene {
     step.decides = gone > 0;
     step.scene = picture(plane, false, false);
     add_plane(view_, plane, step.scene);
-    step.question = {fmt::format("How many volumes does the {} plane reject?", name),
+    step.question = {fmt::format("Only volumes that no earlier plane rejected are tested. Inside the {} plane is {}. "
+                                 "How many does it reject?",
+                                 name, inner_side(view_.planes[plane])),
                      {"0", "1", "2", "3 or more"},
                      std::min(gone, 3),
-                     "Only volumes that no earlier plane rejected are tested."};
+                     "Those that lie wholly beyond it."};
     give_before(script_.walk(), {"outside"});
   }
 

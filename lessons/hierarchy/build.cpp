@@ -102,6 +102,13 @@ class Building {
                              split.axis,
                              fmt::format("Together they span {} by {}; their centres spread most along {}.",
                                          shown(size.x()), shown(size.y()), axis)};
+    Vec2 lo = Vec2::Constant(INFINITY), hi = -lo;
+    for (const auto& box : tree_.boxes) {
+      const Vec2 centre = (box.lo + box.hi) / 2;
+      lo = lo.cwiseMin(centre), hi = hi.cwiseMax(centre);
+    }
+    step.question->given = {{"spread of centres on *x*", hi.x() - lo.x(), "length"},
+                            {"spread of centres on *y*", hi.y() - lo.y(), "length"}};
     keep_picture(script_.walk());
   }
 

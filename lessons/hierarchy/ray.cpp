@@ -5,6 +5,7 @@
 #include <isect/bvh_ray.h>
 #include "lessons/hierarchy/changes.h"
 #include "lessons/hierarchy/tree.h"
+#include "lessons/shared/digits.h"
 #include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"
 
@@ -139,7 +140,7 @@ class Shooting {
     step.decides = true;
     if (asked_question_) return;
     asked_question_ = true;
-    step.question = Question{"How many of the two children does the ray meet?",
+    step.question = Question{how_many(node),
                              {"none", "one", "both"},
                              2 - static_cast<int>(missed.size()),
                              missed.empty()       ? "The ray meets the boxes of both."
@@ -149,6 +150,16 @@ class Shooting {
     for (const int child : {node.first, node.first + 1}) asked.states[child] = State::waiting;
     step.question->over = picture(asked);
     give_before(script_.walk(), {"node tests", "box tests", "ruled out"});
+  }
+
+  /// Asked so that the numbers alone tell.
+  std::string how_many(const BvhNode<double, 2>& node) const {
+    const auto &a = tree_.node(node.first).box, &b = tree_.node(node.first + 1).box;
+    return fmt::format(
+        "The ray is {} + *t* {}. One child's box reaches from {} to {}, the other's from {} to {}. How many of the two "
+        "children does it meet?",
+        coordinates(ray_.origin), coordinates(ray_.direction), coordinates(a.lo), coordinates(a.hi), coordinates(b.lo),
+        coordinates(b.hi));
   }
 
   void farther(const Pruned& e) {

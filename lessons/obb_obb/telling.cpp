@@ -116,14 +116,20 @@ void Teller::say(const Group& group, const std::vector<Compared>& all) {
 }
 
 viz::Question Teller::question(const Group& group, const Compared& e) const {
-  if (group.kind != Kind::face_of_a)
-    return {fmt::format("What follows, once {} are tested?", group.of),
-            {"DISJOINT", "OVERLAP", "nothing yet"},
-            e.separates                 ? 0
-            : group.kind == Kind::edges ? 1
-                                        : 2,
-            e.separates ? "On one axis of this group |**n** · **l**| > *r*_a + *r*_b."
-                        : "On each axis of this group |**n** · **l**| ≤ *r*_a + *r*_b, as the test computes."};
+  if (group.kind != Kind::face_of_a) {
+    const double d = e.distance.value, r_a = e.radius_a.value, r_b = e.radius_b.value;
+    return {
+        fmt::format("Of {}, **n** = {} has a gap, or comes nearest to one. What follows, once they are tested?",
+                    group.of, name_of(e.axis)),
+        {"DISJOINT", "OVERLAP", "nothing yet"},
+        e.separates                 ? 0
+        : group.kind == Kind::edges ? 1
+                                    : 2,
+        e.separates ? "On one axis of this group |**n** · **l**| > *r*_a + *r*_b."
+                    : "On each axis of this group |**n** · **l**| ≤ *r*_a + *r*_b, as the test computes.",
+        {},
+        {{"*d* = |**n** · **l**|", d, "length", Role::highlight}, {"*r*_a + *r*_b", r_a + r_b, "length", Role::text}}};
+  }
   // All half sides in full, the circumscribed ball, the longest side alone, and the sum without absolute values.
   const Vec3 along = s_.b.axes.transpose() * s_.a.axes.col(e.axis.i);
   const Vec3& h = s_.b.half;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lessons/picking/picture.h"
+#include "lessons/shared/digits.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
@@ -93,9 +94,27 @@ class Teller {
                                  left, s_.size(), left == 1 ? "is" : "are")) +
             cost);
     s.decides = true;
-    s.question = {"How many objects need a closer look?", {}, left, "Those whose bounding ball the ray meets."};
+    s.question = {fmt::format("The bounding balls' radii, and how far their centres are off the ray: {}. How many "
+                              "objects need a closer look?",
+                              radii_and_distances()),
+                  {},
+                  left,
+                  "Those whose bounding ball the ray meets."};
     for (int i = 0; i <= s_.size(); ++i) s.question->choices.push_back(std::to_string(i));
     keep_picture(script_.walk());
+  }
+
+  /// "1.5 and 0.3 (the crate), ..."
+  std::string radii_and_distances() const {
+    std::string all;
+    for (int i = 0; i < s_.size(); ++i) {
+      const Sphere<double, 3>& ball = s_.balls[i];
+      const Vec3 d = s_.ray.direction, l = ball.center - s_.ray.origin;
+      const double off = (l - std::max(l.dot(d) / d.squaredNorm(), 0.0) * d).norm();
+      all += fmt::format("{}{} and {} ({})", i > 0 ? ", " : "", digits(ball.radius, off), digits(off, ball.radius),
+                         name(i));
+    }
+    return all;
   }
 
   void object(int i) {
@@ -118,7 +137,8 @@ class Teller {
     if (t && had)
       Script::decide(s, {"*t* < smallest *t*", *t, before, first, first ? "nearer" : tie ? "a tie" : "farther"});
     // misconceptions: the last one met is kept; a bounding ball that is met is enough
-    Question q = {fmt::format("The ray meets the bounding ball of {}. Which object is kept then?", name(i)),
+    Question q = {fmt::format("The ray meets the bounding ball of {}{}. Which object is kept then?", name(i),
+                              t ? "" : ", but not the object itself"),
                   {},
                   0,
                   !t ? "It misses the object itself." : "Its *t* is compared with the smallest so far."};
@@ -127,6 +147,7 @@ class Teller {
     q.choices.emplace_back("none yet");
     const std::string kept = known_.kept < 0 ? "none yet" : name(known_.kept);
     q.answer = static_cast<int>(std::ranges::find(q.choices, kept) - q.choices.begin());
+    if (t) q.given = {{fmt::format("*t* of {}", name(i)), *t, "t", Role::text}};
     s.question = q;
   }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lessons/ray_tracing/picture.h"
+#include "lessons/shared/digits.h"
 #include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
@@ -71,9 +72,11 @@ class Teller {
 
   void closest() {
     int met = 0;
+    std::vector<Value> given;
     for (const Object& o : s_.world.objects)
       if (const std::optional<double> t = first_hit(s_.ray, o.shape)) {
         ++met;
+        given.push_back({std::string("*t* of ") + o.name, *t, "t", o.role});
         script_.value(std::string("*t* of ") + o.name, *t, "t", o.role);
       }
     shown_.hits = true;
@@ -89,7 +92,12 @@ class Teller {
                           met),
         s_.traced.hit ? "*t* = " + shown(s_.traced.hit->t) : "");
     s.decides = true;
-    Question q = {"What does the pixel show?", {}, 0, "The object hit at the smallest *t* ≥ 0."};
+    Question q = {
+        met > 0 ? "What does the pixel show?" : "The ray meets none of the objects. What does the pixel show?",
+        {},
+        0,
+        "The object hit at the smallest *t* ≥ 0."};
+    q.given = std::move(given);
     for (const Object& o : s_.world.objects) q.choices.emplace_back(o.name);
     q.choices.emplace_back("the sky");
     q.answer = s_.traced.hit ? s_.traced.hit->primitive : static_cast<int>(s_.world.objects.size());
@@ -112,7 +120,9 @@ class Teller {
         s, {"**n** · **l** ≤ 0", cosine, 0, away, away ? "it does not face the light" : "it faces the light source"});
     // misconception: what faces the light is lit
     s.question =
-        Question{"**n** points away from the surface, **l** to the light source. What does **n** · **l** tell?",
+        Question{fmt::format("**n** = {} points away from the surface, **l** = {} to the light source. What does "
+                             "**n** · **l** tell?",
+                             coordinates(s_.traced.normal), coordinates(s_.traced.to_lamp.normalized())),
                  {"dim: it faces away", "a shadow ray is needed", "lit: it faces the light source"},
                  away ? 0 : 1,
                  "The sign of **n** · **l** decides."};
@@ -148,8 +158,8 @@ class Teller {
     s.decides = true;
     // misconceptions: the ray goes on beyond the light; every object counts
     s.question = which_value(
-        fmt::format("How many {}objects does the segment from the point to the light source meet?",
-                    s_.start == ShadowRay::naive ? "" : "other "),
+        fmt::format("How many {}objects does the segment from the point {} to the light source, {}, meet?",
+                    s_.start == ShadowRay::naive ? "" : "other ", coordinates(s_.traced.point), coordinates(s_.lamp)),
         between(1),
         {1.0 * between(INFINITY), between(1) > 0 ? 0.0 : 1.0, static_cast<double>(s_.world.objects.size()) - 1},
         "The range is 0 ≤ *t* ≤ 1. The search may stop at the first one found.");

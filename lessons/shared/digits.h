@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 
 #include "viz/lesson.h"
@@ -9,6 +11,14 @@ namespace isect::lessons {
 /// As many digits as tell the number from `other`.
 inline std::string digits(double x, double other) {
   return x != other && viz::shown(x) == viz::shown(other) ? viz::to_text(x) : viz::shown_with_sign(x);
+}
+
+/// "(−2, 1.5)", as shown.
+inline std::string coordinates(const viz::Vec2& p) {
+  return fmt::format("({}, {})", viz::shown(p.x()), viz::shown(p.y()));
+}
+inline std::string coordinates(const viz::Vec3& p) {
+  return fmt::format("({}, {}, {})", viz::shown(p.x()), viz::shown(p.y()), viz::shown(p.z()));
 }
 
 /// As shown, but a power of ten without its factor 1: "10⁻⁶".

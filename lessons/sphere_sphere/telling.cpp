@@ -87,6 +87,10 @@ class Teller {
     Script::decide(step,
                    {"*d*^2 < *R*^2", d2, s2, near, near ? "the note returns OVERLAP" : "the note returns DISJOINT"});
     step.question = relation_question(s_.truth, "the two balls", because());
+    const Ball3 a = s_.tested(s_.a), b = s_.tested(s_.b);  // where squares leave the range, these do not
+    step.question->given = {{"*d*", (b.center - a.center).stableNorm(), "length", Role::highlight},
+                            {"*r*_a", a.radius, "length", Role::first},
+                            {"*r*_b", b.radius, "length", Role::second}};
     if (!near) script_.refuse(3, {4});
 
     script_.settle(verdict_kind(s_.truth), words(s_.truth, "the balls"));
