@@ -42,6 +42,7 @@ void change(Excerpt& to, const std::vector<std::string>& changes) {
 
 /// The objects of a file and what it asks of them.
 Excerpt from_scene(const std::string& text, const PresetFile& file) {
+  const SaidLater busy = deciding(file.path);
   Excerpt e;
   e.lesson = scene::naming_scene(
       file.path, [&] { return &scene::kept_lesson_of(text, fs::path(file.path).parent_path().string()); });
@@ -72,6 +73,7 @@ Excerpt from_scene_for(const viz::Lesson& lesson, const std::string& method, con
   try {
     Excerpt e;
     const std::string text = read_named_file(file.path);
+    const SaidLater busy = deciding(file.path);
     e.lesson = scene::naming_scene(file.path, [&] {
       return &scene::kept_walks_of(lesson, method, text, fs::path(file.path).parent_path().string());
     });

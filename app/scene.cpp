@@ -44,7 +44,10 @@ int tell(const SceneOptions& options) {
     const viz::Parameters to = changed(scene::without_steps(file), file.parameters, options.asked.changes);
     scene::File asked = file;
     asked.parameters = to;
-    const scene::Json all = scene::answers(asked);
+    const scene::Json all = [&] {
+      const SaidLater busy = deciding(options.path);
+      return scene::answers(asked);
+    }();
     if (!options.save.empty()) save(options, text, file, to);
     for (const scene::Object& o : file.objects)
       if (!o.note.empty()) say(fmt::format("{}: {}: {}", options.path, o.name, o.note));

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -77,6 +78,19 @@ void end_by_closed_pipe() {
 
 // Nothing is left to be done where even stderr is closed.
 void say(const std::string& line) { write_all(STDERR_FILENO, line + "\n"); }
+
+SaidLater::SaidLater(std::string line, bool wanted) {
+  if (!wanted) return;
+  thread_ = std::jthread([this, text = std::move(line)](const std::stop_token& ended) {
+    std::unique_lock lock(mutex_);
+    wake_.wait_for(lock, ended, std::chrono::seconds(1), [] { return false; });
+    if (!ended.stop_requested()) say(text);
+  });
+}
+
+SaidLater deciding(const std::string& scene) {
+  return SaidLater(scene + ": what it asks is being decided, exactly; Ctrl+C ends that", is_terminal(STDERR_FILENO));
+}
 
 bool is_terminal(int descriptor) { return ::isatty(descriptor) == 1; }
 

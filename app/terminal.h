@@ -1,7 +1,10 @@
 #pragma once
 // What goes to the terminal: data to stdout, talk to stderr, colour and progress only where somebody looks.
 
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace isect::program {
 
@@ -20,6 +23,20 @@ void print(const std::string& data);
 [[noreturn]] void end_by_closed_pipe();
 /// Talk: one line on stderr.
 void say(const std::string& line);
+
+/// Says a line after a second, unless it ends before or is not `wanted`: what takes long is told.
+class SaidLater {
+ public:
+  explicit SaidLater(std::string line, bool wanted = true);
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::jthread thread_;  // the last one, as it uses the others
+};
+
+/// Says so of the answers that a scene asks for, where somebody looks.
+SaidLater deciding(const std::string& scene);
 
 bool is_terminal(int descriptor);
 /// Colours on stdout: on a terminal that has them, unless NO_COLOR is set.

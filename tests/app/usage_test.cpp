@@ -1,5 +1,9 @@
 // The command line as a whole: help, version, wrong words, streams, and the programs of single lessons.
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 
@@ -77,6 +81,28 @@ TEST_CASE("colours are for terminals, and not with NO_COLOR", "[program]") {
   CHECK_THAT(in_terminal("TERM=xterm"), Contains("relations") && Contains("\x1b[1m"));
   CHECK_THAT(in_terminal("TERM=xterm NO_COLOR=1"), Contains("relations") && !Contains("\x1b"));
   CHECK_THAT(in_terminal("TERM=dumb"), Contains("relations") && !Contains("\x1b"));
+}
+
+TEST_CASE("a scene whose answers take long is said to be decided, where somebody looks, and ends when told",
+          "[program]") {
+  const Shell shell;
+  std::string objects;  // 19,900 pairs of hulls of 40 points
+  for (int i = 0; i < 200; ++i) {
+    std::string points;
+    for (int k = 0; k < 40; ++k)
+      points += fmt::format("{}[{}, {}, {}]", k == 0 ? "" : ", ", 7 * i % 31 + 3 * std::cos(k + i),
+                            5 * i % 23 + 3 * std::sin(2 * k + i), 3 * std::cos(3 * k - i));
+    objects += fmt::format("{}{{\"hull\": \"h{}\", \"points\": [{}]}}", i == 0 ? "" : ",\n", i, points);
+  }
+  isect::test::write(shell.work() / "hulls.json", "{\"objects\": [" + objects + "], \"ask\": \"all pairs\"}");
+  for (const std::string command : {"isect scene hulls.json", "isect show hulls.json"}) {
+    INFO(command);
+    const Ran seen = shell("script -qec 'timeout 3 " + command + "' /dev/null");
+    CHECK_THAT(seen.out, Contains("hulls.json: what it asks is being decided"));
+    const Ran piped = shell("timeout 3 " + command);
+    CHECK(piped.status == 124);  // ended by SIGTERM
+    CHECK(piped.err.empty());
+  }
 }
 
 TEST_CASE("without a display the window says what to do instead", "[program]") {
