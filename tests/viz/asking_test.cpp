@@ -63,59 +63,65 @@ std::ptrdiff_t findings(const Scene& scene) {
   });
 }
 
+/// At every step that has a question, of all lessons with all presets: ask(walk, its number). It is never the first.
+template <class Ask>
+void at_each_question(const Ask& ask) {
+  for (const Lesson* lesson : lessons::all_lessons())
+    for (const Preset& preset : lesson->presets) {
+      const Walk walk = lesson->walk(preset.parameters);
+      for (int k = 0; k < static_cast<int>(walk.steps.size()); ++k) {
+        const Step& step = walk.steps[static_cast<std::size_t>(k)];
+        if (!step.question) continue;
+        INFO(lesson->id << " " << preset.id << ", " << step.slug << ": " << plain(step.question->prompt));
+        REQUIRE(k > 0);
+        ask(walk, k);
+      }
+    }
+}
+
+const Step& step_of(const Walk& walk, int k) { return walk.steps[static_cast<std::size_t>(k)]; }
+
 }  // namespace
 
 TEST_CASE("a question lights what its own step is about, and tells no hit and no miss before its answer", "[player]") {
   int asked = 0, lit = 0;
-  for (const Lesson* lesson : lessons::all_lessons())
-    for (const Preset& p : lesson->presets) {
-      const Walk walk = lesson->walk(p.parameters);
-      for (std::size_t i = 1; i < walk.steps.size(); ++i) {
-        const Step& step = walk.steps[i];
-        if (!step.question) continue;
-        INFO(lesson->id << " " << p.id << ", " << step.slug);
-        ++asked;
-        const Scene scene = question_scene(walk, static_cast<int>(i));
-        CHECK(findings(scene) <= findings(walk.steps[i - 1].scene));
-        if (step.question->over || step.scene.chart) continue;
-        const auto wanted = std::ranges::count_if(step.scene.items, is_lit);
-        CHECK(std::ranges::count_if(scene.items, is_lit) == wanted);
-        lit += wanted > 0;
-      }
-    }
+  at_each_question([&](const Walk& walk, int k) {
+    const Step& step = step_of(walk, k);
+    ++asked;
+    const Scene scene = question_scene(walk, k);
+    CHECK(findings(scene) <= findings(step_of(walk, k - 1).scene));
+    if (step.question->over || step.scene.chart) return;
+    const auto wanted = std::ranges::count_if(step.scene.items, is_lit);
+    CHECK(std::ranges::count_if(scene.items, is_lit) == wanted);
+    lit += wanted > 0;
+  });
   CHECK(asked > 500);
   CHECK(lit > 100);
 }
 
 TEST_CASE("while a question is open, all on show is of its own step, or was given with it", "[asking]") {
   int asked = 0, shown_values = 0;
-  for (const Lesson* lesson : lessons::all_lessons())
-    for (const Preset& preset : lesson->presets) {
-      const Walk walk = lesson->walk(preset.parameters);
-      for (int k = 1; k < static_cast<int>(walk.steps.size()); ++k) {
-        const Step &step = walk.steps[static_cast<std::size_t>(k)], &last = walk.steps[static_cast<std::size_t>(k) - 1];
-        if (!step.question) continue;
-        INFO(lesson->id << " " << preset.id << ", " << step.slug << ": " << step.question->prompt);
-        ++asked;
-        const Step shown = asking_step(walk, k);
-        CHECK((shown.title.empty() && shown.caption.empty() && shown.formula.empty()));
-        CHECK(shown.line == -1);
-        CHECK_FALSE(shown.comparison);
-        for (const Value& value : shown.values) {
-          INFO(value.name << " = " << value.value);
-          ++shown_values;
-          CHECK_FALSE(value.fresh);
-          const auto is_it = [&](const Value& v) {
-            return v.name == value.name && (v.value == value.value || std::isnan(value.value));
-          };
-          const bool given = std::ranges::any_of(step.question->given, is_it);
-          CHECK((given || (std::ranges::any_of(step.values, is_it) && std::ranges::any_of(last.values, is_it))));
-        }
-        for (const int line : shown.refused) CHECK((line != step.line && std::ranges::count(step.refused, line) > 0));
-        for (const int line : shown.untaken) CHECK((line != step.line && std::ranges::count(step.untaken, line) > 0));
-        CHECK((shown.verdict.text.empty() || shown.verdict.text == step.verdict.text));
-      }
+  at_each_question([&](const Walk& walk, int k) {
+    const Step &step = step_of(walk, k), &last = step_of(walk, k - 1);
+    ++asked;
+    const Step shown = asking_step(walk, k);
+    CHECK((shown.title.empty() && shown.caption.empty() && shown.formula.empty()));
+    CHECK(shown.line == -1);
+    CHECK_FALSE(shown.comparison);
+    for (const Value& value : shown.values) {
+      INFO(value.name << " = " << value.value);
+      ++shown_values;
+      CHECK_FALSE(value.fresh);
+      const auto is_it = [&](const Value& v) {
+        return v.name == value.name && (v.value == value.value || std::isnan(value.value));
+      };
+      const bool given = std::ranges::any_of(step.question->given, is_it);
+      CHECK((given || (std::ranges::any_of(step.values, is_it) && std::ranges::any_of(last.values, is_it))));
     }
+    for (const int line : shown.refused) CHECK((line != step.line && std::ranges::count(step.refused, line) > 0));
+    for (const int line : shown.untaken) CHECK((line != step.line && std::ranges::count(step.untaken, line) > 0));
+    CHECK((shown.verdict.text.empty() || shown.verdict.text == step.verdict.text));
+  });
   CHECK(asked >= 583);
   CHECK(shown_values > 500);
 }
@@ -230,33 +236,25 @@ const std::vector<std::pair<std::string, double (*)(const OnShow&)>>& ways() {
 
 TEST_CASE("an answer that is a computed number follows from what is on show while its question is open", "[asking]") {
   int computed = 0;
-  for (const Lesson* lesson : lessons::all_lessons())
-    for (const Preset& preset : lesson->presets) {
-      const Walk walk = lesson->walk(preset.parameters);
-      for (int k = 1; k < static_cast<int>(walk.steps.size()); ++k) {
-        const Step& step = walk.steps[static_cast<std::size_t>(k)];
-        if (!step.question) continue;
-        const Question& question = *step.question;
-        std::vector<double> choices;
-        for (const std::string& choice : question.choices)
-          if (const auto x = number_in(plain(choice))) choices.push_back(*x);
-        const bool counts = std::ranges::all_of(choices, [](double x) { return x == std::round(x); });
-        if (choices.size() != question.choices.size() || counts) continue;
-        const std::string prompt = plain(question.prompt);
-        INFO(lesson->id << " " << preset.id << ", " << step.slug << ": " << prompt);
-        const auto way =
-            std::ranges::find_if(ways(), [&](const auto& w) { return prompt.find(w.first) != prompt.npos; });
-        REQUIRE(way != ways().end());
-        OnShow on_show = {numbers_in(prompt), {}, {}};
-        for (const std::string& line : walk.pseudocode) on_show.code += line + "\n";
-        for (const Value& value : asking_step(walk, k).values) on_show.values[plain(value.name)] = value.value;
-        const double found = way->second(on_show);
-        CAPTURE(found);
-        const auto nearest = std::ranges::min_element(choices, {}, [&](double x) { return std::abs(x - found); });
-        CHECK(nearest - choices.begin() == question.answer);
-        ++computed;
-      }
-    }
+  at_each_question([&](const Walk& walk, int k) {
+    const Question& question = *step_of(walk, k).question;
+    std::vector<double> choices;
+    for (const std::string& choice : question.choices)
+      if (const auto x = number_in(plain(choice))) choices.push_back(*x);
+    const bool counts = std::ranges::all_of(choices, [](double x) { return x == std::round(x); });
+    if (choices.size() != question.choices.size() || counts) return;
+    const std::string prompt = plain(question.prompt);
+    const auto way = std::ranges::find_if(ways(), [&](const auto& w) { return prompt.find(w.first) != prompt.npos; });
+    REQUIRE(way != ways().end());
+    OnShow on_show = {numbers_in(prompt), {}, {}};
+    for (const std::string& line : walk.pseudocode) on_show.code += line + "\n";
+    for (const Value& value : asking_step(walk, k).values) on_show.values[plain(value.name)] = value.value;
+    const double found = way->second(on_show);
+    CAPTURE(found);
+    const auto nearest = std::ranges::min_element(choices, {}, [&](double x) { return std::abs(x - found); });
+    CHECK(nearest - choices.begin() == question.answer);
+    ++computed;
+  });
   CHECK(computed > 60);
 }
 
@@ -541,24 +539,18 @@ TEST_CASE("every question can be answered without its picture", "[asking]") {
 
 TEST_CASE("no number on show bears the name that is asked for", "[asking]") {
   int told_by_the_step = 0;
-  for (const Lesson* lesson : lessons::all_lessons())
-    for (const Preset& preset : lesson->presets) {
-      const Walk walk = lesson->walk(preset.parameters);
-      for (int k = 1; k < static_cast<int>(walk.steps.size()); ++k) {
-        const Step& step = walk.steps[static_cast<std::size_t>(k)];
-        if (!step.question) continue;
-        const std::string prompt = plain(step.question->prompt);
-        const auto asks_for = [&](const Value& value) {
-          const std::string name = plain(value.name);
-          return prompt.find("What is " + name + "?") != prompt.npos ||
-                 prompt.find("What is the " + name + "?") != prompt.npos ||
-                 prompt.find("What is the discriminant " + name) != prompt.npos;
-        };
-        INFO(lesson->id << " " << preset.id << ", " << step.slug << ": " << prompt);
-        CHECK(std::ranges::none_of(asking_step(walk, k).values, asks_for));
-        told_by_the_step += std::ranges::any_of(step.values, asks_for);
-      }
-    }
+  at_each_question([&](const Walk& walk, int k) {
+    const Step& step = step_of(walk, k);
+    const std::string prompt = plain(step.question->prompt);
+    const auto asks_for = [&](const Value& value) {
+      const std::string name = plain(value.name);
+      return prompt.find("What is " + name + "?") != prompt.npos ||
+             prompt.find("What is the " + name + "?") != prompt.npos ||
+             prompt.find("What is the discriminant " + name) != prompt.npos;
+    };
+    CHECK(std::ranges::none_of(asking_step(walk, k).values, asks_for));
+    told_by_the_step += std::ranges::any_of(step.values, asks_for);
+  });
   CHECK(told_by_the_step > 40);
 }
 
@@ -858,21 +850,16 @@ TEST_CASE("N and a button let play pass over questions, and that is kept", "[win
 
 TEST_CASE("the t-axis of a question's picture marks no t that its own step finds", "[asking]") {
   int kept_back = 0;
-  for (const Lesson* lesson : isect::lessons::all_lessons())
-    for (const Preset& preset : lesson->presets) {
-      const Walk walk = lesson->walk(preset.parameters);
-      for (std::size_t k = 1; k < walk.steps.size(); ++k) {
-        const Step& step = walk.steps[k];
-        const std::optional<Axis>& before = walk.steps[k - 1].scene.axis;
-        if (!step.question || step.question->over || !step.scene.axis || !before) continue;
-        CAPTURE(lesson->id, preset.id, k + 1);
-        const Scene asked = question_scene(walk, static_cast<int>(k));
-        REQUIRE(asked.axis);
-        CHECK(asked.axis->ticks.size() == before->ticks.size());
-        CHECK(asked.axis->shared == before->shared);
-        kept_back += step.scene.axis->ticks.size() > before->ticks.size() || step.scene.axis->shared != before->shared;
-      }
-    }
+  at_each_question([&](const Walk& walk, int k) {
+    const Step& step = step_of(walk, k);
+    const std::optional<Axis>& before = step_of(walk, k - 1).scene.axis;
+    if (step.question->over || !step.scene.axis || !before) return;
+    const Scene asked = question_scene(walk, k);
+    REQUIRE(asked.axis);
+    CHECK(asked.axis->ticks.size() == before->ticks.size());
+    CHECK(asked.axis->shared == before->shared);
+    kept_back += step.scene.axis->ticks.size() > before->ticks.size() || step.scene.axis->shared != before->shared;
+  });
   CHECK(kept_back > 0);
 }
 
