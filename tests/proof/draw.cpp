@@ -301,8 +301,7 @@ class Drawing {
       bool collapsed = false;
       for (std::size_t i = 0; i < p.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) collapsed |= p[i] == p[j];
-      // Steps of the grid that stay apart keep an outline simple.
-      if (collapsed || !distinct_steps(p)) continue;
+      if (collapsed || edges_cross(p)) continue;
       const double height = coordinate();
       for (Place& q : p) q[2] = height;
       const int turn = whole(0, 2);
@@ -310,8 +309,7 @@ class Drawing {
       return {{"polygon", ""}, {"points", list(p)}};
     }
   }
-  static bool distinct_steps(const Places& p) { return !edges_cross(p); }
-  /// In long double, which may reject one that is simple, and takes none that is not on these grids.
+  /// In long double, which may say so of an outline that is simple, and of these grids misses none that is not.
   static bool edges_cross(const Places& p) {
     const auto turn = [](const Place& a, const Place& b, const Place& c) {
       const auto scaled = [](double x, double y) { return static_cast<long double>(x) - y; };

@@ -1,11 +1,11 @@
-// A million random pairs of objects, asked as a user does, through a scene's text, and judged by rationals that share
-// no code with the core.
+// Random pairs of objects, asked as a user does, through a scene's text, and judged by rationals that share no code
+// with the core.
 //
 //    scene_pairs [PAIRS]
 //
-// ISECT_SEED and ISECT_LONG are as for the other tests. Each verdict in words, each t and each relation is compared.
-// What is wrong or not decided is printed as a scene of one line that `isect scene` reads, with the truth. Exit: 1 if
-// there is any.
+// PAIRS: 4,000 if not given, with ISECT_LONG a million. ISECT_SEED is as for the other tests. Each verdict in words,
+// each t and each relation is compared. What is wrong or not decided is printed as a scene of one line that `isect
+// scene` reads, with the truth. Exit: 1 if there is any.
 
 #include <algorithm>
 #include <cstdio>

@@ -239,7 +239,7 @@ Points near(const Thing& line, const Points& other) {
   return {at(line, lo), at(line, hi)};
 }
 
-/// Each side of z as a round or pointed convex set.
+/// The corners of what is convex; of a line, the ends of a part that is as near to the other.
 Points as_points(const Thing& t, const Points& other) { return t.kind == Kind::line ? near(t, other) : t.points; }
 
 bool near_enough(const Points& a, const Points& b, const Rational& radius) {
