@@ -9,19 +9,19 @@
 #include <isect/point_polygon.h>
 #include "app/scene/objects.h"
 #include "app/scene/shapes.h"
+#include "lessons/shared/parameters.h"
 
 namespace isect::program::scene {
 
 namespace {
 
+using lessons::unit;
 using viz::Role;
 using viz::Vec3;
 using Kind = FieldSpec::Kind;
 using Items = std::vector<viz::Item>;
 
 constexpr int round_corners = 48;  ///< of a capsule's outline
-
-Vec3 unit(const Vec3& v) { return v.stableNormalized(); }
 
 /// A vector of length 1 across `v`.
 Vec3 across(const Vec3& v, bool flat) {
