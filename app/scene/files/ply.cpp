@@ -82,6 +82,8 @@ class PlyReader {
 
   void element() {
     PlyElement e = {std::string(text_.word())};
+    if (std::ranges::find(elements_, e.name, &PlyElement::name) != elements_.end())
+      text_.refuse(fmt::format("two elements are called {}", in_quotes(e.name)));
     e.count = text_.whole(text_.word());
     if (e.count < 0 || e.count > static_cast<long>(most_in_file))
       text_.refuse(fmt::format("{} elements, and {} are the most", e.count, most_in_file));
@@ -96,6 +98,8 @@ class PlyReader {
     if (word == "list") p.counted_by = type(text_.word()), word = text_.word();
     p.type = type(word);
     p.name = text_.word();
+    if (std::ranges::find(e.properties, p.name, &PlyProperty::name) != e.properties.end())
+      text_.refuse(fmt::format("two properties are called {}", in_quotes(p.name)));
     if (p.counted_by && (*p.counted_by == PlyType::float32 || *p.counted_by == PlyType::float64))
       text_.refuse("a list that is counted by no whole number");
     if (is_corners(p) && e.name != "face" && e.name != "tristrips")
