@@ -226,6 +226,8 @@ class ObjectReader {
     if (o.type == Type::polygon) become_outlines(shape, file, path);
     if (o.type == Type::mesh) o.fixed.triangles = shape.triangles;
     o.note = shape.note;
+    if (o.type == Type::mesh && !shape.note_of_faces.empty())
+      o.note = shape.note_of_faces + (o.note.empty() ? "" : " " + o.note);
     take_along(shape, file, o.type);
     std::vector<std::vector<viz::Vec3>> rings;
     auto from = shape.points.begin();
@@ -242,7 +244,6 @@ class ObjectReader {
       std::vector<viz::Vec3> corners;
       for (const int i : shape.only_face) corners.push_back(shape.points[static_cast<std::size_t>(i)]);
       shape.points = std::move(corners);
-      shape.note.clear();
     }
     if (shape.points.size() < 3) source_.refuse(path, file + " holds fewer than three points");
   }

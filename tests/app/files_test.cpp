@@ -81,9 +81,9 @@ void check_reading(const ShapeFile& shape, const Json& expected) {
   } else {
     CHECK(Json(shape.triangles) == expected.value("triangles", Json::array()));
   }
-  const std::string note = expected.value("note", "");
-  CHECK_THAT(shape.note, Contains(note));
-  CHECK(shape.note.empty() == note.empty());
+  const std::string note = expected.value("note", ""), told = shape.note_of_faces + shape.note;
+  CHECK_THAT(told, Contains(note));
+  CHECK(told.empty() == note.empty());
 }
 
 // Random shapes, written in every dialect. Coordinates are eighths, which are floats.
@@ -464,7 +464,7 @@ TEST_CASE("a face with holes and notches is cut into triangles of its area, exac
     INFO(bytes);
     const ShapeFile shape = read_shape(bytes, "face.obj");
     CHECK(area(shape) == expected);
-    CHECK(shape.note.empty());
+    CHECK((shape.note.empty() && shape.note_of_faces.empty()));
   }
 }
 
@@ -585,6 +585,9 @@ TEST_CASE("what a file holds beyond its shape, or not as it may be meant, is tol
   CHECK_THAT(ran.err, Contains("s.json: M: The corners of a face (the first: line 6) lie up to ") &&
                           Contains("off one plane") && Contains("left out (the first: line 5)"));
   CHECK_THAT(shell("isect explain s.json --step 1").out, Contains("off one plane"));
+  write(shell.work() / "face.obj", "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nl 1 2\nf 1 2 3 4\n");
+  write(shell.work() / "o.json", R"({"objects": [{"polygon": "P", "file": "face.obj"}]})");
+  CHECK_THAT(shell("isect scene o.json").err, Contains("o.json: P: A point or a line has no area, and is left out"));
   write(shell.work() / "two.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 0))\nPOLYGON ((2 0, 6 0, 6 4, 2 0))\n");
   write(shell.work() / "p.json", R"({"objects": [{"polygon": "P", "file": "two.wkt"}, {"point": "p", "at": [3, 0.5]}],
     "ask": [["p", "P"]]})");

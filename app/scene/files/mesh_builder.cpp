@@ -134,19 +134,17 @@ void MeshBuilder::cut(const Face& face, const int* corners, std::size_t count) {
 }
 
 void MeshBuilder::add_notes() {
-  const auto say = [&](const std::string& sentence) { mesh_.note += (mesh_.note.empty() ? "" : " ") + sentence; };
   if (bent_.count > 0)
-    say(
-        fmt::format("The corners of {} (the first: {} {}) lie up to {} off one plane: {} read as the triangles that {} "
-                    "cut into.",
-                    bent_.count == 1 ? "a face" : fmt::format("{} faces", bent_.count), places_.of_face, bent_.first,
-                    fmt::format("{:.2g}", farthest_off_), bent_.count == 1 ? "it is" : "they are",
-                    bent_.count == 1 ? "it is" : "they are"));
+    mesh_.note_of_faces = fmt::format(
+        "The corners of {} (the first: {} {}) lie up to {:.2g} off one plane: {} read as the triangles that {} cut "
+        "into.",
+        bent_.count == 1 ? "a face" : fmt::format("{} faces", bent_.count), places_.of_face, bent_.first, farthest_off_,
+        bent_.count == 1 ? "it is" : "they are", bent_.count == 1 ? "it is" : "they are");
   if (left_out_.count > 0)
-    say(fmt::format(
+    mesh_.note = fmt::format(
         "{} no area, and {} left out (the first: {} {}).",
         left_out_.count == 1 ? "A point or a line has" : fmt::format("{} points and lines have", left_out_.count),
-        left_out_.count == 1 ? "is" : "are", places_.of_face, left_out_.first));
+        left_out_.count == 1 ? "is" : "are", places_.of_face, left_out_.first);
 }
 
 }  // namespace isect::program::scene

@@ -21,6 +21,7 @@ struct ShapeFile {
   std::vector<int> rings;                     ///< of polygons: how many of the points each outline has, in order
   bool flat = false;                          ///< two coordinates a point
   std::string note;                           ///< what is read otherwise than it may be meant, as plain sentences
+  std::string note_of_faces;                  ///< the same of faces that are cut, where the triangles are used
 };
 
 /// The most points, and the most triangles, of a file.
