@@ -18,7 +18,8 @@ bool headings_stand_clear(const Figure& figure, const Theme& theme) {
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Text* const text = std::get_if<Text>(&shapes[i]);
     if (!text || text->object == no_object || figure.drawing.objects.at(text->object).kind != "heading") continue;
-    if (text->bold && stands_on_line(shapes, i, theme)) return false;  // names and numbers stand where they belong
+    const bool is_number = text->markup.find_first_not_of("0123456789") == std::string::npos;
+    if (text->bold && !is_number && stands_on_line(shapes, i, theme)) return false;  // others stand where they belong
     headings.push_back(measure(*text));
   }
   for (const TextBox& a : headings)

@@ -103,6 +103,14 @@ TEST_CASE("figures of a strip are equally large: their letters stand in rows and
     }
 }
 
+TEST_CASE("numbers at the ends of their lines take no column from a strip", "[strip]") {
+  const Shell shell;
+  const std::string svg = shell("isect strip concave-polygon --format svg --labels text --out -").out;
+  const std::size_t height = svg.find(" height=\"");
+  REQUIRE(height != svg.npos);
+  CHECK(std::stod(svg.substr(height + 9)) < 29.7 / 2.54 * 72);  // of a page
+}
+
 TEST_CASE("strips and animations stay when the steps beside them are rendered again", "[strip]") {
   const Shell shell;
   REQUIRE(shell("isect strip ray-sphere --step 2-3").status == 0);
