@@ -123,8 +123,16 @@ class PairAnswers {
 constexpr std::ptrdiff_t most_steps_of_pairs = 200;
 /// So many of their answers in full.
 constexpr std::size_t most_told = 12;
+/// On the card of all answers.
+constexpr std::size_t most_rows = 36;
 
 class Walker {
+  /// An answer on the card.
+  struct Row {
+    std::string head, text;  ///< markup
+    bool says_no;
+  };
+
  public:
   Walker(const File& file, const viz::Parameters& parameters)
       : context_{file, {parameters, file.flat}, room({parameters, file.flat}, file.objects)},
@@ -241,7 +249,8 @@ class Walker {
     step.verdict = answer.verdict, step.values = answer.values;
     step.scene = picture(answer.lit);
     std::ranges::move(answer.items, std::back_inserter(step.scene.items));
-    rows_.push_back({step.title, answer.verdict.text + (answer.formula.empty() ? "" : ": " + answer.formula)});
+    rows_.push_back({step.title, answer.verdict.text + (answer.formula.empty() ? "" : ": " + answer.formula),
+                     answer.verdict.kind == viz::Verdict::Kind::no});
     return step;
   }
 
@@ -252,7 +261,7 @@ class Walker {
     rows_.push_back({!asked.many.empty() ? asked.lesson + ", step by step"
                      : one               ? a.name + ", step by step"
                                          : fmt::format("{} and {}, step by step", a.name, b.name),
-                     answered(context_, asked).verdict.text});
+                     answered(context_, asked).verdict.text, false});
     if (!asked.many.empty()) return add_of_many(asked, to);
     const LessonWalk& pair = *walk_of(a.type, b.type, context_.file.flat, one, asked.lesson);
     viz::Walk walk = naming_question(asked, [&] { return scene::walk(pair, context_.setting, a, b); });
@@ -322,20 +331,29 @@ class Walker {
     return all;
   }
 
+  /// Of many answers those that say that something is met, as far as they can be read on one card.
   viz::Step summary() const {
     viz::Step step;
     step.slug = "answers";
     step.title = "All answers";
     step.caption = "Each was decided exactly for the numbers of the scene.";
+    std::vector<Row> listed = rows_;
+    if (listed.size() > most_rows) {
+      std::erase_if(listed, &Row::says_no);
+      if (listed.empty()) listed = rows_;
+      listed.resize(std::min(listed.size(), most_rows));
+      step.caption += fmt::format("\nListed are {} of {}, those that meet something before others. Each has its step.",
+                                  listed.size(), rows_.size());
+    }
     viz::Card card;
-    for (const auto& [head, text] : rows_) card.rows.push_back({head, text});
+    for (const Row& row : listed) card.rows.push_back({row.head, row.text});
     step.scene.chart = std::make_shared<const viz::Chart>(viz::Chart{card});
     return step;
   }
 
   Context context_;
   std::vector<Role> roles_;  ///< of all objects, where none is asked about
-  std::vector<std::pair<std::string, std::string>> rows_;
+  std::vector<Row> rows_;
 };
 
 /// The knobs of the window: every number of the file.

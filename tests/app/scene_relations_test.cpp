@@ -11,6 +11,7 @@
 #include "app/scene/file.h"
 #include "app/scene/lesson.h"
 #include "tests/catch.h"
+#include "viz/chart.h"
 #include "viz/rich_text.h"
 
 namespace scene_relations_test {
@@ -305,6 +306,16 @@ TEST_CASE("of many pairs a step tells those of one object, and few have a step e
   CHECK_THAT(viz::plain(steps[1].caption), isect::test::Contains("b₀ and b₁ overlap."));
   CHECK(viz::plain(steps[59].verdict.text) == "b₅₈ and b₅₉ overlap");
   CHECK(scene::answers(scene::read_scene(row_of_boxes(60), "")).size() == 60 * 59 / 2);
+  // The last step's card has what can be read on it: of many answers those that meet something, and how many there are.
+  for (const auto& [walked, all] :
+       {std::pair{few.walk(few.presets[0].parameters), 190}, {many.walk(many.presets[0].parameters), 59}}) {
+    const viz::Step& last = walked.steps.back();
+    const auto& rows = std::get<viz::Card>(last.scene.chart->kind).rows;
+    CHECK((rows.size() > 10 && rows.size() <= 36));
+    for (const auto& row : rows)
+      CHECK_THAT(viz::plain(row.text), !isect::test::Contains("disjoint") && !isect::test::Contains("meets 0"));
+    CHECK_THAT(last.caption, isect::test::Contains(fmt::format("{} of {}", rows.size(), all)));
+  }
 }
 
 TEST_CASE("a moved object is asked anew, and all others stay as they were", "[scene]") {
