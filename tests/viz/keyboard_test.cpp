@@ -113,6 +113,21 @@ TEST_CASE("a refused number leaves the old one, and the reason stands below the 
   CHECK_FALSE(window.has("refused parameter r"));
 }
 
+TEST_CASE("a number out of range is refused in few words, of a vector that number alone", "[window]") {
+  Place place;
+  place.lesson = "ray-sphere";
+  WindowDriver window(lessons::all_lessons(), 1280, 1000, place, with_parameters());
+  window.frames(2);
+  const Setting before = window.player().parameters().at("origin");
+  type_into(window, "parameter origin.x", "1e308");
+  window.key(key::enter);
+  window.frames(2);
+  CHECK(window.player().parameters().at("origin") == before);
+  REQUIRE(window.has("refused parameter origin.x"));
+  const Rect told = window.rect("refused parameter origin.x");
+  CHECK(told.bottom - told.top < 60);  // in full it took six lines, and its end was cut
+}
+
 TEST_CASE("what changes nothing in this setting is pale, and says when it would", "[window]") {
   WindowDriver window(isect::lessons::all_lessons(), 1280, 800, place_at("bounding-volumes", "tilted"),
                       with_parameters());

@@ -61,6 +61,12 @@ std::optional<double> number_field(Session& s, const std::string& name, const Pa
   ImGui::SetNextItemWidth(r.width());
   if (s.typing.field == field) {
     const std::optional<double> number = typed(s, field);
+    if (number && !(p.lo <= *number && *number <= p.hi)) {
+      Parameter one = p;
+      one.initial = 0.0;  // of a vector it is this number alone that is wrong
+      s.refused = {field, with_minus_signs("give " + wanted(one)), s.player.revision()};
+      return std::nullopt;
+    }
     if (number) s.player.end_action(), s.player.remember("type");
     return number;
   }
