@@ -6,8 +6,8 @@
 // axes as its normal, a hull's facet one of two differences of corners. Every verdict is the sign of a determinant of
 // them, see isect/parts/inequalities.h. A lies in B iff for no face of B there is a point of A beyond it.
 //
-// The price: some n signs a corner on the way to the answer, for n half-spaces in all; whether m faces hold a solid of
-// n is asked face by face. Boxes and oriented boxes among themselves have faster tests, isect/aabb_aabb.h and
+// The price: about n signs for each corner on the way to the answer, for n half-spaces in all; whether m faces hold a
+// solid of n is asked face by face. Boxes and oriented boxes among themselves have faster tests, isect/aabb_aabb.h and
 // isect/obb_obb.h.
 //
 // A shape of the plane counts as the prism over it, which has no end in z.
@@ -271,6 +271,7 @@ HalfSpaces half_spaces_of(const Triangle<S, 3>& triangle) {
 /// Of a hull that has a volume.
 template <class S>
 HalfSpaces half_spaces_of(const Hull3<S>& hull) {
+  assert(hull.dimension == 3);
   HalfSpaces result;
   const auto at = [&](int i) {
     return half_spaces::detail::in_space<S, 3>(hull.vertices[static_cast<std::size_t>(i)]);

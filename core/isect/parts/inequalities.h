@@ -6,8 +6,8 @@
 // are not negative (Farkas; of inequalities that have a common point). There is no common point iff -1 >= 0 is such a
 // sum, and one is an equation iff its opposite is. Four rows (a, w) that are independent make a basis: by Cramer a
 // row's weight at one of the four is its value at the corner where the other three planes meet, over the value there
-// of the one that is weighed. If a weight is negative, that corner is a point of all inequalities, which tells that
-// nothing follows, or some row is violated there and takes the place of the one that is weighed. The first that can
+// of the one that is weighed. If a weight is negative, that corner, a point or a direction, satisfies all, which tells
+// that nothing follows, or it violates some row, which takes the place of the one that is weighed. The first that can
 // leaves, the first that can comes: so no basis comes twice (Bland). Source: Schrijver, Theory of Linear and Integer
 // Programming (1986), theorem 7.1.
 //
@@ -80,7 +80,7 @@ template <class Text, class Trace>
 class System {
  public:
   System(int count, const Text& text, Trace& trace)
-      : count_(count), padded_{text, count}, rows_(count + 5, padded_), trace_(trace) {
+      : count_(count), padded_{text, count}, rows_(count + 1 + 4, padded_), trace_(trace) {
     start();
   }
   System(const System&) = delete;
@@ -94,7 +94,7 @@ class System {
   }
   /// Whether inequality i is an equation wherever all hold.
   bool is_equation(int i) {
-    if (strict_[static_cast<std::size_t>(i)]) return false;
+    if (seen_positive_[static_cast<std::size_t>(i)]) return false;
     const auto opposite = [&]<class W>() -> Row<W> {
       Row<W> row = rows_.template row<W>(i);
       for (W& x : row) x = -x;
@@ -194,8 +194,8 @@ class System {
     return first;
   }
 
-  /// The first row that is violated at the corner without that of the basis. If there is none, the corner is common to
-  /// all, and tells which are no equations.
+  /// The first row that is violated at the corner without that of the basis. If there is none, all hold there, and it
+  /// tells which are no equations.
   int first_violated(int leaves) {
     const auto place = static_cast<std::size_t>(leaves);
     const Row<Bounded<double>> corner = corner_without<Bounded<double>>(place);
@@ -206,7 +206,7 @@ class System {
       if (sign < 0) return i;
       if (sign > 0) positive.push_back(i);
     }
-    for (const int i : positive) strict_[static_cast<std::size_t>(i)] = 1;
+    for (const int i : positive) seen_positive_[static_cast<std::size_t>(i)] = 1;
     return -1;
   }
 
@@ -216,7 +216,7 @@ class System {
   Trace& trace_;
   std::array<int, 4> basis_ = {};
   int side_ = 1;  // of the basis' determinant
-  std::vector<char> strict_ = std::vector<char>(static_cast<std::size_t>(count_) + 1);
+  std::vector<char> seen_positive_ = std::vector<char>(static_cast<std::size_t>(count_) + 1);
 };
 
 /// Whether they have no common point.
@@ -225,7 +225,7 @@ bool contradictory(int count, const Text& text, Trace&& trace) {
   return System(count, text, trace).contradictory();
 }
 
-/// 1: they have a common point at which none of the `strict` ones is an equation. 0: a common point, but no such one.
+/// 1: they have a common point at which all `strict` ones hold strictly. 0: a common point, but no such one.
 /// -1: none. `strict` is i -> bool.
 template <class Text, class Strict, class Trace>
 int common(int count, const Text& text, const Strict& strict, Trace&& trace) {
@@ -248,7 +248,7 @@ template <class Text, class Trace>
 int distance(int count, const Text& text, double r, Trace&& trace) {
   using namespace detail;
   const Rows rows(count, text);
-  std::vector<char> beyond;  // those that the origin doesn't keep
+  std::vector<char> beyond;  // those that do not hold at the origin
   for (int i = 0; i < count; ++i)
     beyond.push_back(sign_of_long([&]<class W>() -> W { return rows.template row<W>(i)[3]; }, trace) < 0);
 
