@@ -53,14 +53,6 @@ template <> struct EventNames<triangle_aabb::Axis> : Named<"Axis", "kind i j"> {
 
 namespace {
 
-/// Says which of the boxes is empty, lo above hi on some axis, where one is.
-template <class S, int N>
-Json telling_empty(Json result, const Aabb<S, N>& box, const char* name) {
-  if (empty(box))
-    result["empty"] = result.contains("empty") ? result["empty"].get<std::string>() + " and " + name : name;
-  return result;
-}
-
 /// Whether on every axis each begins before the other ends, as the suites that this answers to ask: of flat boxes, too,
 /// unless both are flat along one axis.
 template <class S, int N>
@@ -174,7 +166,8 @@ Json obb_obb(Job& job) {
   return in_dimension(job.fields["a"]["c"], [&]<int N>() -> Json {
     const Obb<S, N> a = obb<S, N>(job.fields["a"]), b = obb<S, N>(job.fields["b"]);
     const Relation r = run<obb_obb::Event<N>>(job, [&](auto&& trace) { return relate(a, b, trace); });
-    return {{"intersects", r != Relation::disjoint}, {"relation", name(r)}};
+    return telling_empty(telling_empty({{"intersects", r != Relation::disjoint}, {"relation", name(r)}}, a, "a"), b,
+                         "b");
   });
 }
 

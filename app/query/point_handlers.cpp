@@ -54,7 +54,7 @@ Json point_obb(Job& job) {
     const Point<S, N> point = vector<S, N>(job.fields["point"]);
     const Obb<S, N> b = obb<S, N>(job.fields);
     const Location where = run<point_obb::Event>(job, [&](auto&& trace) { return locate(point, b, trace); });
-    return {{"location", name(where)}};
+    return telling_empty({{"location", name(where)}}, b, "box");
   });
 }
 

@@ -155,10 +155,11 @@ Json ray_obb(Job& job) {
   return in_dimension(job.fields["origin"], [&]<int N>() -> Json {
     const Ray<S, N> r = ray<S, N>(job.fields);
     const Obb<S, N> b = obb<S, N>(job.fields);
+    const auto told = [&](const auto& part) { return telling_empty(stretch(part), b, "box"); };
     if (job.variant == "projections")
-      return stretch(
+      return told(
           run<ray_obb::ProjectionsEvent<S>>(job, [&](auto&& trace) { return ray_obb::projections(r, b, trace); }));
-    return stretch(run<ray_obb::Event>(job, [&](auto&& trace) { return intersect(r, b, trace); }));
+    return told(run<ray_obb::Event>(job, [&](auto&& trace) { return intersect(r, b, trace); }));
   });
 }
 

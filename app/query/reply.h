@@ -8,6 +8,7 @@
 #include <string>
 
 #include <isect/conventions.h>
+#include <isect/obb_obb.h>
 #include <isect/shapes.h>
 #include "app/query/request.h"
 
@@ -41,6 +42,23 @@ Json numbers(const Ring<S, N>& points) {
   Json list = Json::array();
   for (const Point<S, N>& p : points) list.push_back(numbers<S, N>(p));
   return list;
+}
+
+template <class S, int N>
+bool has_no_point(const Aabb<S, N>& box) {
+  return empty(box);
+}
+template <class S, int N>
+bool has_no_point(const Obb<S, N>& box) {
+  return !obb_obb::detail::exists(box, NoTrace());
+}
+/// Says which of the boxes has no point, where one has none: lo is above hi on some axis, a half is negative, or the
+/// axes lie in one plane, in the plane on one line, so that there is no such box.
+template <class Box>
+Json telling_empty(Json result, const Box& box, const char* name) {
+  if (has_no_point(box))
+    result["empty"] = result.contains("empty") ? result["empty"].get<std::string>() + " and " + name : name;
+  return result;
 }
 
 inline Json name(Location l) { return l == Location::in ? "in" : l == Location::on ? "on" : "out"; }

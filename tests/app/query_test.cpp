@@ -394,6 +394,14 @@ TEST_CASE("query says which box is empty", "[query]") {
   CHECK(empty(R"({"kind": "box_box", "alo": [2,0], "ahi": [1,1], "blo": )" + bad) == "a and b");
   CHECK(empty(R"({"kind": "sphere_box", "center": [0,0], "radius": 1, "lo": [1,1], "hi": [2,0]})") == "box");
   CHECK(empty(R"({"kind": "triangle_box", "tri": [[0,0],[1,0],[0,1]], "lo": [1,1], "hi": [2,0]})") == "box");
+  const std::string flat = R"({"c": [0,0,0], "u": [[1,0,0],[1,0,0],[0,0,1]], "e": [1,1,1]})";  // no such box
+  const std::string cube = R"({"c": [1,0,0], "u": [[1,0,0],[0,1,0],[0,0,1]], "e": [1,1,1]})";
+  CHECK(empty(R"({"kind": "obb_obb", "a": )" + flat + R"(, "b": )" + cube + "}") == "a");
+  CHECK(empty(R"({"kind": "obb_obb", "a": )" + cube + R"(, "b": )" + flat + "}") == "b");
+  CHECK(empty(R"({"kind": "obb_obb", "a": )" + cube + R"(, "b": )" + cube + "}") == "");
+  CHECK(empty(R"({"kind": "point_obb", "point": [1.5,0,0], )" + flat.substr(1)) == "box");
+  CHECK(empty(R"({"kind": "ray_obb", "origin": [1.5,-5,0], "dir": [0,1,0], )" + flat.substr(1)) == "box");
+  CHECK(empty(R"({"kind": "ray_obb", "origin": [1.5,-5,0], "dir": [0,1,0], )" + cube.substr(1)) == "");
 }
 
 TEST_CASE("query fits the smallest ball where it is asked for", "[query]") {
