@@ -29,9 +29,6 @@ struct Hit {
   mutable std::optional<Place> place = {};  ///< t itself, where it was asked for
 };
 
-/// Whether it stands where a ray can reach it: no other ray, and no point.
-bool can_be_first(Type t) { return t == Type::segment || !(runs_along_a_line(t) || t == Type::point); }
-
 /// Whether their doubles, each within 4 ulp of the true t, leave no doubt that x is less than y.
 bool surely_less(double x, double y) {
   using Limits = std::numeric_limits<double>;
@@ -44,40 +41,66 @@ int order(const Context& c, const Object& ray, const Hit& x, const Hit& y) {
   if (surely_less(x.t, y.t)) return -1;
   if (surely_less(y.t, x.t)) return 1;
   for (const Hit* hit : {&x, &y})
-    if (!hit->place) hit->place = first_place(c.setting, ray, c.object(hit->object));
+    if (!hit->place) hit->place = first_place(c.setting, ray, c.object(hit->object)).value();
   return compare(*x.place, *y.place);
 }
 
-/// Of these objects, by rising t; those that no test decides go to `open`.
-std::vector<Hit> hits_of(const Context& c, std::size_t ray, const std::vector<std::size_t>& objects,
-                         std::vector<std::size_t>& open) {
-  std::vector<Hit> hits;
+/// What an answer about the pair tells no t of: where a ray lies in a plane, and what else is thin.
+std::optional<Hit> thin_hit(const Context& c, std::size_t ray, std::size_t i) {
+  const Type type = c.object(i).type;
+  if (!(type == Type::point || type == Type::cloud || type == Type::plane || runs_along_a_line(type))) return {};
+  const std::optional<Place> place = first_place(c.setting, c.object(ray), c.object(i));
+  if (!place) return {};
+  return Hit{i, nearest(*place), place};
+}
+
+/// What a ray meets of some objects.
+struct Hits {
+  std::vector<Hit> in_order;      ///< by rising t
+  std::vector<std::size_t> open,  ///< no test decides whether it meets them
+      endless;                    ///< a whole line lies in them, and so meets them nowhere first
+};
+
+Hits hits_of(const Context& c, std::size_t ray, const std::vector<std::size_t>& objects) {
+  Hits hits;
   for (const std::size_t i : objects) {
     const Answer answer = ask(c.setting, c.object(ray), c.object(i));
-    if (answer.first_hit) hits.push_back({i, *answer.first_hit});
-    if (answer.open) open.push_back(i);
+    if (answer.open)
+      hits.open.push_back(i);
+    else if (answer.first_hit)
+      hits.in_order.push_back({i, *answer.first_hit});
+    else if (const std::optional<Hit> hit = thin_hit(c, ray, i))
+      hits.in_order.push_back(*hit);
+    else if (c.object(ray).type == Type::line && answer.verdict.kind != viz::Verdict::Kind::no)
+      hits.endless.push_back(i);
   }
-  std::ranges::stable_sort(hits, [&](const Hit& x, const Hit& y) { return order(c, c.object(ray), x, y) < 0; });
+  std::ranges::stable_sort(hits.in_order,
+                           [&](const Hit& x, const Hit& y) { return order(c, c.object(ray), x, y) < 0; });
   return hits;
 }
-std::vector<Hit> hits_of(const Context& c, std::size_t ray, std::vector<std::size_t>& open) {
+Hits hits_of(const Context& c, std::size_t ray) {
   std::vector<std::size_t> objects;
   for (std::size_t i = 0; i < c.file.objects.size(); ++i)
-    if (i != ray && can_be_first(c.object(i).type)) objects.push_back(i);
-  return hits_of(c, ray, objects, open);
+    if (i != ray) objects.push_back(i);
+  return hits_of(c, ray, objects);
 }
 
 std::string shown_t(double t) { return std::isinf(t) ? "a number too large for a double" : viz::shown(t); }
 
-viz::Verdict first_of(const Context& c, std::size_t ray, const std::vector<Hit>& hits,
-                      const std::vector<std::size_t>& open) {
-  if (!open.empty()) {
+viz::Verdict first_of(const Context& c, std::size_t ray, const Hits& found) {
+  const auto names_of = [&](const std::vector<std::size_t>& objects) {
     std::string names;
-    for (const std::size_t i : open) names += (names.empty() ? "" : ", ") + c.name(i);
+    for (const std::size_t i : objects) names += (names.empty() ? "" : ", ") + c.name(i);
+    return names;
+  };
+  if (!found.open.empty())
     return {viz::Verdict::Kind::open,
             fmt::format("what {} meets first is not decided, as no test decides whether and where it meets {}",
-                        c.name(ray), names)};
-  }
+                        c.name(ray), names_of(found.open))};
+  if (!found.endless.empty())
+    return {viz::Verdict::Kind::on,
+            fmt::format("{} meets nothing first, as all of it lies in {}", c.name(ray), names_of(found.endless))};
+  const std::vector<Hit>& hits = found.in_order;
   if (hits.empty()) return {viz::Verdict::Kind::no, c.name(ray) + " meets none of them"};
   const std::string first = c.name(hits[0].object);
   std::string names = first, last;
@@ -123,10 +146,10 @@ Answered answered(const Context& c, const PairAsked& asked) {
 }
 
 Answered answered(const Context& c, const FirstHitAsked& asked) {
-  std::vector<std::size_t> open;
-  const std::vector<Hit> hits = hits_of(c, asked.ray, open);
+  const Hits found = hits_of(c, asked.ray);
+  const std::vector<Hit>& hits = found.in_order;
   Answered out = {"first-hit-" + slug_of(c.object(asked.ray).name),
-                  fmt::format("What {} meets first", c.name(asked.ray)), "", first_of(c, asked.ray, hits, open)};
+                  fmt::format("What {} meets first", c.name(asked.ray)), "", first_of(c, asked.ray, found)};
   out.lit = {asked.ray};
   out.json = {
       {"first hit", c.object(asked.ray).name}, {"verdict", viz::plain(out.verdict.text)}, {"hits", Json::array()}};
@@ -139,8 +162,9 @@ Answered answered(const Context& c, const FirstHitAsked& asked) {
     Answer answer = ask(c.setting, c.object(asked.ray), c.object(hit.object));
     if (!answer.marks.empty()) out.items.push_back(answer.marks.front());
   }
-  out.caption = hits.empty() ? "Each object was asked; none is met."
-                             : fmt::format("Each object was asked; by rising *t* these are met: {}.", order);
+  out.caption = hits.empty() && found.endless.empty() ? "Each object was asked; none is met."
+                : hits.empty()                        ? "Each object was asked."
+                               : fmt::format("Each object was asked; by rising *t* these are met: {}.", order);
   return out;
 }
 
@@ -180,11 +204,10 @@ Answered of_hierarchy(const Context& c, const WalkAsked& asked) {
   Json result;
   if (asked.with_ray) {
     const std::size_t ray = asked.many.back();
-    std::vector<std::size_t> open;
-    const std::vector<Hit> hits = hits_of(c, ray, {asked.many.begin(), asked.many.end() - 1}, open);
-    out.verdict = first_of(c, ray, hits, open);
+    const Hits hits = hits_of(c, ray, {asked.many.begin(), asked.many.end() - 1});
+    out.verdict = first_of(c, ray, hits);
     result["hits"] = Json::array();
-    for (const Hit& hit : hits)
+    for (const Hit& hit : hits.in_order)
       result["hits"].push_back({{"object", c.object(hit.object).name}, {"t", query::number(hit.t)}});
   } else {
     std::vector<const Object*> all;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <stdexcept>
 #include <vector>
 
 #include <isect/half_spaces.h>
@@ -11,6 +9,7 @@
 #include <isect/triangle_half_spaces.h>
 
 #include "app/scene/in_plane.h"
+#include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 
 namespace isect::program::scene {
@@ -92,6 +91,27 @@ std::vector<Chord> chords_of_capsule(const Course& line, const Vec3& p, const Ve
   return {chord_of_ball(line, p, radius), chord_of_ball(line, q, radius), round};
 }
 
+/// Of a point, its place; of a line the part that both have in common.
+Chord chord_of_course(const Course& line, const Course& other) {
+  const Exact3 f = difference<Exact>(line.origin, other.origin);
+  Chord chord;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 axis = Vec3::Unit(i);
+    const Exact3 n = cross(other.direction, exactly<Exact>(axis));
+    const Exact num = dot(n, f), rate = dot(n, line.direction);
+    cut(chord, num, rate);
+    cut(chord, -num, -rate);
+  }
+  const Exact length = dot(other.direction, other.direction), along = dot(f, other.direction),
+              rate = dot(line.direction, other.direction);
+  if (std::isfinite(other.range.lo)) cut(chord, along - Exact(other.range.lo) * length, rate);
+  if (std::isfinite(other.range.hi)) cut(chord, Exact(other.range.hi) * length - along, -rate);
+  return chord;
+}
+Chord chord_of_point(const Course& line, const Vec3& p) {
+  return chord_of(line, half_spaces_of(Aabb<double, 3>{p, p}));
+}
+
 HalfSpaces half_spaces_of_any(const Triangle<double, 3>& x) {
   if (!triangle_half_spaces::detail::degenerate(x, NoTrace())) return half_spaces_of(x);
   const Capsule<double, 3> edge = triangle_half_spaces::detail::as_segment(x, NoTrace());
@@ -126,6 +146,7 @@ std::optional<Place> first_in_outline(const Course& line, const Ring<double, 3>&
   return place_in_plane(line.origin, line.direction, line.range, outline);
 }
 
+/// Of an outline that is met, its place there.
 std::optional<Place> place_of(const Setting& s, const Course& line, const Object& o) {
   switch (o.type) {
     case Type::plane: {
@@ -136,6 +157,16 @@ std::optional<Place> place_of(const Setting& s, const Course& line, const Object
       return first_point(line, chord_of_ball(line, s.point(o, "center"), s.number(o, "radius")));
     case Type::capsule:
       return first_point(line, chords_of_capsule(line, s.point(o, "p"), s.point(o, "q"), s.number(o, "r")));
+    case Type::point:
+      return first_point(line, chord_of_point(line, s.point(o, "at")));
+    case Type::cloud: {
+      std::vector<Chord> chords;
+      for (const Vec3& p : s.points(o)) chords.push_back(chord_of_point(line, p));
+      return first_point(line, chords);
+    }
+    case Type::ray:
+    case Type::line:
+      return first_point(line, chord_of_course(line, course_of(s, o)));
     case Type::segment:
       return first_point(line,
                          chord_of(line, half_spaces_of(Segment<double, 3>{s.point(o, "from"), s.point(o, "to")})));
@@ -160,21 +191,24 @@ std::optional<Place> place_of(const Setting& s, const Course& line, const Object
         return place_in_plane(line.origin.head<2>(), {line.direction[0], line.direction[1]}, line.range, rings);
       }
       if (o.type == Type::triangle) return first_point(line, chord_of(line, half_spaces_of_any(triangle_of(s, o))));
+      if (is_bent(s, o)) {
+        std::vector<Chord> chords;
+        for (const Triangle<double, 3>& x : surface_of(s, o)) chords.push_back(chord_of(line, half_spaces_of_any(x)));
+        return first_point(line, chords);
+      }
       return first_in_outline(line, points_of<3>(s.rings(o).front()));
     }
-    default:
-      return {};
   }
+  return {};
 }
 
 }  // namespace
 
-Place first_place(const Setting& s, const Object& along, const Object& o) {
+std::optional<Place> first_place(const Setting& s, const Object& along, const Object& o) {
   const Course line = course_of(s, along);
-  if (dot(line.direction, line.direction).sign() == 0) return place_at(line.range.lo);
-  const std::optional<Place> place = place_of(s, line, o);
-  if (!place) throw std::logic_error(o.name + " is not met by " + along.name);
-  return *place;
+  const bool outline = o.type == Type::triangle || o.type == Type::polygon;
+  if (outline && dot(line.direction, line.direction).sign() == 0) return place_at(line.range.lo);
+  return place_of(s, line, o);
 }
 
 }  // namespace isect::program::scene

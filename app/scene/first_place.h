@@ -1,13 +1,16 @@
 #pragma once
 // Where a ray first meets an object, as the number itself: what orders hits that their doubles do not tell apart.
 
+#include <optional>
+
 #include "app/scene/objects.h"
 #include "app/scene/place.h"
 
 namespace isect::program::scene {
 
-/// The least t at which a ray, a line or a segment meets an object, which it does, other than a point, another line or
-/// a cloud. Where it begins within, that is where its range begins.
-Place first_place(const Setting&, const Object& along, const Object&);
+/// The least t at which a ray, a line or a segment meets an object: nothing where it misses it, and where a whole line
+/// lies in what has no end. Where it begins within, that is where its range begins. A triangle or a polygon is to be
+/// met.
+std::optional<Place> first_place(const Setting&, const Object& along, const Object&);
 
 }  // namespace isect::program::scene

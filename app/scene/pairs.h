@@ -43,6 +43,12 @@ std::optional<Ring<double, 2>> convex_corners(const Ring<double, 2>&);
 
 /// How two convex solids lie, or a ball or a capsule and one, as "relation".
 Json relation_of_solids(const Setting&, const Object& a, const Object& b);
+/// A triangle or a polygon in space as triangles. Throws NotDecided where its outline has none, or too many corners.
+std::vector<Triangle<double, 3>> surface_of(const Setting&, const Object&);
+/// Whether the corners of a polygon in space lie in no one plane: then it is the triangles that it is cut into.
+bool is_bent(const Setting&, const Object& polygon);
+/// Where a ray, line or segment first meets such a one.
+Answer along_surface(const Setting&, const Object& a, const Object& polygon);
 /// How a surface (A) of triangles lies to a ball or a capsule that has a volume: its own points count, not what it may
 /// enclose.
 Relation relate_surface(const std::vector<Triangle<double, 3>>&, const Capsule<double, 3>&);

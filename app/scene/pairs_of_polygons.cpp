@@ -9,6 +9,8 @@
 #include <isect/ray_polygon.h>
 #include <isect/sphere_triangle.h>
 
+#include "app/query/reply.h"
+#include "app/scene/along_triangle.h"
 #include "app/scene/in_plane.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
@@ -23,15 +25,6 @@ using viz::Vec3;
 using Triangles = std::vector<Triangle<double, 3>>;
 
 Ring<double, 3> outline_in_space(const Setting& s, const Object& o) { return points_of<3>(s.rings(o).front()); }
-
-Triangles surface_of(const Setting& s, const Object& o) {
-  if (o.type == Type::triangle) return {triangle_of(s, o)};
-  const Ring<double, 3> outline = outline_in_space(s, o);
-  if (outline.size() > most_corners) throw NotDecided(fmt::format("{} has more than {} corners", o.name, most_corners));
-  Triangles all = triangulated(outline);
-  if (all.empty()) refuse_outline(o);
-  return all;
-}
 
 /// Corners off one plane are told.
 void tell_surface(const Setting& s, const Object& o, Answer& out) {
@@ -156,6 +149,37 @@ Json cloud_and_polygon(const Setting& s, const Object& a, const Object& b) {
 }
 
 }  // namespace
+
+std::vector<Triangle<double, 3>> surface_of(const Setting& s, const Object& o) {
+  if (o.type == Type::triangle) return {triangle_of(s, o)};
+  const Ring<double, 3> outline = outline_in_space(s, o);
+  if (outline.size() > most_corners) throw NotDecided(fmt::format("{} has more than {} corners", o.name, most_corners));
+  Triangles all = triangulated(outline);
+  if (all.empty()) refuse_outline(o);
+  return all;
+}
+
+bool is_bent(const Setting& s, const Object& polygon) { return off_plane(outline_in_space(s, polygon)) > 0; }
+
+Answer along_surface(const Setting& s, const Object& a, const Object& polygon) {
+  const Triangles triangles = surface_of(s, polygon);
+  const auto first = [&](const auto& along) {
+    std::optional<double> least;
+    for (const Triangle<double, 3>& x : triangles)
+      if (const std::optional<double> t = first_in(along, x); t && (!least || *t < *least)) least = t;
+    return least;
+  };
+  const std::optional<double> t = a.type == Type::segment ? first(segment_of(s, a)) : first(ray_in_space(s, a));
+  Answer out;
+  out.result = {{"hit", t.has_value()}};
+  if (t) {
+    out.result["t"] = query::number(*t);
+    add_hit(s, a, out, "*t*", out.result["t"], viz::Mark::disc);
+  }
+  meets(a, polygon, out, t.has_value());
+  tell_surface(s, polygon, out);
+  return out;
+}
 
 Relation relate_surface(const std::vector<Triangle<double, 3>>& triangles, const Capsule<double, 3>& round) {
   bool inside = true, touch = false, overlap = false;

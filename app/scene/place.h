@@ -21,6 +21,9 @@ inline Place quotient_at(Exact num, Exact den) {
 }
 inline Place place_at(double t) { return {Exact(t)}; }
 
+/// Within 1 ulp, of one that is a quotient.
+inline double nearest(const Place& quotient) { return near_quotient(quotient.num, quotient.den); }
+
 /// The sign of x less y.
 int compare(const Place& x, const Place& y);
 

@@ -190,21 +190,6 @@ void ray_meets_plane(const Setting& s, const Object& a, const Object& b, Answer&
     out.verdict = {Verdict::Kind::on, shown_name(a.name) + " lies in " + shown_name(b.name)};
 }
 
-/// Corners off the plane that is tested are told, and beyond what six digits leave open they are a part of the verdict.
-void tell_off_plane(const Object& b, const Ring<double, 3>& outline, Answer& out) {
-  const double off = off_plane(outline);
-  if (off == 0) return;
-  out.result["off_plane"] = off;
-  out.note += fmt::format(
-      "{}The corners of {} lie up to {} off one plane: what is tested is the outline "
-      "laid into the plane through the first of them.",
-      out.note.empty() ? "" : "\n", shown_name(b.name), viz::shown(off));
-  Vec3 lo = outline.front(), hi = lo;
-  for (const Vec3& v : outline) lo = lo.cwiseMin(v), hi = hi.cwiseMax(v);
-  constexpr double as_written = 1e-6;
-  if (off > as_written * (hi - lo).norm()) out.verdict.text += ", laid flat";
-}
-
 void ray_meets_polygon(const Setting& s, const Object& a, const Object& b, Answer& out) {
   const bool coplanar = out.result["coplanar"] == true;
   const Ring<double, 3> outline = points_of<3>(s.rings(b).front());
@@ -226,13 +211,12 @@ void ray_meets_polygon(const Setting& s, const Object& a, const Object& b, Answe
     if (t) add_hit(s, a, out, "*t*", query::number(*t), viz::Mark::disc);
     meets(a, b, out, t.has_value());
     out.verdict.text += ", in whose plane it lies";
-    return tell_off_plane(b, outline, out);
+    return;
   }
   if (out.result["hit"] == true) add_hit(s, a, out, "*t*", out.result["t"], viz::Mark::disc);
   meets(a, b, out, out.result["hit"] == true);
   if (out.result["hit"] == true && out.result["plane_point_location"] == "on")
     out.verdict = {Verdict::Kind::on, out.verdict.text + " on its boundary"};
-  tell_off_plane(b, outline, out);
 }
 
 void point_location(const Setting&, const Object& a, const Object& b, Answer& out) {
@@ -368,6 +352,7 @@ const Pair* pair_of(Type a, Type b, bool flat) {
 }
 
 Answer asked_in_order(const Setting& s, const Object& a, const Object& b, const Pair& pair) {
+  if (b.type == Type::polygon && !s.flat && runs_along_a_line(a.type) && is_bent(s, b)) return along_surface(s, a, b);
   Answer out;
   try {
     Json result = pair.written(s, a, b);

@@ -8,7 +8,9 @@
 #include <set>
 
 #include "app/scene/files/shape_file.h"
+#include "app/scene/in_plane.h"
 #include "viz/files.h"
+#include "viz/rich_text.h"
 #include "viz/spelling.h"
 
 namespace isect::program::scene {
@@ -168,7 +170,19 @@ class ObjectReader {
         rings.push_back(ring(one, below(path, "rings"), least, most));
     if (rings.size() > 1 && !source_.flat()) source_.refuse(path, "holes are for polygons in the plane");
     if (mesh && !json.contains("file")) o.fixed.triangles = triangles(json, path, rings.front().size());
+    if (o.type == Type::polygon && !source_.flat() && o.note.empty()) o.note = off_plane_note(rings.front());
     keep(rings, o);
+  }
+
+  /// Nothing of corners that lie in one plane, to six digits.
+  static std::string off_plane_note(const std::vector<viz::Vec3>& corners) {
+    viz::Vec3 lo = corners.front(), hi = lo;
+    for (const viz::Vec3& v : corners) lo = lo.cwiseMin(v), hi = hi.cwiseMax(v);
+    const double off = off_plane(corners);
+    constexpr double as_written = 1e-6;
+    if (!(off > as_written * (hi - lo).norm())) return "";
+    return fmt::format("Its corners lie up to {} off one plane: what is asked are the triangles that it is cut into.",
+                       viz::shown(off));
   }
 
   void keep(const std::vector<std::vector<viz::Vec3>>& rings, Object& o) {

@@ -237,4 +237,28 @@ TEST_CASE("places are put in order as the numbers they are made of", "[scene][fi
   CHECK(less > 5000);
 }
 
+TEST_CASE("what is thin is met like all else", "[scene][first hit]") {
+  const auto first = [](const std::string& along, const std::string& other) {
+    const File file = read_scene(R"({"objects": [)" + along + ", " + other +
+                                     R"(, {"box": "b", "lo": [2,-1,-1], "hi": [3,1,1]}], "ask": [{"first hit": "r"}]})",
+                                 "");
+    return answers(file)[0]["verdict"].get<std::string>();
+  };
+  const std::string ray = R"({"ray": "r", "origin": [-4,0,0], "dir": [1,0,0]})";
+  CHECK(first(ray, R"({"plane": "P", "normal": [0,1,0], "d": 0})") == "r meets P first, at t = 0");
+  CHECK(first(ray, R"({"point": "e", "at": [-2,0,0]})") == "r meets e first, at t = 2");
+  CHECK(first(ray, R"({"point": "e", "at": [2,0,0]})") == "r meets e and b at the same t");
+  CHECK(first(ray, R"({"point": "e", "at": [-5,0,0]})") == "r meets b first, at t = 6");
+  CHECK(first(ray, R"({"cloud": "C", "points": [[1,0,0],[-2,0,0],[0,5,0]]})") == "r meets C first, at t = 2");
+  CHECK(first(ray, R"({"line": "g", "origin": [-1,0,0], "dir": [0,1,0]})") == "r meets g first, at t = 3");
+  CHECK(first(ray, R"({"ray": "g", "origin": [-1,-1,0], "dir": [0,1,0]})") == "r meets g first, at t = 3");
+  CHECK(first(ray, R"({"ray": "g", "origin": [-1,1,0], "dir": [0,1,0]})") == "r meets b first, at t = 6");
+  CHECK(first(ray, R"({"line": "g", "origin": [9,0,0], "dir": [-2,0,0]})") == "r meets g first, at t = 0");
+  CHECK(first(ray, R"({"ray": "g", "origin": [-3,0,0], "dir": [2,0,0]})") == "r meets g first, at t = 1");
+  CHECK(first(ray, R"({"line": "g", "origin": [-1,0,1], "dir": [0,1,0]})") == "r meets b first, at t = 6");
+  const std::string line = R"({"line": "r", "origin": [-4,0,0], "dir": [1,0,0]})";
+  CHECK(first(line, R"({"plane": "P", "normal": [0,1,0], "d": 0})") == "r meets nothing first, as all of it lies in P");
+  CHECK(first(line, R"({"plane": "P", "normal": [1,0,0], "d": 5})") == "r meets P first, at t = -1");
+}
+
 }  // namespace first_hit_test
