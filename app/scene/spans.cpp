@@ -1,8 +1,20 @@
 #include "app/scene/spans.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace isect::program::scene {
+
+namespace {
+
+/// "\u0061" is "a".
+std::string without_escapes(const std::string& written) {
+  if (written.find('\\') == written.npos) return written;
+  const nlohmann::json text = nlohmann::json::parse('"' + written + '"', nullptr, false);
+  return text.is_string() ? text.get<std::string>() : written;
+}
+
+}  // namespace
 
 Spans::Spans(const std::string& text) : text_(text) { value("", 1); }
 
@@ -43,7 +55,7 @@ void Spans::value(const std::string& path, int level) {
     int count = 0;
     for (skip(); at_ < text_.size() && text_[at_] != '}' && text_[at_] != ']'; skip()) {
       const std::size_t before = at_;
-      const std::string below = path + "/" + (first == '{' ? string() : std::to_string(count++));
+      const std::string below = path + "/" + (first == '{' ? without_escapes(string()) : std::to_string(count++));
       if (all_.contains(below)) twice_.push_back(below);
       value(below, level + 1);
       if (at_ <= before) ++at_;  // no JSON

@@ -1,6 +1,7 @@
 // GeoJSON (RFC 7946): polygons, and what holds some. The JSON is read by nlohmann's parser.
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/scene/files/polygon_builder.h"
 #include "app/scene/files/reading.h"
@@ -27,8 +28,20 @@ class GeoJsonReader {
 
  private:
   nlohmann::json parsed() const {
+    using Event = nlohmann::json::parse_event_t;
+    std::vector<std::set<std::string>> keys;  ///< of the objects that are open
+    std::optional<std::string> twice;
+    const auto watch = [&](int, Event event, const nlohmann::json& json) {
+      if (event == Event::object_start) keys.emplace_back();
+      if (event == Event::object_end) keys.pop_back();
+      if (event == Event::key && !keys.back().insert(json.get<std::string>()).second && !twice)
+        twice = json.get<std::string>();
+      return true;
+    };
     try {
-      return nlohmann::json::parse(text_);
+      nlohmann::json all = nlohmann::json::parse(text_, watch);
+      if (twice) refuse_key_given_twice(*twice);
+      return all;
     } catch (const nlohmann::json::parse_error& e) {
       refuse_at(std::min(e.byte, text_.size()), "no JSON from here on: " + reason(e.what()));
     } catch (const nlohmann::json::out_of_range& e) {
@@ -51,6 +64,13 @@ class GeoJsonReader {
     const Spans spans(text_);
     const Spans::Span* const span = spans.at(path);
     refuse_at(span ? span->begin : 0, why);
+  }
+
+  [[noreturn]] void refuse_key_given_twice(const std::string& key) const {
+    const Spans spans(text_);
+    const std::string why = in_quotes(key) + " is given twice";
+    if (spans.twice().empty()) refuse_at(std::min(spans.too_deep(), text_.size()), why);
+    refuse(spans.twice().front(), why);
   }
 
   void read(const nlohmann::json& json, const GeoPath& path, int level) {

@@ -1,7 +1,11 @@
 // PLY, text and binary: the points of its element vertex, the faces of face, the strips of tristrips.
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
+#include <type_traits>
+#include <utility>
 
 #include "app/scene/files/mesh_builder.h"
 #include "app/scene/files/reading.h"
@@ -161,32 +165,47 @@ class PlyReader {
     if (left.find_first_not_of("\r\n") != left.npos) note_ = bytes_left_out(left.size(), "element");
   }
 
-  /// What is no finite number is refused where it is a coordinate.
-  static double number(const TextFile& text, std::string_view word, PlyType type) {
-    if (type < PlyType::float32) return static_cast<double>(text.whole(word));
-    const std::string small = lower(word.substr(word.find_first_not_of("+-") == 1 ? 1 : 0));
-    return small == "nan" || small == "inf" || small == "infinity" ? HUGE_VAL : text.real(word);
-  }
-  static double number(Bytes& data, PlyType type) {
+  /// Calls what(0), as a number of that type.
+  template <class What>
+  static double as(PlyType type, const What& what) {
     switch (type) {
       case PlyType::int8:
-        return data.next<std::int8_t>();
+        return what(std::int8_t());
       case PlyType::uint8:
-        return data.next<std::uint8_t>();
+        return what(std::uint8_t());
       case PlyType::int16:
-        return data.next<std::int16_t>();
+        return what(std::int16_t());
       case PlyType::uint16:
-        return data.next<std::uint16_t>();
+        return what(std::uint16_t());
       case PlyType::int32:
-        return data.next<std::int32_t>();
+        return what(std::int32_t());
       case PlyType::uint32:
-        return data.next<std::uint32_t>();
+        return what(std::uint32_t());
       case PlyType::float32:
-        return data.next<float>();
+        return what(float());
       case PlyType::float64:
-        return data.next<double>();
+        return what(double());
     }
     return 0;
+  }
+
+  /// A whole number lies within its type. What is no finite number is refused where it is a coordinate.
+  static double number(const TextFile& text, std::string_view word, PlyType type) {
+    return as(type, [&]<class T>(T) -> double {
+      if constexpr (std::is_integral_v<T>) {
+        using Range = std::numeric_limits<T>;
+        const long value = text.whole(word);
+        if (!std::in_range<T>(value))
+          text.refuse(fmt::format("{} is beyond its type, {} to {}", value, +Range::min(), +Range::max()));
+        return static_cast<double>(value);
+      } else {
+        const std::string small = lower(word.substr(word.find_first_not_of("+-") == 1 ? 1 : 0));
+        return small == "nan" || small == "inf" || small == "infinity" ? HUGE_VAL : text.real(word);
+      }
+    });
+  }
+  static double number(Bytes& data, PlyType type) {
+    return as(type, [&]<class T>(T) -> double { return data.next<T>(); });
   }
 
   template <class Next>

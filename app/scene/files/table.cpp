@@ -1,5 +1,7 @@
 // CSV and its kin: a point a line, its numbers separated by commas, semicolons, tabs or blanks.
 
+#include <fmt/ranges.h>
+
 #include <array>
 #include <cmath>
 #include <vector>
@@ -100,13 +102,13 @@ class TableReader {
 
   // Which columns are x, y and z.
 
-  /// The last one before the first row may name the columns.
+  /// Those before the first row may name the columns.
   bool is_comment() {
     std::string_view line = trimmed(text_.line());
     for (const std::string_view mark : {"#", "//", "%"})
       if (line.starts_with(mark)) {
         line.remove_prefix(mark.size());
-        if (columns_ == 0) comment_ = line;
+        if (columns_ == 0) comments_.push_back(line);
         return true;
       }
     return false;
@@ -115,6 +117,11 @@ class TableReader {
   /// x, X, "x [m]" and x(m) are x.
   static std::string column_name(std::string_view field) {
     return lower(trimmed(field.substr(0, field.find_first_of("[("))));
+  }
+
+  static bool is_coordinate(std::string_view field) {
+    const std::string name = column_name(field);
+    return name == "x" || name == "y" || name == "z";
   }
 
   bool is_header(const std::vector<std::string_view>& row) {
@@ -133,10 +140,10 @@ class TableReader {
     return true;
   }
 
-  /// Without names before it, but for those of a comment.
+  /// Without names before it, but for those of comments.
   void first_row(const std::vector<std::string_view>& row) {
     const std::size_t count = row.size();
-    if (named_by_comment(count)) return;
+    if (named_by_comments(count)) return;
     for (std::size_t i = 0; i < std::min<std::size_t>(count, 3); ++i)
       if (!number(row[i])) text_.refuse(fmt::format("{} is no finite number; {}", in_quotes(row[i]), header_expected));
     if (count < 2 || (count > 3 && !takes_more_))
@@ -147,15 +154,24 @@ class TableReader {
     if (count > 3) shape_.note = "What stands behind three numbers of a line is left out.";
   }
 
-  bool named_by_comment(std::size_t count) {
-    if (comment_.find('"') != comment_.npos) return false;
+  /// By the last one, whatever else it names, or by one of nothing but x, y and z. What separates names need not be
+  /// what separates numbers.
+  bool named_by_comments(std::size_t count) {
     const char separator = *separator_;
     std::vector<std::string_view> names;
-    for (const char c : {separator, ' '}) {
-      separator_ = c;
-      split(comment_, names);
-      if (names.size() == count && is_header(names)) break;
-      columns_ = 0, has_names_ = false;
+    for (std::size_t i = comments_.size(); i-- > 0 && columns_ == 0;) {
+      std::string comment(comments_[i]);
+      std::ranges::replace(comment, '"', ' ');
+      for (const char c : {separator, ' ', ',', ';', '\t'}) {
+        separator_ = c;
+        split(comment, names);
+        const bool only_coordinates = std::ranges::all_of(names, is_coordinate);
+        if (names.size() == count && (only_coordinates || i + 1 == comments_.size()) && is_header(names)) break;
+        if (only_coordinates && names.size() > 1 && names.size() != count &&
+            !std::ranges::is_sorted(names, {}, column_name))
+          text_.refuse(fmt::format("{} column{}, and a comment calls {}: {}", count, count == 1 ? "" : "s",
+                                   names.size(), fmt::join(names, ", ")));
+      }
     }
     separator_ = separator;
     return columns_ != 0;
@@ -191,8 +207,8 @@ class TableReader {
   ShapeFile shape_;
   std::optional<char> separator_;
   std::vector<std::string_view> row_;
-  std::string_view comment_;
-  std::size_t columns_ = 0;  ///< 0 until there is a row
+  std::vector<std::string_view> comments_;  ///< before the first row
+  std::size_t columns_ = 0;                 ///< 0 until there is a row
   bool has_names_ = false, is_in_space_ = false;
   std::array<std::size_t, 3> at_ = {0, 1, 2};
 };
