@@ -140,7 +140,8 @@ std::string footer() {
   return text + fmt::format(R"(
 Every case is an object on one line: "kind", the kind's inputs ([those] may be missing), and if wanted "id", "scalar" ("f64"
 or "f32"), "variant" and "trace" (true). A point is a list of 2 or 3 numbers; a and b of obb_obb are {{"c", "u", "e"}}, of
-kdop_kdop {{"lo", "hi"}}. Numbers may be "inf" or "-inf" where a range or a box ends; each is rounded once, to the scalar.
+kdop_kdop {{"lo", "hi"}}. Each number is rounded once, to the scalar. Only tmin, tmax and the ends of intervals and of empty
+boxes may be "inf" or "-inf", in quotes: a box that has points ends at finite numbers, and so does a k-DOP.
 How two shapes lie is "relation", as seen from a: disjoint, equal, a_contains_b, b_contains_a (a touch from within is
 containment), touch (common points, none interior to both), overlap. A shape without thickness has its interior within the
 line or plane that it spans: a plate that pierces a box overlaps it. "interiors_intersect" of box_box says whether on

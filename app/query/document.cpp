@@ -59,7 +59,7 @@ std::string no_number(std::string_view line, std::size_t at) {
   for (const std::string_view nan : {"NaN", "nan", "NAN"})
     if (word == nan) return stands("; a number is expected");
   for (const std::string_view infinite : {"Infinity", "inf", "Inf", "INF", "infinity"})
-    if (word == infinite) return stands("; where a range or a box ends, write \"inf\" or \"-inf\" in quotes");
+    if (word == infinite) return stands("; where a range ends, write \"inf\" or \"-inf\" in quotes");
   return {};
 }
 

@@ -119,6 +119,12 @@ template double Field::number<double>() const;
 template float Field::end<float>() const;
 template double Field::end<double>() const;
 
+void need_finite_ends(const Field& lo, const Field& hi) {
+  for (const Field& ends : {lo, hi})
+    for (const Field end : ends.list())
+      if (end.infinite()) end.complain("a finite number is expected of a box that is not empty");
+}
+
 int dimension(const Field& field) {
   const std::size_t size = field.size();
   if (size != 2 && size != 3) field.complain("a list of 2 or 3 numbers is expected");

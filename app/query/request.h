@@ -47,6 +47,8 @@ class Field {
   /// The same, or "inf" or "-inf".
   template <class S>
   S end() const;
+  /// Whether it is one of those two.
+  bool infinite() const { return says("inf") || says("-inf"); }
 
   std::string path() const { return document_->path(at_); }
   [[noreturn]] void complain(const std::string& what) const;  ///< what is expected
@@ -141,10 +143,13 @@ template <class S, int N>
 Sphere<S, N> sphere(const Field& request, const char* center = "center", const char* radius = "radius") {
   return {vector<S, N>(request[center]), request[radius].number<S>()};
 }
+/// Of a box that has points: names the first of its ends that is infinite.
+void need_finite_ends(const Field& lo, const Field& hi);
+/// lo, hi: infinite only where the box is empty
 template <class S, int N>
 Aabb<S, N> box(const Field& request, const char* lo = "lo", const char* hi = "hi") {
   const Aabb<S, N> b = {vector_of_ends<S, N>(request[lo]), vector_of_ends<S, N>(request[hi])};
-  if (!finite(b) && !empty(b)) request[lo].complain("finite ends are expected of a box that is not inverted");
+  if (!empty(b)) need_finite_ends(request[lo], request[hi]);
   return b;
 }
 inline const std::vector<std::string> obb_fields = {"c", "u", "e"}, slab_fields = {"lo", "hi"},

@@ -258,6 +258,29 @@ TEST_CASE("an error names the field, what is allowed and what was found", "[quer
              Contains("field \"center\": a list of 2 is expected"));
 }
 
+TEST_CASE("infinite ends are those of ranges and of empty boxes; elsewhere the one that is infinite is named",
+          "[query]") {
+  const auto answered = [](const std::string& line) { return ask(line + "\n").lines.at(0).contains("result"); };
+  CHECK(answered(R"({"kind": "interval_interval", "a": ["-inf", 1], "b": [0, "inf"]})"));
+  CHECK(answered(R"({"kind": "ray_sphere", "origin": [0,0], "dir": [1,0], "tmin": "-inf", "tmax": "inf",)"
+                 R"( "center": [2,0], "radius": 1})"));
+  CHECK(answered(R"({"kind": "point_box", "point": [0,0], "lo": ["inf",0], "hi": ["-inf",1]})"));
+  const std::string expected = ": a finite number is expected of a box that is not empty, not the text ";
+  CHECK(error(R"({"kind": "box_box", "alo": [0,"-inf"], "ahi": [1,1], "blo": [0,0], "bhi": [1,1]})") ==
+        "field \"alo[1]\"" + expected + "\"-inf\"");
+  CHECK(error(R"({"kind": "ray_box", "origin": [0,0], "dir": [1,0], "lo": [0,0], "hi": ["inf",1]})") ==
+        "field \"hi[0]\"" + expected + "\"inf\"");
+  for (const std::string rest : {R"("point_box", "point": [0,0])", R"("sphere_box", "center": [0,0], "radius": 1)",
+                                 R"("plane_box", "normal": [0,1], "d": 0)"})
+    CHECK(error("{\"kind\": " + rest + R"(, "lo": [0,0], "hi": [1,"inf"]})") ==
+          "field \"hi[1]\"" + expected + "\"inf\"");
+  const std::string kdops = R"({"kind": "kdop_kdop", "normals": [[1,0],[0,1]], "a": {"lo": [0,0], "hi": [1,"inf"]}, )"
+                            R"("b": {"lo": [0,0], "hi": [1,1]}})";
+  CHECK(error(kdops) == "field \"a.hi[1]\": a finite number is expected, not the text \"inf\"");
+  const std::string help = Shell()("isect query --help").out;
+  CHECK_THAT(help, Contains("Only tmin, tmax and the ends of intervals and of empty\nboxes may be \"inf\""));
+}
+
 TEST_CASE("long lines are answered, rubbish refused, whatever the size", "[query]") {
   std::string ring = R"({"kind": "orient2d", "a": [0, 0], "b": [1, 0], "c": [0, 1], "note": [)";
   while (ring.size() < 1'000'000) ring += "[0.12345678901234567, -7e-3], ";
