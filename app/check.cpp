@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 
 #include "app/baselines.h"
@@ -126,16 +127,33 @@ void compare(const std::vector<Excerpt>& chosen, const Baselines::Reach& reach, 
   report.left_alone = baselines.left_alone();
 }
 
-/// Reports are written over what is there, but never over what was accepted or drawn, or over one another. Whether they
-/// can be is tried before the work.
+/// Absent or empty, no file at all, or an earlier report.
+bool is_place_for_report(const std::string& file) {
+  std::error_code absent;
+  if (!fs::is_regular_file(file, absent) || fs::file_size(file, absent) == 0) return true;
+  std::string bytes(512, '\0');
+  std::ifstream there(file, std::ios::binary);
+  there.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return begins_html_report(bytes) || begins_junit_report(bytes);
+}
+
+/// Reports are written over earlier ones, but over nothing else, nor over one another. Whether they can be is tried
+/// before the work.
 void require_own_places(const CheckOptions& options) {
   if (!options.report.empty() && options.report == options.junit)
     throw viz::BadInput(fmt::format("junit: {} is the page of --report too; give each its own", options.junit));
   for (const std::string& file : {options.report, options.junit})
     if (own_trace(file) || metadata_in(file).contains("lesson"))
       throw viz::BadInput(fmt::format("report: {} is a baseline or a figure; give the report another name", file));
-  for (const std::string& file : {options.report, options.junit})
-    if (!file.empty()) viz::need_writable(file);
+  for (const std::string& file : {options.report, options.junit}) {
+    if (file.empty()) continue;
+    if (!is_place_for_report(file))
+      throw viz::FileError(
+          fmt::format("cannot write '{}': the file there is no report of isect's; move it away, or give the report "
+                      "another name",
+                      file));
+    viz::need_writable(file);
+  }
 }
 
 /// The result is told even where a report of it can't be kept.

@@ -50,6 +50,9 @@ std::string to_json(const Report&);
 std::string to_html(const Report&);
 /// One test suite a lesson, one test case a preset.
 std::string to_junit(const Report&);
+/// Whether a file that begins so is a report of isect's as HTML, as JUnit XML.
+bool begins_html_report(const std::string& bytes);
+bool begins_junit_report(const std::string& bytes);
 
 // What the forms share.
 

@@ -72,6 +72,8 @@ code {{ background: #8882; padding: .1em .4em; border-radius: 4px; }}
 
 }  // namespace
 
+bool begins_html_report(const std::string& bytes) { return bytes.starts_with(page.substr(0, page.find("<style>"))); }
+
 std::string to_html(const Report& r) {
   std::string sections;
   for (const Failure& f : r.failures) sections += section(r, f);

@@ -13,6 +13,8 @@ namespace {
 
 using Kind = Failure::Kind;
 
+const std::string junit_head = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"isect check\" ";
+
 /// The open failures of one preset, in the order they were found.
 using Case = std::vector<const Failure*>;
 using Cases = std::vector<std::pair<std::string, Case>>;  ///< by preset
@@ -79,10 +81,11 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
+bool begins_junit_report(const std::string& bytes) { return bytes.starts_with(junit_head); }
+
 std::string to_junit(const Report& r) {
   const auto all = suites(r);
-  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-  xml += fmt::format("<testsuites name=\"isect check\" {}>\n", counts(all));
+  std::string xml = junit_head + counts(all) + ">\n";
   for (const auto& suite : all) {
     xml += fmt::format("  <testsuite name=\"{}\" {}>\n", escaped(suite.first), counts({suite}));
     for (const auto& [preset, failures] : suite.second) xml += test_case(r, suite.first, preset, failures);

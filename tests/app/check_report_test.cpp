@@ -207,6 +207,33 @@ TEST_CASE("a report is never written over a baseline, a figure or another report
   CHECK_THAT(both.err, Contains("junit: r is the page of --report too"));
 }
 
+TEST_CASE("a report is written over an earlier one, and over no other file", "[check]") {
+  const Shell shell;
+  REQUIRE(shell("isect check intervals --preset touching --update").status == 0);
+  const std::string command = "isect check intervals --preset touching ";
+  for (const std::string option : {"--report ", "--junit "}) {
+    INFO(option);
+    const std::string file = option == "--report " ? "page.html" : "result.xml";
+    write(shell.work() / file, "mine\n");
+    fs::remove(shell.work() / "snapshots/intervals/touching/04-relation.png");
+    const Ran refused = shell(command + "--update " + option + file);
+    CHECK(refused.status == 4);
+    CHECK(refused.out.empty());
+    CHECK_THAT(refused.err, Contains("cannot write '" + file + "'") && Contains("no report of isect's"));
+    CHECK(contents(shell.work() / file) == "mine\n");
+    CHECK_FALSE(fs::exists(shell.work() / "snapshots/intervals/touching/04-relation.png"));  // before the work
+    REQUIRE(shell(command + "--update").status == 0);
+
+    write(shell.work() / file, "");
+    CHECK(shell(command + option + file).status == 0);
+    const std::string first = contents(shell.work() / file);
+    CHECK_THAT(first, Contains("isect check"));
+    CHECK(shell(command + option + file).status == 0);  // over its own
+    CHECK(contents(shell.work() / file) == first);
+    CHECK(shell(command + option + "/dev/null").status == 0);
+  }
+}
+
 TEST_CASE("a result as JUnit XML is read by programs, whatever the names", "[check]") {
   const Accepted shell;
   const auto read = [&](const std::string& file) {
