@@ -12,6 +12,7 @@
 #include "app/book/fonts.h"
 #include "app/book/lesson_page.h"
 #include "app/book/scene_page.h"
+#include "app/digest.h"
 #include "app/options.h"
 #include "app/ownership.h"
 #include "app/pages/pages.h"
@@ -38,11 +39,23 @@ constexpr const char* letters_file = "letters.js";
 /// What changed settings may show beyond the letters of all presets.
 const std::string lesson_letters = "0123456789.,+-−()=<>≤≥≠ e";
 
-std::string first_line(const std::string& file) {
-  const std::string own = book::mark(file);
-  if (file.ends_with(".css")) return fmt::format("/* {} */", own);
-  if (file.ends_with(".js")) return fmt::format("// {}", own);
-  return fmt::format("<!-- {} -->", own);
+/// As a comment of that file, which goes on behind it in HTML and CSS.
+std::string comment(const std::string& file, const std::string& words) {
+  if (file.ends_with(".css")) return fmt::format("/* {} */", words);
+  if (file.ends_with(".js")) return fmt::format("// {}", words);
+  return fmt::format("<!-- {} -->", words);
+}
+std::string first_line(const std::string& file) { return comment(file, book::mark(file)); }
+
+/// By which it is known that nobody has edited what stands above.
+std::string last_line(const std::string& file, const std::string& text) {
+  return "\n" + comment(file, "Digest of all above: " + digest(text)) + "\n";
+}
+/// A page from before there were such lines counts as not edited.
+bool is_edited(const std::string& file, const std::string& page) {
+  const std::string line = last_line(file, "");
+  const std::size_t end = page.rfind(line.substr(0, line.find(':')));
+  return end != page.npos && page != page.substr(0, end) + last_line(file, page.substr(0, end));
 }
 
 /// The folder of a book: writes over isect's own pages only.
@@ -60,20 +73,29 @@ class Shelf {
     need_own(path(""), own);
   }
 
+  /// Says so where someone has edited the file, which then stays as it is.
   void add(const std::string& file, const std::string& text) {
-    viz::write_file(path(file), text);
     added_.insert(file);
+    std::error_code absent;
+    if (fs::is_regular_file(path(file), absent) && is_edited(file, viz::read_regular_file(path(file))))
+      return say_left_alone(path(file));
+    viz::write_file(path(file), text + last_line(file, text));
     print(path(file) + "\n");
   }
 
-  /// Pages of lessons that are no more. A page under another name than its own stays.
+  /// Pages of lessons that are no more. A page under another name than its own stays, and so does an edited one.
   void remove_stale() const {
     std::vector<fs::path> gone;
     std::error_code absent;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_, absent)) {
       const std::string name = entry.path().filename().string();
       if (!name.ends_with(".html") || added_.contains(name) || entry.is_symlink() || !entry.is_regular_file()) continue;
-      if (viz::read_regular_file(entry.path().string()).starts_with(first_line(name))) gone.push_back(entry.path());
+      const std::string page = viz::read_regular_file(entry.path().string());
+      if (!page.starts_with(first_line(name))) continue;
+      if (is_edited(name, page))
+        say_left_alone(entry.path().string());
+      else
+        gone.push_back(entry.path());
     }
     for (const fs::path& page : gone) fs::remove(page);
   }
@@ -195,7 +217,8 @@ void add_book(CLI::App& app, Program& program) {
   add_path(sub, "--out", options->out, "folder; book if not given", "DIR");
   sub.footer(
       "DIR/index.html is the first page. The pages open from disk and from any web server, and need no network.\n"
-      "Without scripts, and on paper, all presets stand one below the other. Files that isect did not make stay.\n"
+      "Without scripts, and on paper, all presets stand one below the other. Files that isect did not make, or that\n"
+      "someone has edited since, stay.\n"
       "With --live what they show can be dragged and changed, too: ./run book compiles the lessons for that.\n"
       "Example: " +
       program.name + " book" + (program.only ? "" : " ray-sphere --single") + " --out site");

@@ -9,6 +9,7 @@
 
 #include "app/asked.h"
 #include "app/gallery.h"
+#include "app/ownership.h"
 #include "app/pages/html.h"
 #include "app/pages/latex.h"
 #include "app/pages/pages.h"
@@ -129,10 +130,10 @@ int deck(const Program& program, const PageOptions& options) {
     return shown;
   };
   const std::vector<Slide> slides = Slides(e, picture).made();
+  print(gallery.add_page(folder_of(e) + "/" + tex.name, beamer(tex.mark, e.lesson->title, slides)));
+  print(gallery.add_page(folder_of(e) + "/" + page.name, html_slides(page.mark, e.lesson->title, slides)));
   gallery.list();
-  viz::write_file(folder + tex.name, beamer(tex.mark, e.lesson->title, slides));
-  viz::write_file(folder + page.name, html_slides(page.mark, e.lesson->title, slides));
-  print(folder + tex.name + "\n" + folder + page.name + "\n");
+  gallery.say_left_alone();
   return done;
 }
 

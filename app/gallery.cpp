@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/asked.h"
+#include "app/digest.h"
 #include "app/lock.h"
 #include "app/ownership.h"
 #include "viz/files.h"
@@ -53,6 +54,14 @@ Gallery::Gallery(std::string folder, const Program& program) : folder_(std::move
   listed_ = read_manifest();
 }
 
+Gallery::~Gallery() {
+  try {
+    list();
+  } catch (const std::exception&) {
+    // What went wrong first is what is told.
+  }
+}
+
 void Gallery::need_ours(const Piece& piece, const viz::Format& format) const {
   if (const std::string file = piece.stem + "." + format.name; !is_ours(file)) not_ours(path(file));
 }
@@ -63,7 +72,8 @@ std::string Gallery::path(const std::string& file) const { return (fs::path(fold
 bool Gallery::is_ours(const std::string& file) const {
   const fs::path there = path(file);
   std::error_code absent;
-  if (!fs::is_regular_file(there, absent) || listed_.contains(file) || fs::file_size(there, absent) == 0) return true;
+  if (!fs::is_regular_file(there, absent) || listed_.figures.contains(file) || fs::file_size(there, absent) == 0)
+    return true;
   return metadata_in(there).contains("lesson");
 }
 
@@ -72,31 +82,49 @@ bool Gallery::is_our_text(const std::string& stem, const std::string& now) const
   std::error_code absent;
   if (!fs::is_regular_file(file, absent)) return true;
   const std::string there = viz::read_regular_file(file);
-  return there == now || std::ranges::any_of(listed_, [&](const auto& entry) {
-           return fs::path(entry.first).replace_extension() == stem && entry.second.value("alt", "") == there;
-         });
+  const auto wrote_it = [&](const auto& entry) {
+    return fs::path(entry.first).replace_extension() == stem && entry.second.value("alt", "") == there;
+  };
+  return there == now || std::ranges::any_of(added_.figures, wrote_it) ||
+         std::ranges::any_of(listed_.figures, wrote_it);
 }
 
-Gallery::Entries Gallery::read_manifest() const {
+bool Gallery::is_edited(const std::string& file, const Entries Manifest::*kind, const std::string& now) const {
+  const Entries& last = (added_.*kind).contains(file) ? added_.*kind : listed_.*kind;
+  const auto entry = last.find(file);
+  std::error_code absent;
+  if (entry == last.end() || !entry->second.contains("digest") || !fs::is_regular_file(path(file), absent))
+    return false;
+  const std::string there = viz::read_regular_file(path(file));
+  return !there.empty() && there != now && digest(there) != entry->second["digest"];
+}
+
+Gallery::Manifest Gallery::read_manifest() const {
   const std::string file = path("manifest.json");
   if (!viz::is_there(file)) return {};
   const Json manifest = Json::parse(viz::read_regular_file(file), nullptr, false);
-  Entries entries;
+  Manifest listed;
   try {
     if (manifest.at("program") != "isect") not_ours(file);
     for (const Json& entry : manifest.at("figures")) {
       static_cast<void>(entry.value("alt", ""));  // the text that it speaks of
-      entries.emplace(entry.at("file").get<std::string>(), entry);
+      listed.figures.emplace(entry.at("file").get<std::string>(), entry);
     }
+    for (const Json& entry : manifest.value("pages", Json::array()))
+      listed.pages.emplace(entry.at("file").get<std::string>(), entry);
   } catch (const Json::exception&) {
     not_ours(file);
   }
-  return entries;
+  return listed;
 }
 
 std::string Gallery::add(const Excerpt& e, const Piece& piece, const std::string& format, const std::string& bytes,
                          Json about) {
   const std::string file = piece.stem + "." + format;
+  if (is_edited(file, &Manifest::figures, bytes)) {
+    left_alone_.insert(path(file));
+    return {};
+  }
   viz::write_file(path(file), bytes);
   if (is_our_text(piece.stem, piece.alt))
     viz::write_file(path(piece.stem + ".txt"), piece.alt);
@@ -118,8 +146,19 @@ std::string Gallery::add(const Excerpt& e, const Piece& piece, const std::string
   entry["parameters"] = Json::parse(viz::to_json(e.parameters));
   entry.update(about);
   entry["version"] = viz::version();
-  added_[file] = entry;
-  return path(file);
+  entry["digest"] = digest(bytes);
+  added_.figures[file] = entry;
+  return path(file) + "\n";
+}
+
+std::string Gallery::add_page(const std::string& file, const std::string& text) {
+  if (is_edited(file, &Manifest::pages, text)) {
+    left_alone_.insert(path(file));
+    return {};
+  }
+  viz::write_file(path(file), text);
+  added_.pages[file] = {{"file", file}, {"digest", digest(text)}};
+  return path(file) + "\n";
 }
 
 std::size_t Gallery::remove_stale(const Excerpt& e) {
@@ -135,8 +174,12 @@ std::size_t Gallery::remove_stale(const Excerpt& e) {
     if (wanted.contains(stem)) continue;
     const viz::Metadata data = metadata_in(figure);
     if (shows_several(data)) continue;  // whatever steps there are now
-    const bool listed = listed_.contains(stem + figure.extension().string());
-    if (!made_as(data, stem, {}) && !(listed && made_for(data, folder_of(e), {}))) continue;
+    const std::string file = stem + figure.extension().string();
+    if (!made_as(data, stem, {}) && !(listed_.figures.contains(file) && made_for(data, folder_of(e), {}))) continue;
+    if (is_edited(file, &Manifest::figures, {})) {
+      left_alone_.insert(path(file));
+      continue;
+    }
     removed += fs::remove(figure);
     gone.insert(stem);
   }
@@ -151,15 +194,24 @@ std::size_t Gallery::remove_stale(const Excerpt& e) {
 }
 
 void Gallery::list() {
-  if (added_.empty()) return;
+  if (added_.figures.empty() && added_.pages.empty()) return;
   const Lock alone(path(".isect-manifest.lock"));
-  Entries all = added_;
-  all.merge(read_manifest());
-  std::erase_if(all, [&](const auto& entry) { return !viz::is_there(path(entry.first)); });
-  Json figures = Json::array();
-  for (const auto& [file, entry] : all) figures.push_back(entry);
-  const Json manifest = {{"program", "isect"}, {"version", viz::version()}, {"figures", figures}};
+  Manifest all = added_, before = read_manifest();
+  const auto listed = [&](Entries& entries, Entries& earlier) {
+    entries.merge(earlier);
+    Json list = Json::array();
+    for (const auto& [file, entry] : entries)
+      if (viz::is_there(path(file))) list.push_back(entry);
+    return list;
+  };
+  Json manifest = {{"program", "isect"}, {"version", viz::version()}, {"figures", listed(all.figures, before.figures)}};
+  if (const Json pages = listed(all.pages, before.pages); !pages.empty()) manifest["pages"] = pages;
   viz::write_file(path("manifest.json"), manifest.dump(2) + "\n");
+  listed_ = std::move(all), added_ = {};
+}
+
+void Gallery::say_left_alone() const {
+  for (const std::string& file : left_alone_) program::say_left_alone(file);
 }
 
 }  // namespace isect::program

@@ -12,6 +12,7 @@
 
 #include "app/asked.h"
 #include "app/gallery.h"
+#include "app/ownership.h"
 #include "app/pages/html.h"
 #include "app/pages/latex.h"
 #include "app/pages/pages.h"
@@ -116,14 +117,14 @@ int handout(const Program& program, const PageOptions& options) {
     }
     add(piece_of(e, step), studio.draw(e, step));
   }
-  gallery.list();
   const Blocks blocks = contents(e, drawn);
-  viz::write_file(folder + tex.name,
-                  tex.mark + fmt::format(latex_head, viz::tex(e.lesson->title)) + latex(blocks) + "\\end{document}\n");
-  viz::write_file(folder + page.name,
-                  html_page(page.mark, e.lesson->title, html_style,
-                            fmt::format("<h1>{}</h1>\n", html_text(e.lesson->title)) + html(blocks)));
-  print(folder + tex.name + "\n" + folder + page.name + "\n");
+  print(gallery.add_page(folder_of(e) + "/" + tex.name, tex.mark + fmt::format(latex_head, viz::tex(e.lesson->title)) +
+                                                            latex(blocks) + "\\end{document}\n"));
+  print(gallery.add_page(folder_of(e) + "/" + page.name,
+                         html_page(page.mark, e.lesson->title, html_style,
+                                   fmt::format("<h1>{}</h1>\n", html_text(e.lesson->title)) + html(blocks))));
+  gallery.list();
+  gallery.say_left_alone();
   return done;
 }
 

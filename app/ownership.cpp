@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/terminal.h"
 #include "viz/formats.h"
 #include "viz/place.h"
 #include "viz/snapshot.h"
@@ -75,6 +76,10 @@ bool made_as(const viz::Metadata& data, const std::string& file, const std::opti
   const std::string stem = path.filename();
   return made_for(data, path.parent_path(), beside) && beside && beside->stems.contains(stem) &&
          stem.starts_with(fmt::format("{:0>2}-", at(data, "step")));
+}
+
+void say_left_alone(const std::string& file) {
+  say(fmt::format("left alone: {} was edited; remove it to have isect's own again", file));
 }
 
 std::optional<fs::path> trace_below(const fs::path& lesson) {

@@ -1,6 +1,6 @@
 #pragma once
 // What isect knows as its own: a picture by the metadata inside, a trace by the lesson and preset it names. All else in
-// a folder is a user's, and is neither changed nor removed.
+// a folder is a user's, and is neither changed nor removed; nor is what someone has edited since, known by its digest.
 
 #include <filesystem>
 #include <optional>
@@ -39,6 +39,9 @@ bool is_lfs_pointer(const std::string& bytes);
 bool made_for(const viz::Metadata&, const std::string& folder, const std::optional<OwnTrace>& beside);
 /// ... and for this very file: a copy under another name is not isect's.
 bool made_as(const viz::Metadata&, const std::string& file, const std::optional<OwnTrace>& beside);
+
+/// Tells on stderr that someone has edited a file of isect's, so that it is neither written nor removed.
+void say_left_alone(const std::string& file);
 
 /// A trace of isect's in a preset's folder below that of a lesson.
 std::optional<std::filesystem::path> trace_below(const std::filesystem::path& lesson);

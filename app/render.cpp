@@ -145,7 +145,7 @@ void draw_all(const std::vector<Job>& jobs, const RenderOptions& options, Studio
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const Job& job = jobs[i];
     make(job, options, studios, [&](const viz::Format& format, const std::string& bytes, const Json& about) {
-      print(gallery.add(job.e, job.piece, format.name, bytes, about) + "\n");
+      print(gallery.add(job.e, job.piece, format.name, bytes, about));
     });
     progress.done(job.piece.stem);
     if (i + 1 < jobs.size() && &jobs[i + 1].e == &job.e) continue;  // more of this excerpt follow
@@ -197,20 +197,10 @@ int render(const Program& program, RenderOptions options) {
   Gallery gallery(options.out, program);
   for (const Job& job : jobs)
     for (const viz::Format* format : job.formats) gallery.need_ours(job.piece, *format);
-  try {
-    draw_all(jobs, options, studios, gallery);
-  } catch (...) {
-    try {
-      gallery.list();  // what stands by now
-    } catch (const viz::FileError&) {
-      // What went wrong first is what is told.
-    }
-    throw;
-  }
+  draw_all(jobs, options, studios, gallery);
   gallery.list();
   studios.say_widened();
-  for (const std::string& text : gallery.left_alone())
-    say(fmt::format("left alone: {} was edited; remove it to have isect's own text again", text));
+  gallery.say_left_alone();
   return whole ? done : bad_input;
 }
 
@@ -250,7 +240,7 @@ void add_render(CLI::App& app, Program& program) {
   sub.footer(
       "Figures go to DIR/<lesson>/<preset>/; with --set to a folder that names what was set. What isect made "
       "there of\n"
-      "steps that are gone is removed, in every format; nothing else ever is.\n"
+      "steps that are gone is removed, in every format; nothing else ever is. What someone has edited stays as it is.\n"
       "Example: " +
       program.name + " render" + (program.only ? "" : " ray-sphere") + " --preset tangent --format pdf --width 8cm");
   sub.callback([&program, options] { program.chosen = [&program, options] { return render(program, *options); }; });

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
+
+#include "app/digest.h"
 
 namespace isect::program {
 
@@ -13,13 +14,6 @@ namespace {
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
          std::string_view("+-.,=_").find(c) != std::string_view::npos;
-}
-
-/// FNV-1a.
-std::uint64_t digest(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037u;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  return hash;
 }
 
 }  // namespace
@@ -35,7 +29,7 @@ std::string name_of_change(const viz::Parameters& from, const viz::Parameters& t
   std::string name = exact.substr(0, most - 17);
   std::ranges::replace_if(
       name, [](char c) { return !is_plain(c); }, '_');
-  return fmt::format("{}~{:016x}", name, digest(exact));
+  return fmt::format("{}~{}", name, digest(exact));
 }
 
 }  // namespace isect::program

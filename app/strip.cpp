@@ -75,10 +75,10 @@ int strip(const Program& program, StripOptions options) {
                       {{"theme", viz::name_of(style.theme)},
                        {"width_pt", drawing.width},
                        {"height_pt", drawing.height},
-                       {"text_pt", style.paper->text_size}}) +
-          "\n");
+                       {"text_pt", style.paper->text_size}}));
   gallery.list();
   say_widened(studio);
+  gallery.say_left_alone();
   return done;
 }
 

@@ -191,6 +191,29 @@ TEST_CASE("a book takes away its own pages of lessons that are gone, and nothing
   CHECK(contents(site / "index.html").size() > 1000);
 }
 
+TEST_CASE("a page of a book that someone has edited is left alone", "[book]") {
+  const Shell shell;
+  const std::string book = "isect book points --single --out one";
+  const auto page = shell.work() / "one/points.html";
+  REQUIRE(shell(book).status == 0);
+  const std::string own = contents(page);
+  const std::size_t body = own.find("<body"), digest = own.rfind("\n<!-- Digest of all above: ");
+  REQUIRE((body != own.npos && digest != own.npos));
+  const std::string within = std::string(own).insert(body, "<!-- mine -->"), behind = own + "<!-- mine -->\n";
+  for (const std::string& edited : {within, behind}) {
+    write(page, edited);
+    const Ran r = shell(book);
+    CHECK(r.status == 0);
+    CHECK(r.out.empty());
+    CHECK(r.err == "left alone: one/points.html was edited; remove it to have isect's own again\n");
+    CHECK(contents(page) == edited);
+  }
+  const std::string older = own.substr(0, digest);  // from before there were digests
+  write(page, older);
+  CHECK(shell(book).err.empty());
+  CHECK(contents(page) == own);
+}
+
 TEST_CASE("what is wrong with the words of a book is said", "[book]") {
   const Shell shell;
   const std::tuple<const char*, const char*> all[] = {{"isect book ray-sphere", "--single"},

@@ -153,10 +153,76 @@ TEST_CASE("a file of another's where a figure goes is named and stays", "[render
   CHECK_THAT(r.err, Contains("02-along-the-ray.png") && Contains("not made by isect"));
   CHECK(contents(shell.work() / "figures/ray-sphere/two-roots/02-along-the-ray.png") == photo);
   CHECK(shell("isect render ray-sphere --step 1").status == 0);
+}
 
-  // What isect made and another program stripped of its metadata is still listed.
-  write(shell.work() / "figures/ray-sphere/two-roots/01-to-center.png", photo);
-  CHECK(shell("isect render ray-sphere --step 1").status == 0);
+TEST_CASE("a figure that someone has edited is neither written over nor removed, and neither is its alt text",
+          "[render]") {
+  const Shell shell;
+  const auto folder = shell.work() / "figures/ray-sphere/mine";
+  const auto render = [&](const std::string& preset, const std::string& more = "") {
+    write(shell.work() / "mine.json", R"({"lesson": "ray-sphere", "preset": ")" + preset + "\"}");
+    return shell("isect render --preset mine.json --format svg" + more);
+  };
+  REQUIRE(render("two-roots").err.empty());
+  REQUIRE(fs::exists(folder / "12-cases.svg"));
+  const auto manifest = [&] { return contents(shell.work() / "figures/manifest.json"); };
+  const std::string listed = manifest(), text = contents(folder / "01-to-center.txt");
+  // One drawn anew, and one that keeps its metadata, whose step the other preset does not have.
+  const std::string drawing = "<svg>my own drawing</svg>\n",
+                    note = contents(folder / "11-intersect.svg") + "<!-- a note -->\n";
+  write(folder / "01-to-center.svg", drawing);
+  write(folder / "11-intersect.svg", note);
+  const auto check_kept = [&](const Ran& r) {
+    CHECK(r.status == 0);
+    CHECK_THAT(r.err, Contains("left alone: figures/ray-sphere/mine/01-to-center.svg was edited; remove it"));
+    CHECK_THAT(r.out, !Contains("01-to-center.svg") && Contains("02-along-the-ray.svg"));
+    CHECK(contents(folder / "01-to-center.svg") == drawing);
+    CHECK(contents(folder / "11-intersect.svg") == note);
+  };
+
+  check_kept(render("two-roots"));
+  CHECK(manifest() == listed);
+  check_kept(render("two-roots", " --theme dark"));
+  const Ran shorter = render("miss");
+  check_kept(shorter);
+  CHECK_THAT(shorter.err, Contains("left alone: figures/ray-sphere/mine/11-intersect.svg was edited"));
+  CHECK(contents(folder / "01-to-center.txt") == text);
+  CHECK(fs::exists(folder / "11-intersect.txt"));
+  CHECK_FALSE(fs::exists(folder / "12-cases.svg"));
+
+  fs::remove(folder / "01-to-center.svg");
+  const Ran again = render("miss");
+  CHECK_THAT(again.err, !Contains("01-to-center"));
+  CHECK_THAT(contents(folder / "01-to-center.svg"), Contains("data-isect"));
+  CHECK_THAT(render("two-roots").err, Contains("11-intersect.svg") && !Contains("01-to-center"));
+}
+
+TEST_CASE("what an older isect listed, without digests, is written over as ever", "[render]") {
+  const Shell shell;
+  const std::string render = "isect render ray-sphere --step 1 --format svg",
+                    file = "figures/ray-sphere/two-roots/01-to-center.svg";
+  REQUIRE(shell(render).status == 0);
+  const std::string figure = contents(shell.work() / file);
+  auto manifest = nlohmann::json::parse(contents(shell.work() / "figures/manifest.json"));
+  REQUIRE(manifest["figures"][0].erase("digest") == 1);
+  write(shell.work() / "figures/manifest.json", manifest.dump());
+  write(shell.work() / file, "<svg/>");  // stripped of its metadata by another program
+  const Ran r = shell(render);
+  CHECK(r.status == 0);
+  CHECK(r.err.empty());
+  CHECK(contents(shell.work() / file) == figure);
+}
+
+TEST_CASE("figures that a failed run wrote before it failed count as its own in the next one", "[render]") {
+  const Shell shell;
+  const std::string render = "isect render ray-sphere --step 1-3 --format svg";
+  const auto folder = shell.work() / "figures/ray-sphere/two-roots";
+  REQUIRE(shell(render).status == 0);
+  REQUIRE(fs::remove(folder / "03-distance.svg"));
+  fs::create_directories(folder / "03-distance.svg/x");
+  CHECK(shell(render + " --theme dark").status == 4);
+  fs::remove_all(folder / "03-distance.svg");
+  CHECK_THAT(shell(render).err, !Contains("left alone"));
 }
 
 TEST_CASE("figures never go among baselines", "[render]") {

@@ -54,6 +54,32 @@ TEST_CASE("a handout is never written over a file of somebody else's", "[handout
   CHECK(isect::test::files_in(shell.work()).size() == 1);  // nothing else was written either
 }
 
+TEST_CASE("pages and pictures of a handout or deck that someone has edited are left alone", "[handout]") {
+  const Shell shell;
+  for (const std::string kind : {"handout", "deck"}) {
+    INFO(kind);
+    const std::string command = "isect " + kind + " intervals --out out", folder = "out/intervals/overlapping/";
+    REQUIRE(shell(command).err.empty());
+    CHECK(shell(command + " --theme grey").err.empty());  // over its own
+    const auto tex = shell.work() / folder / (kind + ".tex");
+    const std::string mine = contents(tex) + "% a note of mine\n";
+    write(tex, mine);
+    const Ran r = shell(command);
+    CHECK(r.status == 0);
+    CHECK_THAT(r.err, Contains("left alone: " + folder + kind + ".tex was edited; remove it"));
+    CHECK(r.out == folder + kind + ".html\n");
+    CHECK(contents(tex) == mine);
+    std::filesystem::remove(tex);
+    CHECK(shell(command).err.empty());
+    CHECK_THAT(contents(tex), !Contains("a note of mine") && Contains("Made by isect"));
+  }
+  const auto picture = shell.work() / "out/intervals/overlapping/01-opening.tikz";
+  REQUIRE(std::filesystem::exists(picture));
+  write(picture, "% mine\n");
+  CHECK_THAT(shell("isect handout intervals --out out").err, Contains("01-opening.tikz was edited"));
+  CHECK(contents(picture) == "% mine\n");
+}
+
 TEST_CASE("a question stands before the title of its step, which may be the answer", "[handout]") {
   const std::tuple<const char*, const char*, const char*> all[] = {
       {"convex-hull/scattered", "How many points leave the chain?", ": drop one, then append"},

@@ -122,6 +122,20 @@ TEST_CASE("strips and animations stay when the steps beside them are rendered ag
   for (const std::string& file : before) CHECK(std::ranges::find(after, file) != after.end());
 }
 
+TEST_CASE("a strip that someone has edited is left alone", "[strip]") {
+  const Shell shell;
+  const std::string strip = "isect strip ray-sphere --step 2-3 --format svg";
+  const Ran first = shell(strip);
+  REQUIRE(first.status == 0);
+  const auto file = shell.work() / first.out.substr(0, first.out.size() - 1);
+  write(file, "<svg>mine</svg>");
+  const Ran r = shell(strip + " --theme grey");
+  CHECK(r.status == 0);
+  CHECK(r.out.empty());
+  CHECK_THAT(r.err, Contains("left alone: ") && Contains(".svg was edited; remove it"));
+  CHECK(contents(file) == "<svg>mine</svg>");
+}
+
 TEST_CASE("captions of a strip stand below the titles, without the lesson's opening", "[strip]") {
   const Shell shell;
   const std::string request = "isect strip ray-sphere --step 1-2 --format svg --labels text --out - ";
