@@ -158,7 +158,7 @@ Scene together(const std::vector<Item>& a, const std::vector<Item>& b) {
 
 }  // namespace
 
-TEST_CASE("what lies in a body is drawn as without it, whatever both are; what reaches out is hidden within",
+TEST_CASE("what lies in a body is drawn as without it, whatever both are, and what reaches out is hidden within",
           "[compose]") {
   Camera camera;
   camera.half_height = 5;
