@@ -258,7 +258,7 @@ TEST_CASE("an error names the field, what is allowed and what was found", "[quer
              Contains("field \"center\": a list of 2 is expected"));
 }
 
-TEST_CASE("infinite ends are those of ranges and of empty boxes; elsewhere the one that is infinite is named",
+TEST_CASE("infinite ends are those of ranges and of empty boxes, and elsewhere the one that is infinite is named",
           "[query]") {
   const auto answered = [](const std::string& line) { return ask(line + "\n").lines.at(0).contains("result"); };
   CHECK(answered(R"({"kind": "interval_interval", "a": ["-inf", 1], "b": [0, "inf"]})"));
