@@ -160,7 +160,7 @@ class Teller {
     script_.count({c.mul + e.mul, c.add + e.add, c.div + e.div, c.sqrt + e.sqrt, c.compare + e.compare});
     script_.value("triangles that meet b", static_cast<double>(test_.hits.size()), {}, meets ? Role::hit : Role::miss);
     add("triangles", "Now every triangle", 4,
-        meets ? "Those in green meet b. A yes-or-no test could stop at the first."
+        meets ? "Those marked meet b. A yes-or-no test could stop at the first."
               : "No triangle meets b. Finding that out took a test of each.\n"
                 "One case is left: a box deep inside the object meets no triangle of its surface either.",
         true, true, fmt::format("{} of {} triangles meet b", test_.hits.size(), mesh_.triangles.size()))

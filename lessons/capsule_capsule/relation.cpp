@@ -36,7 +36,7 @@ std::string end_caption(const Setup& s) {
     case Relation::overlapping:
       if (s.segments()) return segments + "They share such a point, and neither contains the other." + missed;
       return std::string("They share interior points, and neither contains the other.") +
-             (s.thin() ? "" : "\nGreen marks what they share.");
+             (s.thin() ? "" : "\nWhat they share is marked.");
     case Relation::equal:
       return "Each lies inside the other: they are the same set. The ends may be swapped.";
     default: {

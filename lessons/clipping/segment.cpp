@@ -130,7 +130,7 @@ std::string SegmentTeller::end_caption(bool one) const {
     return std::string("The part kept lies in a side. The sets are closed, so the boundary belongs to the box.") +
            (ray_aabb::by_min_max(isect::segment(known_.segment.p, known_.segment.q), box_)
                 ? ""
-                : "\nSlabs by reciprocals lose it (crossed out): 0 · ∞ is not a number, and every comparison with it "
+                : "\nSlabs by reciprocals lose it: 0 · ∞ is not a number, and every comparison with it "
                   "fails.");
   if (trivial_) return "No side was crossed, so there was nothing to divide: the segment is kept as it is.";
   return "The part kept runs from the last entry to the first exit.\n"

@@ -105,8 +105,9 @@ class UnderHierarchy {
     const Vec3 at = middle(box);
     if (culling == Culling::outside)
       step.scene.items.emplace_back(Label{at, plane_names[v.answer.rejecting_plane()], Role::miss});
-    step.question = {fmt::format("The node's box reaches from {} to {}. The frustum is {}. Where does the box lie?",
-                                 coordinates(box.lo), coordinates(box.hi), inner_side(eye_)),
+    step.question = {fmt::format("The box of {} reaches from {} to {}. The frustum is {}. Where does the box lie?",
+                                 v.node == 0 ? "the root" : fmt::format("node {}", v.node), coordinates(box.lo),
+                                 coordinates(box.hi), inner_side(eye_)),
                      {"wholly outside", "wholly inside", "across the boundary"},
                      culling == Culling::outside  ? 0
                      : culling == Culling::inside ? 1

@@ -261,12 +261,12 @@ class OneVolume {
              "The test is conservative. Drawing too much is harmless; drawing too little is not.";
     if (touches())
       return "The box touches a plane from outside, and the sets are closed: only a box beyond is rejected.\n"
-             "What the two share (green) has no volume.";
+             "What the two share, marked here, has no volume.";
     if (centre_inside())
       return "Crossing only means perhaps. Here the centre lies on the inner side of all planes, so some of the ball "
              "is visible.";
     if (ball_) return "Crossing only means perhaps. Beyond an edge a ball may cut two planes and miss the frustum.";
-    return "Crossing only means perhaps. Here a part is inside (green), found by clipping the faces.";
+    return "Crossing only means perhaps. Here a part is inside; it is marked, and found by clipping the faces.";
   }
 
   const Frustum<double> view_;

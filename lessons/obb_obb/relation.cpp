@@ -59,7 +59,7 @@ std::string Teller::end_caption() const {
                              : "They share boundary points, but no interior point.") +
              " Closed sets include their boundary, so touching counts as OVERLAP.";
     case Relation::overlapping:
-      return "All 15 axes had to be tested. Green marks what the boxes share.";
+      return "All 15 axes had to be tested. What the boxes share is marked.";
     case Relation::equal:
       return "OVERLAP does not say that the boxes are the same set.";
     case Relation::a_inside_b:

@@ -27,10 +27,12 @@ class Teller {
  public:
   explicit Teller(const Vec3& pointer)
       : s_(pointer),
-        script_({"Lecture note, picking, bounding volumes and rays",
-                 "An eye, an image plane with the pointer, and the viewing ray through it. It picks " +
-                     (s_.truth ? std::string(s_.world.object(s_.truth->primitive).name) : std::string("nothing")) + ".",
-                 pseudocode}) {}
+        script_(
+            {"Lecture note, picking, bounding volumes and rays",
+             "The eye's image of a crate, a gem and two balls, in pixels, with a ring at the pointer. Its viewing ray, "
+             "drawn below as a *t*-axis, picks " +
+                 (s_.truth ? std::string(s_.world.object(s_.truth->primitive).name) : std::string("nothing")) + ".",
+             pseudocode}) {}
 
   Walk tell() {
     step("pointer", "What is under the pointer?", 0,
@@ -159,13 +161,21 @@ class Teller {
       last(tie ? "Both objects are met in one point, where they touch. A rule must choose: the first in "
                  "their list.\n"
                  "With *t* alone, whichever is tested first would stay, and that may change."
-               : "The nearest object is the one that the eye sees under the pointer (highlighted).\n"
-                 "Those behind it cannot be picked here, though the ray meets them.",
+               : "The nearest object is the one that the eye sees under the pointer, at the ring.\n" + hidden(),
            "least *t* = " + shown(s_.truth->t));
     } else {
       script_.settle(Verdict::Kind::no, "nothing is picked");
       last("No object is hit, so the pointer is on the background: a click there may deselect.", "");
     }
+  }
+
+  /// What the ray meets behind the object kept.
+  std::string hidden() const {
+    const auto behind = static_cast<int>(known_.hits.size()) - 1;
+    if (behind == 0) return "The ray meets no other, so nothing is hidden behind it here.";
+    if (behind > 1) return "Those behind it cannot be picked here, though the ray meets them.";
+    const int other = known_.hits[known_.hits[0].first == known_.kept ? 1 : 0].first;
+    return fmt::format("The ray meets {} too, but behind it: so {} cannot be picked here.", name(other), name(other));
   }
 
   /// Over all pixels; once, as neither eye nor objects move.

@@ -30,7 +30,9 @@ class Teller {
   explicit Teller(const OnePixel& one)
       : s_(one),
         script_({"Lecture note, ray tracing; Appel, AFIPS Spring Joint Computer Conference (1968)",
-                 "An eye looks through an image plane at balls, a box and a floor. " + outcome() + ".", pseudocode}) {}
+                 "What the eye sees of balls, a box and a floor, in pixels, with a frame round the one asked about. " +
+                     outcome() + ".",
+                 pseudocode}) {}
 
   Walk tell() {
     step("picture-plane", "A picture of pixels", 0,

@@ -107,7 +107,7 @@ Walk page_of_all(const Pose& pose) {
   script
       .add("six-relations", "Six relations, four kinds", -1,
            "Each pair of convex sets lies in one of these six ways.\n"
-           "Green is what they share: nothing, boundary points, or a common part.")
+           "What they share is marked: boundary points or a common part. Disjoint ones share nothing.")
       .scene = all_pairs_of_all_kinds();
   return std::move(script.walk());
 }

@@ -183,7 +183,7 @@ class Teller {
         add("interiors", "Do they share interior points?", touch ? 4 : 5,
             touch ? "No: what they share lies on both boundaries. Closed sets include their boundary, so they touch.\n"
                     "The note counts touching boxes as OVERLAP, but touching spheres as DISJOINT."
-                  : "Yes: some point is interior to both. Green marks what they share.\n"
+                  : "Yes: some point is interior to both. What they share is marked.\n"
                     "The note calls it partial intersection.",
             Focus::settled);
     step.decides = true;

@@ -49,8 +49,7 @@ const Lesson& lesson() {
         .title = "Robustness: a microscope",
         .rows = "N10",
         .summary =
-            "Neighbouring floating-point numbers, coloured by the verdict of a naive test and by the true "
-            "one.",
+            "Neighbouring floating-point numbers, a cell each: what a naive test says of them, and what is true.",
         .parameters = {choice("test", "test", "The naive test under the microscope.", tests()),
                        choice("scalar", "scalar", "The numbers: 53 bits or 24.", {"double", "float"}),
                        vector("p", "**p**",

@@ -32,7 +32,8 @@ inline viz::Verdict::Kind verdict_kind(Relation r) {
   return r == Relation::touching ? viz::Verdict::Kind::on : viz::Verdict::Kind::yes;
 }
 
-/// "How do the two boxes lie?" `they` with its article; the answer is the exact test's.
+/// "How are the two boxes related?" `they` with its article; the answer is the exact test's. Sets that touch from
+/// inside are one inside the other.
 inline viz::Question relation_question(Relation r, const std::string& they, const std::string& because) {
   const bool inside = r == Relation::a_inside_b || r == Relation::b_inside_a;
   const int answer = r == Relation::disjoint   ? 0
@@ -41,7 +42,7 @@ inline viz::Question relation_question(Relation r, const std::string& they, cons
                      : inside                  ? 3
                                                : 2;
   return {"How are " + they + " related?",
-          {"disjoint", "touching", "overlapping", "one inside the other", "the same set"},
+          {"disjoint", "touching from outside", "overlapping", "one inside the other", "the same set"},
           answer,
           because};
 }

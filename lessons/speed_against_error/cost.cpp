@@ -31,33 +31,57 @@ double two_digits(double x) {
 
 }  // namespace
 
+std::pair<std::string, double> Teller::dearest() const {
+  std::pair<std::string, double> most = {ordinary_, 0};
+  for (const std::string& family : families_of(rows_)) {
+    if (standard_of(of(family)) == nullptr || exact_of(of(family)) == nullptr) continue;
+    if (const double times = exact(family).ns / naive(family).ns; times > most.second) most = {family, times};
+  }
+  return most;
+}
+
+std::string Teller::naive_there(const std::string& family) const {
+  return naive(family).wrong() > 0 ? "There the naive method is wrong on " + error_share(naive(family)) + "."
+                                   : "There no verdict of the naive method is wrong.";
+}
+
+std::string Teller::cost_when_hard() const {
+  int hard = 0, slower = 0;
+  for (const std::string& family : families_of(rows_)) {
+    if (standard_of(of(family)) == nullptr || exact_of(of(family)) == nullptr || !exact(family).hard) continue;
+    ++hard;
+    slower += exact(family).ns > naive(family).ns && differ(exact(family).ns, naive(family).ns);
+  }
+  if (slower == 0) return {};
+  const auto [family, times] = dearest();
+  const std::string where = slower == hard ? (hard == 1 ? "the hard family" : "every hard family")
+                                           : fmt::format("{} of {} hard families", slower, hard);
+  return fmt::format("\nOn {} the exact call takes longer, at most {} times as long: on “{}”. {}", where,
+                     ratio_text(times), words(family), naive_there(family));
+}
+
 void Teller::cost() {
   Bars bars = {{Scale::Kind::log, 0.5, 2, "time of the exact call / time of " + name_of(naive(ordinary_))},
                {{"exact", Glyph::star, Role::hit}},
                {},
                "as fast"};
-  double most = 0;
-  std::string worst;
+  const auto [worst, most] = dearest();
   for (const std::string& family : families_of(rows_)) {
     if (standard_of(of(family)) == nullptr || exact_of(of(family)) == nullptr) continue;
     const double times = exact(family).ns / naive(family).ns;
     bars.bars.push_back({as_markup(words(family)), {{0, times}}, 1.0, ratio_text(times), Verdict::Kind::open});
     bars.x.lo = std::min(bars.x.lo, times / 1.5), bars.x.hi = std::max(bars.x.hi, 1.5 * times);
-    if (times > most) most = times, worst = family;
   }
   const double usual = exact(ordinary_).ns / naive(ordinary_).ns;
   values(ordinary_);
   script_.value("cost, ordinary", two_digits(usual), "times");
   script_.value("cost, most", two_digits(most), "times");
-  const std::string there = naive(worst).wrong() > 0
-                                ? "There the naive method is wrong on " + error_share(naive(worst)) + "."
-                                : "There no verdict of the naive method is wrong.";
   const std::string noise = differ(exact(ordinary_).ns, naive(ordinary_).ns) ? "" : ", no difference beyond the noise";
-  Step& step = script_.add(
-      "cost", "What exactness costs", cost_line,
-      fmt::format("On ordinary cases the exact call takes {} times as long as {}{}. It "
-                  "loses most on “{}”: {} times as long.\n{}",
-                  ratio_text(usual), name_of(naive(ordinary_)), noise, words(worst), ratio_text(most), there));
+  Step& step = script_.add("cost", "What exactness costs", cost_line,
+                           fmt::format("On ordinary cases the exact call takes {} times as long as {}{}. It "
+                                       "loses most on “{}”: {} times as long.\n{}",
+                                       ratio_text(usual), name_of(naive(ordinary_)), noise, words(worst),
+                                       ratio_text(most), naive_there(worst)));
   show(step, {bars});
 
   const int bucket = noise.empty() ? (usual < 1 ? 0 : usual <= 3 ? 2 : usual <= 10 ? 3 : 4) : 1;
@@ -102,15 +126,20 @@ void Teller::choose() {
   for (const Row* r : as_fast_as(fast))
     if (name_of(*r) != faster) others.push_back(name_of(*r));
   const bool saves = fast.ns < right.ns && differ(fast.ns, right.ns);
+  const bool no_dearer = right.ns <= plain.ns || !differ(right.ns, plain.ns);
   const std::string errs =
       fmt::format("That is wrong on {} of the hard cases, the exact call on none.{}", share(wrong_when_hard(fast), 1),
                   others.empty() ? "" : fmt::format(" As fast, within the noise: {}.", fmt::join(others, ", ")));
   std::string text, verdict = "choose the exact call";
-  if (right.ns <= 1.1 * plain.ns && !saves)
-    text = fmt::format("The exact call costs no more than {}, and nothing here is faster beyond the noise.", name);
-  else if (right.ns <= 1.1 * plain.ns)
-    text = fmt::format("The exact call costs no more than {}. Faster is {}, by {} ns a call.\n{}", name, faster,
-                       shown(right.ns - fast.ns), errs),
+  if (no_dearer && !saves)
+    text = fmt::format(
+        "On ordinary cases the exact call costs no more than {}. No method that is right there is faster, beyond the "
+        "noise.{}",
+        name, cost_when_hard());
+  else if (no_dearer)
+    text =
+        fmt::format("On ordinary cases the exact call costs no more than {}. Faster there is {}, by {} ns a call. {}{}",
+                    name, faster, shown(right.ns - fast.ns), errs, cost_when_hard()),
     verdict = "choose the exact call, or " + faster + " where every input is ordinary";
   else if (plainly_wrong > 0)
     text = fmt::format(

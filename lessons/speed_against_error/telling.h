@@ -2,6 +2,7 @@
 // One test's measurements, read and explained: what each step of the lesson says and shows.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/plots.h"
@@ -36,6 +37,12 @@ class Teller {
   Rows as_fast_as(const bench::Row&) const;
   /// The share of its verdicts on hard cases.
   double wrong_when_hard(const bench::Row& method) const;
+  /// The family on which the exact call takes most times as long as the naive method, and how many times.
+  std::pair<std::string, double> dearest() const;
+  /// On how many hard families it takes longer, and how much: empty where it does on none.
+  std::string cost_when_hard() const;
+  /// What the naive method does there, as a sentence.
+  std::string naive_there(const std::string& family) const;
   void values(const std::string& family);
   void show(viz::Step&, viz::Chart) const;
 

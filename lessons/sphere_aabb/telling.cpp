@@ -182,7 +182,7 @@ class Teller {
       case Relation::overlapping:
         break;
     }
-    return "Green is the part of the box's surface that lies in the ball.";
+    return "The part of the box's surface that lies in the ball is marked.";
   }
 
   /// The tempting shortcut, where it is wrong.

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <regex>
+#include <set>
 
 #include "lessons/sphere_sphere/picture.h"
+#include "tests/lessons/texts.h"
 #include "tests/lessons/words.h"
 #include "viz/alt_text.h"
 #include "viz/geometry.h"
@@ -208,6 +210,78 @@ TEST_CASE("the trapezoid map counts the edges that are added without a step", "[
       CHECK(says(s.caption, "been added in between") == (number > ++steps));
     }
   }
+}
+
+TEST_CASE("no text names a colour, which another theme does not have", "[words]") {
+  static const std::regex colour(
+      "\\b(green|blue|orange|yellow|red|violet|purple|pink|brown|gr[ea]y|black|white)\\b|"
+      "\\bcolou?red\\b|highlighted\\)",
+      std::regex::icase);
+  for (const Lesson* l : lessons::all_lessons())
+    for (const std::string& text : texts(*l)) {
+      INFO(l->id << ": " << text);
+      CHECK_FALSE(std::regex_search(text, colour));
+    }
+}
+
+TEST_CASE("what lies behind the object picked is told only where the ray meets something there", "[words]") {
+  std::set<std::size_t> met;
+  on_random_settings("picking", 60, [&](const Parameters&, const Walk& walk) {
+    const Step& last = ending(walk);
+    if (last.verdict.kind != Verdict::Kind::yes) return;
+    const auto hits = static_cast<std::size_t>(
+        std::ranges::count_if(last.values, [](const Value& v) { return v.name.starts_with("*t* of "); }));
+    INFO(last.caption);
+    met.insert(hits);
+    CHECK(says(last.caption, "meets no other") == (hits == 1));
+    CHECK(says(last.caption, "cannot be picked here") == (hits > 1));
+  });
+  CHECK(met.size() >= 2);
+}
+
+TEST_CASE("the words for an image of pixels speak of no scene around it", "[words]") {
+  for (const char* id : {"picking", "ray-tracing"})
+    for (const Preset& p : lesson(id).presets) {
+      const Walk walk = lesson(id).walk(p.parameters);
+      const std::vector<Item>& drawn = ending(walk).scene.items;
+      INFO(id << " " << p.id << ": " << walk.alt);
+      REQUIRE(std::ranges::any_of(drawn, [](const Item& i) { return std::holds_alternative<Raster>(i); }));
+      CHECK_FALSE(says(walk.alt, "image plane"));
+      CHECK(says(walk.alt, "in pixels"));
+    }
+}
+
+TEST_CASE("what a method loses is not said to be crossed out, where no cross is drawn", "[words]") {
+  const Step& last = ending(walk_of("clipping", "along-a-side"));
+  CHECK_THAT(last.caption, Contains("Slabs by reciprocals lose it: ") && !Contains("crossed out"));
+}
+
+TEST_CASE("sets that touch from inside have no choice that calls them touching alone", "[words]") {
+  int asked = 0;
+  for (const Lesson* l : lessons::all_lessons())
+    for (const Preset& p : l->presets)
+      for (const Step& s : l->walk(p.parameters).steps) {
+        if (!s.question || !s.question->prompt.ends_with("related?")) continue;
+        ++asked;
+        INFO(l->id << " " << p.id);
+        CHECK(std::ranges::count(s.question->choices, "touching from outside") == 1);
+        CHECK(std::ranges::count(s.question->choices, "touching") == 0);
+      }
+  CHECK(asked >= 20);
+  const Walk inner = walk_of("sphere-sphere", "inner-touch");
+  CHECK(answer(*find(inner, "compare")) == "one inside the other");
+  CHECK_THAT(ending(inner).caption, Contains("touches it from within"));
+}
+
+TEST_CASE("a question of a node names it", "[words]") {
+  int asked = 0;
+  for (const Step& s : walk_of("culling", "hierarchy").steps)
+    if (s.question && s.slug.starts_with("node-")) {
+      const std::string node = s.slug == "node-0" ? "the root" : "node " + s.slug.substr(5);
+      CHECK(says(s.question->prompt, "The box of " + node + " reaches from "));
+      ++asked;
+    }
+  CHECK(asked >= 2);
 }
 
 }  // namespace mended_words_test

@@ -58,6 +58,8 @@ std::string in_choices(Relation r) {
       return "one inside the other";
     case Relation::equal:
       return "the same set";
+    case Relation::touching:
+      return "touching from outside";
     default:
       return lessons::relation_name(r);
   }

@@ -1,8 +1,11 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <sstream>
 
+#include "bench/prose.h"
 #include "bench/rows.h"
 #include "lessons/lessons.h"
 #include "lessons/speed_against_error/results.h"
@@ -133,7 +136,7 @@ TEST_CASE("questions about the results have one right answer", "[speed lesson]")
 }
 
 TEST_CASE("what the lesson says follows from the numbers", "[speed lesson]") {
-  const bench::Report dear = report(40, 100), cheap = report(10.5, 100), harmless = report(40, 0);
+  const bench::Report dear = report(40, 100), cheap = report(10, 100), harmless = report(40, 0);
   const Walk walk = Teller(dear, "a-b").tell();
   CHECK(step(walk, "touch").caption.find("10 % wrong") != std::string::npos);
   CHECK(step(walk, "touch").question->choices[step(walk, "touch").question->answer] == "naive");
@@ -145,9 +148,49 @@ TEST_CASE("what the lesson says follows from the numbers", "[speed lesson]") {
 
   CHECK(Teller(cheap, "a-b").tell().steps.back().caption.find("costs no more than naive") != std::string::npos);
 
+  // Which families a cost is told of: the exact call takes four times as long as the naive one on the hard one alone.
+  bench::Report mixed = report(10, 100);
+  for (bench::Row& r : mixed.rows)
+    if (r.exact && r.hard) r.ns = r.median = 40;
+  const std::string told = Teller(mixed, "a-b").tell().steps.back().caption;
+  CHECK_THAT(told, Catch::Matchers::StartsWith("On ordinary cases the exact call costs no more than naive."));
+  CHECK_THAT(told,
+             test::Contains("On the hard family the exact call takes longer, at most 4 times as long: on “touch”. "
+                            "There the naive method is wrong on 10 % of the cases."));
+  CHECK_THAT(Teller(cheap, "a-b").tell().steps.back().caption, !test::Contains("takes longer"));
+
   const Walk calm = Teller(harmless, "a-b").tell();
   CHECK(calm.steps.back().caption.find("No case judged here broke naive") != std::string::npos);
   CHECK(std::ranges::none_of(calm.steps, [](const Step& s) { return s.slug == "wrong-verdicts"; }));
+}
+
+TEST_CASE("a cost that is told without its families is one of all families drawn beside it", "[speed lesson]") {
+  int told = 0;
+  for (const Preset& p : lesson().presets) {
+    const std::string caption = step(lesson().walk(p.parameters), "choose").caption;
+    INFO(p.id << ": " << caption);
+    std::size_t hard = 0, slower = 0;
+    double most = 0;
+    for (const std::string& family : bench::families_of(bench::rows_of(results(), p.id, "double"))) {
+      const auto rows = bench::rows_of(results(), p.id, "double", family);
+      const bench::Row *naive = bench::standard_of(rows), *exact = bench::exact_of(rows);
+      if (!naive || !exact) continue;
+      const double times = exact->ns / naive->ns;
+      if (!exact->hard && caption.find("costs no more") != caption.npos) CHECK(times <= 1 + results().machine.noise);
+      if (!exact->hard) continue;
+      ++hard, slower += times > 1 + results().machine.noise;
+      most = std::max(most, times);
+    }
+    if (caption.find("costs no more") == caption.npos) continue;
+    ++told;
+    CHECK_THAT(caption, Catch::Matchers::StartsWith("On ordinary cases"));
+    CHECK_THAT(caption, test::Contains(slower == hard ? std::string("On every hard family the exact call takes longer")
+                                                      : fmt::format("On {} of {} hard families the exact call takes "
+                                                                    "longer",
+                                                                    slower, hard)));
+    CHECK_THAT(caption, test::Contains("at most " + bench::ratio_text(most) + " times as long"));
+  }
+  CHECK(told >= 1);
 }
 
 TEST_CASE("no label of the lesson's charts meets another or leaves the picture", "[speed lesson]") {

@@ -344,10 +344,10 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
       {"the six planes say about the box", [](const Question&, const std::string&, const OnShow&) { return 1; }},
       {"the six planes say about the ball",
        [](const Question&, const std::string&, const OnShow& o) { return o("least n · c + D") >= 0 ? 0 : 1; }},
-      {"the node's box reaches from",
+      {"does the box lie?",
        [](const Question&, const std::string&, const OnShow& o) {
-         const Numbers& n = o.told;  // ... −2.5 ≤ x ≤ 3, 4 |y| ≤ x + 4 and 8 |z| ≤ 3 (x + 4)
-         REQUIRE(n.size() == 13);
+         REQUIRE(o.told.size() >= 13);                      // a node's number stands before
+         const Numbers n(o.told.end() - 13, o.told.end());  // ... −2.5 ≤ x ≤ 3, 4 |y| ≤ x + 4 and 8 |z| ≤ 3 (x + 4)
          bool inside = true;
          for (const std::array<double, 4>& plane : {std::array{1.0, 0.0, 0.0, -n[6]},
                                                     {-1, 0, 0, n[7]},
@@ -381,7 +381,7 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
          if (d2 == 0 && difference == 0) return choice(q, "the same set");
          return choice(q, d2 > sum           ? "disjoint"
                           : d2 <= difference ? "one inside the other"
-                          : d2 == sum        ? "touching"
+                          : d2 == sum        ? "touching from outside"
                                              : "overlapping");
        }},
       {"of the two children does it meet",
