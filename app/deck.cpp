@@ -83,7 +83,7 @@ class Slides {
     all_.push_back(std::move(slide));
     int number = 0;
     for (const viz::Exercise& x : e_.lesson->closing->exercises)
-      all_.push_back({fmt::format("Exercise {}", ++number), {Prose{x.prompt}, Pause{}, Prose{x.solution}}, {}, {}});
+      all_.push_back({fmt::format("Exercise {}", ++number), {Prose{prompt(x)}, Pause{}, Prose{x.solution}}, {}, {}});
   }
 
   const Excerpt& e_;

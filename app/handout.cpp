@@ -39,11 +39,6 @@ constexpr const char* html_style =
     "}\n"
     "ol.choices { list-style: lower-alpha; }\n";
 
-Prose exercise(const viz::Exercise& e, int number) {
-  const std::string start = e.preset.empty() ? "" : fmt::format(" (Preset {}.)", e.preset);
-  return {e.prompt + start, fmt::format("Exercise {}.", number)};
-}
-
 /// The steps in order; a step's question stands before its picture, which shows the answer. `drawn`: the questions
 /// that have a picture of their own.
 Blocks contents(const Excerpt& e, const std::set<int>& drawn) {
@@ -65,7 +60,7 @@ Blocks contents(const Excerpt& e, const std::set<int>& drawn) {
     if (step.slug != viz::closing_slug) continue;
     int exercises = 0;
     for (const viz::Exercise& x : e.lesson->closing->exercises) {
-      all.push_back(exercise(x, ++exercises));
+      all.push_back(Prose{prompt(x), fmt::format("Exercise {}.", ++exercises)});
       answers.push_back(Prose{x.solution, fmt::format("Exercise {}.", exercises)});
     }
   }

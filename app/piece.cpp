@@ -45,8 +45,7 @@ Piece piece_of(const Excerpt& e, const std::string& kind) {
   for (std::size_t i = 0; i < e.steps.size(); ++i) {
     const Piece one = piece_of(e, e.steps[i]);
     const char letter = static_cast<char>('a' + i % 26);
-    const bool asks = one.title.ends_with('?');
-    piece.caption += fmt::format("{}({}) {}{}", i == 0 ? "" : " ", letter, one.title, asks ? "" : ".");
+    piece.caption += fmt::format("{}({}) {}", i == 0 ? "" : " ", letter, viz::as_sentence(one.title));
     piece.alt += fmt::format("{}({}) {}", i == 0 ? "" : "\n\n", letter, one.alt);
   }
   piece.metadata = metadata_of(e, e.steps.front());

@@ -8,6 +8,7 @@
 
 #include "app/ownership.h"
 #include "app/terminal.h"
+#include "viz/alt_text.h"
 #include "viz/closing.h"
 #include "viz/crop.h"
 #include "viz/strip.h"
@@ -39,7 +40,7 @@ viz::Figure composed(const Excerpt& e, int step, const viz::PageLayout& layout) 
 
 /// On one line.
 std::string with_caption(const viz::Lesson& lesson, const viz::Step& step) {
-  std::string text = step.title + ". " + viz::own_caption(lesson, step);
+  std::string text = viz::as_sentence(step.title) + " " + viz::own_caption(lesson, step);
   std::ranges::replace(text, '\n', ' ');
   return text;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/pages/blocks.h"
 #include "app/terminal.h"
 #include "app/told_setting.h"
 #include "viz/alt_text.h"
@@ -55,9 +56,6 @@ class Teller {
     return fmt::format("Step {} of {}: {}", index + 1, e_.walk.steps.size(), plain(e_.walk.steps[index].title));
   }
 
-  /// With a full stop, unless it asks.
-  static std::string ended(const std::string& title) { return title.ends_with("?") ? title : title + "."; }
-
   static std::string first_sentence(const std::string& text) {
     const std::size_t line = std::min(text.find('\n'), text.size()), stop = text.find(". ");
     return text.substr(0, std::min(line, stop == std::string::npos ? line : stop + 1));
@@ -66,12 +64,12 @@ class Teller {
   /// What a step decides or computes; else what it says first.
   std::string line_of(int index) const {
     const viz::Step& step = e_.walk.steps[index];
-    std::string out = ended(title(index)) + " ";
+    std::string out = viz::as_sentence(title(index)) + " ";
     if (step.slug == viz::closing_slug) return paragraph(out + plain(e_.lesson->closing->result));
     if (step.slug == viz::case_map_slug) return paragraph(out + "This setting: " + branch() + ".");
     const std::string formula = plain(step.formula);
     const bool decided = step.verdict.kind != viz::Verdict::Kind::open;
-    if (!formula.empty() && formula != plain(step.title)) out += ended(formula) + " ";
+    if (!formula.empty() && formula != plain(step.title)) out += viz::as_sentence(formula) + " ";
     if (step.comparison) out += comparison(step);
     if (formula.empty() && !step.comparison && !decided) out += first_sentence(plain(step.caption));
     if (decided) out += " Verdict: " + plain(step.verdict.text) + ".";
@@ -80,7 +78,7 @@ class Teller {
 
   std::string whole(int index) {
     const viz::Step& step = e_.walk.steps[index];
-    std::string out = step.question ? question(*step.question) : "";  // a title may tell the answer
+    std::string out = step.question ? question(index) : "";  // a title may tell the answer
     if (told_ && goes_on(*std::exchange(told_, &step), step)) return out + again(index);
     told_ = &step;
     out += heading(title(index), '-', how_.columns);
@@ -116,7 +114,7 @@ class Teller {
   /// Such a step, in one paragraph: what is new.
   std::string again(int index) {
     const viz::Step &step = e_.walk.steps[index], &before = e_.walk.steps[index - 1];
-    std::string out = ended(title(index));
+    std::string out = viz::as_sentence(title(index));
     if (step.caption != before.caption) out += " " + plain(step.caption);
     if (!step.formula.empty()) out += " " + plain(step.formula) + ".";
     const std::vector<std::string> digits = viz::shown(step.values);
@@ -238,16 +236,20 @@ class Teller {
     return out + "\n";
   }
 
-  std::string question(const viz::Question& q) {
+  /// What is known before it stands above; where the step before is not told, it comes with the question.
+  std::string question(int index) {
+    const viz::Question& q = *e_.walk.steps[index].question;
+    const bool known = index == 0 || told_ == &e_.walk.steps[index - 1];
     const bool again = question_ && question_->choices == q.choices;
     const bool same_reason = again && question_->because == q.because;
     question_ = &q;
-    const std::string given = q.given.empty() ? "" : " Given: " + plain(viz::listed(q.given)) + ".";
-    std::string out = paragraph(
-        fmt::format("Question {}: {}{}{}", ++asked_, plain(q.prompt), given, again ? " (The same choices.)" : ""));
+    std::string out =
+        paragraph(fmt::format("Question {}: {}{}", ++asked_, plain(known ? prompt(q) : prompt(e_.walk, index)),
+                              again ? " (The same choices.)" : ""));
     for (std::size_t i = 0; i < q.choices.size() && !again; ++i)
-      out += paragraph(fmt::format("{}. {}", i + 1, plain(q.choices[i])), 4);
-    const std::string right = plain(q.choices.at(static_cast<std::size_t>(q.answer))) + ".",
+      out += paragraph(fmt::format("({}) {}", choice_letter(i), plain(q.choices[i])), 4);
+    const auto answer = static_cast<std::size_t>(q.answer);
+    const std::string right = fmt::format("({}) {}.", choice_letter(answer), plain(q.choices.at(answer))),
                       because = same_reason ? "" : " " + plain(q.because);
     if (how_.answers) return out + paragraph("Answer: " + right + because) + "\n";
     answers_ += paragraph(fmt::format("Question {}: {}{}", asked_, right, because));
@@ -262,7 +264,7 @@ class Teller {
     for (const std::string& source : c.reading) out += paragraph(plain(source), 2);
     out += "\n";
     for (std::size_t i = 0; i < c.exercises.size(); ++i) {
-      out += paragraph(fmt::format("Exercise {}: {}", i + 1, plain(c.exercises[i].prompt)));
+      out += paragraph(fmt::format("Exercise {}: {}", i + 1, plain(prompt(c.exercises[i]))));
       const std::string solution = plain(c.exercises[i].solution);
       if (how_.answers)
         out += paragraph("Solution: " + solution) + "\n";

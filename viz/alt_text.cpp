@@ -218,6 +218,10 @@ std::string figure_title(const Lesson& lesson, const Step& step) {
   return of_lesson == of_step ? of_step : of_lesson + ": " + of_step;  // a scene's first step has its own
 }
 
+std::string as_sentence(const std::string& title) {
+  return title.ends_with('?') || title.ends_with('!') || title.ends_with('.') ? title : title + ".";
+}
+
 std::string drawn_text(const Walk& walk, const Scene& scene, bool outcome) {
   if (scene.chart) return std::visit([](const auto& chart) { return told(chart); }, scene.chart->kind) + ".";
   const std::string what = drawn(scene);
@@ -228,8 +232,7 @@ std::string drawn_text(const Walk& walk, const Scene& scene, bool outcome) {
 
 std::string alt_text(const Lesson& lesson, const Parameters& parameters, const Walk& walk, int step) {
   const Step& s = walk.steps[step];
-  std::string text = figure_title(lesson, s);
-  text += text.ends_with('?') || text.ends_with('!') ? "\n\n" : ".\n\n";
+  std::string text = as_sentence(figure_title(lesson, s)) + "\n\n";
   if (s.scene.chart)
     text += std::visit([](const auto& chart) { return told(chart); }, s.scene.chart->kind) + ".\n\n";
   else if (step >= outcome(walk))  // before, it would tell the answer

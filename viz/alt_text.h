@@ -24,5 +24,7 @@ std::string listed(const std::vector<Value>&);
 std::string sides(const Comparison&, const std::string& between);
 /// "Ray and sphere: Two roots"
 std::string figure_title(const Lesson&, const Step&);
+/// A title as a sentence: with a full stop, unless it ends with a mark of its own.
+std::string as_sentence(const std::string& title);
 
 }  // namespace isect::viz

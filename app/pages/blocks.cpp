@@ -73,6 +73,10 @@ std::string prompt(const viz::Walk& walk, int step) {
   return with_given(asked.question->prompt, asked.values);
 }
 
+std::string prompt(const viz::Exercise& e) {
+  return e.preset.empty() ? e.prompt : fmt::format("{} (Preset {}.)", e.prompt, e.preset);
+}
+
 std::string answer(const viz::Question& q) {
   const auto right = static_cast<std::size_t>(q.answer);
   return fmt::format("({}) {}. {}", choice_letter(right), q.choices.at(right), q.because);

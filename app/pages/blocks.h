@@ -51,6 +51,8 @@ int number_of_question(const viz::Walk&, int step);
 std::string prompt(const viz::Question&);
 /// The same with all that is known of the step that it is asked before: for a page that has no other place for that.
 std::string prompt(const viz::Walk&, int step);
+/// An exercise's prompt with the preset that it starts from, if it has one: "... until they touch. (Preset ends.)"
+std::string prompt(const viz::Exercise&);
 /// "(b) It misses. The reason why."
 std::string answer(const viz::Question&);
 /// The pseudocode.

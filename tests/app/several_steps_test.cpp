@@ -145,6 +145,28 @@ TEST_CASE("captions of a strip stand below the titles, without the lesson's open
   CHECK_THAT(with.substr(with.find("</desc>")), !Contains("Ray tracers"));
 }
 
+TEST_CASE("captions of a strip begin with the title as a sentence, which may be a question", "[strip]") {
+  const Shell shell;
+  for (const char* of : {"capsule-capsule --preset touching", "obb-obb --preset edges"}) {
+    INFO(of);
+    const std::string svg =
+        shell(std::string("isect strip ") + of + " --captions --format svg --labels text --out -").out;
+    CHECK_THAT(svg, Contains("? "));
+    CHECK_THAT(svg, !Contains("?."));
+  }
+}
+
+TEST_CASE("an exercise of a deck or a handout tells the preset that it starts from", "[deck][handout]") {
+  const Shell shell;
+  for (const std::string kind : {"deck", "handout"}) {
+    INFO(kind);
+    REQUIRE(shell("isect " + kind + " clipping --preset concave --out out").status == 0);
+    for (const char* suffix : {".tex", ".html"})
+      CHECK_THAT(contents(shell.work() / "out/clipping/concave" / (kind + suffix)),
+                 Contains("but the outcodes do not show it. (Preset both-ends-cut.)"));
+  }
+}
+
 TEST_CASE("a strip refuses what it can't do, by name", "[strip]") {
   const Shell shell;
   const auto refused = [&](const std::string& words) {

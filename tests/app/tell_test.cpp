@@ -157,11 +157,11 @@ TEST_CASE("explain keeps answers for the end, or gives them at once, or tells in
   for (std::size_t at = whole.find("Question 1:"); at != std::string::npos; at = whole.find("Answer: ", at + 1))
     CHECK(at < answers);
   CHECK_THAT(whole.substr(0, answers), !Contains("Answer:") && !Contains("Solution:"));
-  CHECK_THAT(whole.substr(answers), Contains("Question 1: overlapping") && Contains("Exercise 1:"));
+  CHECK_THAT(whole.substr(answers), Contains("Question 1: (c) overlapping.") && Contains("Exercise 1:"));
   CHECK_THAT(whole, Contains("Line 4 should read: if d² ≤ R²") && Contains("--preset touching"));
 
   const std::string open = shell("isect explain sphere-sphere --answers").out;
-  CHECK_THAT(open, Contains("Answer: overlapping") && Contains("Solution:") && !Contains("\nAnswers\n"));
+  CHECK_THAT(open, Contains("Answer: (c) overlapping.") && Contains("Solution:") && !Contains("\nAnswers\n"));
   const std::string brief = shell("isect explain sphere-sphere --brief").out;
   CHECK(3 * std::ranges::count(brief, '\n') < std::ranges::count(whole, '\n'));
   CHECK_THAT(in_one_line(brief), Contains("Verdict: the balls overlap") && !Contains("Question"));
@@ -171,6 +171,30 @@ TEST_CASE("explain keeps answers for the end, or gives them at once, or tells in
     if (line.starts_with("Step ")) CHECK_THAT(line, Catch::Matchers::Matches("Step [0-9]+ of [0-9]+: [^.?]+[.?] .+"));
   const std::string exercises = shell("isect explain sphere-sphere --exercises").out;
   CHECK_THAT(exercises, Contains("1. Drag b") && Contains("Solution:") && !Contains("Step 1"));
+}
+
+TEST_CASE("explain letters its choices, so that none that is a number is told with another one", "[explain]") {
+  const Shell shell;
+  const std::string told = shell("isect explain speed-against-error --preset sphere-sphere --answers").out;
+  CHECK_THAT(told, Contains("\n    (a) 1\n    (b) 2\n    (c) 5\n") && Contains("Answer: (a) 1."));
+  CHECK_THAT(told, !Contains("1. 1"));
+}
+
+TEST_CASE("explain gives each question the numbers that nothing above has told, and names what it asks of",
+          "[explain]") {
+  const Shell shell;
+  const auto told = [&](const std::string& of) { return shell("COLUMNS=200 isect explain " + of).out; };
+  CHECK_THAT(told("sphere-sphere"), Contains("How are the two balls related? Given: r_a = 1.5234, r_b = 1.0156."));
+  CHECK_THAT(told("sphere-sphere --step compare"),
+             Contains("How are the two balls related? Given: d² = 4.126, R² = 6.4468, r_a = 1.5234, r_b = 1.0156."));
+  CHECK_THAT(told("ray-sphere --step passing-distance"), Contains("What is m²? Given: s = 4.472, l² = 21.146"));
+  CHECK_THAT(told("culling --preset hierarchy"), Contains("Where does the box of node 3 lie?"));
+}
+
+TEST_CASE("explain tells the preset that an exercise starts from", "[explain]") {
+  const Shell shell;
+  CHECK_THAT(shell("COLUMNS=200 isect explain clipping --preset concave").out,
+             Contains("but the outcodes do not show it. (Preset both-ends-cut.)"));
 }
 
 TEST_CASE("explain obeys the terminal's width in its pseudocode, too", "[explain]") {
