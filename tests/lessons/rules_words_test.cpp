@@ -135,7 +135,7 @@ TEST_CASE("no difference is claimed that the noise of the measurement covers", "
       faster = faster || (!r->exact && r->library == "isect" && r->wrong() == 0 && r->ns * (1 + noise) < exact.ns);
     const std::string choose = find(walk, "choose")->caption;
     CHECK_FALSE(says(choose, "no reason"));
-    if (exact.ns <= 1.1 * naive.ns) CHECK(says(choose, "Faster is") == faster);
+    if (exact.ns <= 1.1 * naive.ns) CHECK(says(choose, "Faster there is") == faster);
     CHECK(value(*find(walk, "cost"), "cost, ordinary") == Approx(exact.ns / naive.ns).epsilon(0.05));
   }
   const Walk walk = walk_of("speed-against-error", "sphere-aabb");
