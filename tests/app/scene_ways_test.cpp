@@ -69,7 +69,7 @@ Sides sides(const Hull3<double>& hull) {
   Sides all;
   for (const auto& [i, j, k] : hull.triangles) {
     const auto at = [&](int v) { return rational(hull.vertices[static_cast<std::size_t>(v)]); };
-    const Place inward = cross(at(k) - at(i), at(j) - at(i));
+    const oracle::Place inward = cross(at(k) - at(i), at(j) - at(i));
     all.push_back({inward, -dot(inward, at(i))});
   }
   return all;
@@ -128,7 +128,7 @@ TEST_CASE("what runs along a line and lies within a hull meets it, as far as it 
       Rational none = Rational(0x1p1000);
       none = none * none * none * none;
       Scene along({hull("h", scaled), ray("r", p, d), {{"line", "g"}, {"origin", list(p)}, {"dir", list(d)}}});
-      const Place to = rational(p) + rational(d);
+      const oracle::Place to = rational(p) + rational(d);
       check_part(along.ask("r", "h").result, part(rational(p), to, solid, 0, none));
       check_part(along.ask("g", "h").result, part(rational(p), to, solid, -none, none));
     }
