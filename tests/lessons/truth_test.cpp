@@ -193,7 +193,8 @@ class Faults {
   void language(const std::string& markup) {
     const std::string text = plain(markup);
     static const std::regex one(
-        "(^|[^0-9.,^·/−⁻ \\u2009] |^)1 (?!is |has |less|does |was |lies |across |as |its |this )[a-z]+[^s ]s\\b");
+        "(^|[^0-9.,^·/−⁻ \\u2009] |^)1 (?!is |has |less|does |was |lies |reaches |across |as |its |this )[a-z]+[^s "
+        "]s\\b");
     static const std::regex twice("\\b(on|the|of|is|to|in|and|are|that) \\1\\b");
     std::smatch match;
     if (std::regex_search(text, match, one)) fault("one of a plural", text);
