@@ -8,6 +8,9 @@
 //
 //   a_i.y + w_i + max(0, s_i) >= 0,   and   s_i (a_j.y + w_j) - s_j (a_i.y + w_i) >= 0   where s_i > 0 > s_j.
 //
+// Of the latter only those matter whose two faces share a point of the solid: elsewhere both sides are never 0 at once,
+// so that nothing that is swept reaches the limit.
+//
 // So the ball's test does (isect/sphere_half_spaces.h). Source: Schrijver, Theory of Linear and Integer Programming
 // (1986), 12.2.
 
@@ -30,6 +33,18 @@ W speed(const Rows& rows, int i, const Capsule<double, 3>& capsule) {
   return dot(inequalities::detail::normal(rows.template operator()<W>(i)), difference<W>(capsule.q, capsule.p));
 }
 
+/// Whether a point of the solid lies on both faces.
+template <class Trace>
+bool share_a_point(const HalfSpaces& solid, int i, int j, Trace&& trace) {
+  std::vector<half_spaces::Face> faces = solid.faces;
+  for (const int k : {i, j}) {
+    half_spaces::Face face = solid.faces[static_cast<std::size_t>(k)];
+    face.turned = !face.turned;
+    faces.push_back(face);
+  }
+  return half_spaces::detail::have_a_point(faces, trace);
+}
+
 /// The sign of the distance of the capsule's segment from the solid, which is not empty, less the radius.
 template <class Trace>
 int distance(const Capsule<double, 3>& capsule, const HalfSpaces& solid, Trace&& trace) {
@@ -44,8 +59,10 @@ int distance(const Capsule<double, 3>& capsule, const HalfSpaces& solid, Trace&&
     at_q.push_back(sign > 0);
   }
   std::vector<std::pair<int, int>> between;
+  const bool few = approached.size() * left.size() <= 9;  // of a box: asking would cost more than it saves
   for (const int i : approached)
-    for (const int j : left) between.emplace_back(i, j);
+    for (const int j : left)
+      if (few || share_a_point(solid, i, j, trace)) between.emplace_back(i, j);
 
   const auto swept = [&]<class W>(int k) -> inequalities::Row<W> {
     if (k < count) {

@@ -4,6 +4,7 @@
 #include <isect/sphere_half_spaces.h>
 #include <isect/triangle_half_spaces.h>
 
+#include <numbers>
 #include <random>
 
 #include <isect/aabb_aabb.h>
@@ -153,11 +154,32 @@ TEST_CASE("a solid lies alike however many faces it is given by", "[half_spaces]
     REQUIRE(relate(t, many_a) == relate(t, a));
     REQUIRE(intersects(t, many_a) == (relate(t, a) != Relation::disjoint));
     const Sphere<double, 3> ball = {draw.vector(3), draw.number(0, 3)};
-    if (round % 10 == 0) REQUIRE(relate(ball, many_a) == relate(ball, a));
+    if (round % 10 == 0) {
+      REQUIRE(relate(ball, many_a) == relate(ball, a));
+      const Capsule<double, 3> capsule = {draw.vector(3), draw.vector(3), draw.number(0, 3)};
+      REQUIRE(relate(capsule, with_more_faces(draw, a, 6)) == relate(capsule, a));
+    }
     ++seen[static_cast<std::size_t>(truth)];
   }
   for (const Relation r : {Relation::disjoint, Relation::equal, Relation::touching, Relation::overlapping})
     CHECK(seen[static_cast<std::size_t>(r)] > 0);
+}
+
+TEST_CASE("a capsule lies to a plane solid of forty sides as to its nearest side", "[half_spaces]") {
+  Kdop<double, 2> round;  // sides at a distance of 1000, some rounded
+  for (int i = 0; i < 20; ++i) {
+    const double turn = i * std::numbers::pi / 20;
+    round.normals.push_back({std::round(1e6 * std::cos(turn)) / 1e6, std::round(1e6 * std::sin(turn)) / 1e6});
+    round.slabs.push_back({-1000, 1000});
+  }
+  round.normals[0] = {1, 0};
+  const HalfSpaces solid = half_spaces_of(round);
+  const auto at = [&](double x, double r) { return relate(Capsule<double, 2>{{x, -3}, {x, 3}, r}, solid); };
+  CHECK(at(1005, 5) == Relation::touching);
+  CHECK(at(1005, std::nextafter(5, 0)) == Relation::disjoint);
+  CHECK(at(1005, std::nextafter(5, 6)) == Relation::overlapping);
+  CHECK(at(0, 5) == Relation::a_inside_b);
+  CHECK(at(0, 2000) == Relation::b_inside_a);
 }
 
 TEST_CASE("hulls of a thousand corners lie as their corners tell", "[half_spaces]") {
