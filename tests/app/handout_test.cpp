@@ -111,7 +111,7 @@ TEST_CASE("a question of a handout has the picture and the numbers of its own st
   REQUIRE(shell("isect handout obb-obb --preset normal-of-b").status == 0);
   const auto folder = shell.work() / "handouts/obb-obb/normal-of-b";
   const std::string tex = contents(folder / "handout.tex"), html = contents(folder / "handout.html");
-  const std::size_t asked = tex.find("\\input{03-normals-b-question.tikz}"), words = tex.find("once the normals of b");
+  const std::size_t asked = tex.find("\\input{03-normals-b-question.tikz}"), words = tex.find("Of the normals of b");
   const std::size_t told = tex.find("\\input{03-normals-b.tikz}");
   CHECK((asked < words && words < told && told != tex.npos));
   CHECK_THAT(contents(folder / "03-normals-b.tikz"), Contains("1.2879"));
