@@ -258,7 +258,7 @@ TEST_CASE("what is thin is met like all else", "[scene][first hit]") {
   CHECK(first(ray, R"({"line": "g", "origin": [-1,0,1], "dir": [0,1,0]})") == "r meets b first, at t = 6");
   const std::string line = R"({"line": "r", "origin": [-4,0,0], "dir": [1,0,0]})";
   CHECK(first(line, R"({"plane": "P", "normal": [0,1,0], "d": 0})") == "r meets nothing first, as all of it lies in P");
-  CHECK(first(line, R"({"plane": "P", "normal": [1,0,0], "d": 5})") == "r meets P first, at t = -1");
+  CHECK(first(line, R"({"plane": "P", "normal": [1,0,0], "d": 5})") == "r meets P first, at t = −1");
 }
 
 }  // namespace first_hit_test
