@@ -19,8 +19,8 @@ constexpr double usual_shape = 1.6;
 constexpr double usual_dpi = 300;
 /// LaTeX's own letters are as wide at 10 pt as ours at 11.
 constexpr double usual_tex_size = 11;
-/// Of what is made for a page alone: 8 cm.
-constexpr double usual_width = 8 * 72 / 2.54;
+/// Of what is made for a page alone.
+constexpr const char* usual_width = "8cm";
 
 bool is_tikz(const viz::Format* format) { return format->name == "tikz"; }
 bool is_opaque(const viz::Format* format) { return format->name == "gif" || format->name == "mp4"; }
@@ -105,7 +105,7 @@ Style style_of(const StyleOptions& options) {
   if (options.width.empty() && on_paper) style.sides = Style::Sides::height;
   if (!options.width.empty() && !options.height.empty()) style.sides = Style::Sides::both;
   if (!on_paper && options.size.empty() && std::ranges::all_of(style.formats, is_tikz))
-    style.paper = viz::PaperSize{usual_width, 0}, style.dpi = usual_dpi;
+    style.paper = viz::PaperSize{points_of("width", usual_width), 0}, style.dpi = usual_dpi;
   if (style.paper && options.text_size.empty() && std::ranges::all_of(style.formats, is_tikz))
     style.paper->text_size = usual_tex_size;
   if (!options.dpi.empty()) style.dpi = dpi_of(options.dpi);
@@ -123,14 +123,12 @@ Style style_of(const StyleOptions& options) {
       throw viz::BadInput(
           fmt::format("transparent: {} has no half-transparent pixels; give --format apng", format->name));
   StyleOptions kept = options;
-  const auto in_points = [](std::string& length, double points) {  // one text, however it was written
-    if (!length.empty()) length = fmt::format("{:.12g}pt", points);
-  };
-  if (style.paper && !on_paper) kept.width = "8cm";
-  if (style.paper) {
-    in_points(kept.width, style.paper->width), in_points(kept.height, style.paper->height);
-    in_points(kept.text_size, style.paper->text_size);
-  }
+  if (style.paper && !on_paper) kept.width = usual_width;
+  if (style.paper)  // one text, however it was written
+    for (const auto& [length, points] : {std::pair{&kept.width, style.paper->width},
+                                         {&kept.height, style.paper->height},
+                                         {&kept.text_size, style.paper->text_size}})
+      if (!length->empty()) *length = in_points(points);
   style.words = words_of(kept);
   style.title = !options.no_title, style.crop = options.crop, style.transparent = options.transparent;
   return style;

@@ -60,6 +60,8 @@ Size size_of(const std::string& text) {
   return {side(text.substr(0, x)), side(x == std::string::npos ? text : text.substr(x + 1))};
 }
 
+std::string in_points(double points) { return fmt::format("{:.12g}pt", points); }
+
 double points_of(const std::string& option, const std::string& text, double least, double most) {
   struct Unit {
     const char* name;
@@ -69,7 +71,8 @@ double points_of(const std::string& option, const std::string& text, double leas
   for (const Unit& unit : {Unit{"cm", 72 / 2.54}, Unit{"mm", 72 / 25.4}, Unit{"in", 72}, Unit{"pt", 1}}) {
     if (!length.ends_with(unit.name)) continue;
     const std::optional<double> n = number<double>(length.substr(0, length.size() - 2));
-    if (n && *n * unit.points >= least && *n * unit.points <= most) return *n * unit.points;
+    if (n && *n * unit.points >= least && *n * unit.points <= most)
+      return *number<double>(fmt::format("{:.12g}", *n * unit.points));
   }
   throw viz::BadInput(
       fmt::format("{}: \"{}\" is not allowed; give a length with its unit (cm, mm, pt, in), {}pt to {}pt, such as {}",

@@ -18,8 +18,10 @@ struct Size {
 };
 Size size_of(const std::string& text);
 
-/// A length on paper in points: "8cm", "80 mm", "8,5CM", "227pt", "3in".
+/// A length on paper in points: "8cm", "80 mm", "8,5CM", "227pt", "3in". To twelve digits, which in_points writes: so a
+/// figure that is drawn anew by what it carries is the same to the last digit.
 double points_of(const std::string& option, const std::string& text, double least = 10, double most = 14400);
+std::string in_points(double points);
 /// Pixels an inch: 30 to 2400.
 double dpi_of(const std::string& text);
 
