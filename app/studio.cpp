@@ -53,10 +53,6 @@ void need_pixels_in_bounds(double pixels, const std::string& cure) {
                                     pixels / 1e6, most / 1e6, cure));
 }
 
-}  // namespace
-
-namespace {
-
 // On paper a picture is twice as wide as it is high, or higher for what would leave much of that width empty.
 constexpr double widest_shape = 2, highest_shape = 1.4;
 
@@ -71,12 +67,17 @@ double shape_of(const Excerpt& e, const viz::Walk& walk) {
   return size.y() > 0 && size.x() > 0 ? std::clamp(size.x() / size.y(), highest_shape, widest_shape) : widest_shape;
 }
 
+/// All walks of the lesson.
+viz::Camera framed_alike(const Excerpt& e, double aspect) {
+  return viz::frame_alike(viz::opening(*e.lesson), e.walk, walks_of(*e.lesson), aspect);
+}
+
 /// As camera_for. On paper, where room is dear, a scene that is seen from nearer than the others of its walk takes
 /// more.
 viz::Camera paper_camera(const Excerpt& e, const viz::Step& step, double aspect) {
   constexpr double taken = 0.8;
   if (e.camera) return *e.camera;
-  const viz::Camera framed = viz::frame_alike(viz::opening(*e.lesson), e.walk, walks_of(*e.lesson), aspect);
+  const viz::Camera framed = framed_alike(e, aspect);
   const viz::Camera usual = viz::closer(framed, step.scene, aspect);
   if (!(usual.half_height < framed.half_height)) return usual;
   viz::Camera nearer = viz::frame(usual, {&step.scene}, aspect, 0);
@@ -87,9 +88,7 @@ viz::Camera paper_camera(const Excerpt& e, const viz::Step& step, double aspect)
 }  // namespace
 
 viz::Camera camera_for(const Excerpt& e, const viz::Step& step, double aspect) {
-  if (e.camera) return *e.camera;
-  const viz::Camera framed = viz::frame_alike(viz::opening(*e.lesson), e.walk, walks_of(*e.lesson), aspect);
-  return viz::closer(framed, step.scene, aspect);
+  return e.camera ? *e.camera : viz::closer(framed_alike(e, aspect), step.scene, aspect);
 }
 
 Studio::Studio(const Style& style, const std::string& backend) : style_(style) {

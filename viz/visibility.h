@@ -30,6 +30,9 @@ struct Shell {
 };
 Shell shell(const Solid&);
 
+/// What is rounded on a surface may lie a little inside: bodies are drawn in by this share of their size here.
+inline constexpr double drawn_in = 0x1p-30;
+
 /// What hides: the balls, the solids, the regions that say so and the capsules of one scene.
 struct Occluders {
   std::vector<Ball> balls = {};
