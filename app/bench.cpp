@@ -10,6 +10,7 @@
 #include "app/child.h"
 #include "app/duties.h"
 #include "app/options.h"
+#include "app/ownership.h"
 #include "app/program.h"
 #include "app/terminal.h"
 #include "bench/compare_reports.h"
@@ -20,6 +21,7 @@
 #include "bench/suite_names.h"
 #include "viz/files.h"
 #include "viz/lesson.h"
+#include "viz/writable.h"
 
 namespace isect::program {
 namespace {
@@ -163,6 +165,12 @@ std::string heading(const bench::Report& r) {
 void draw(const bench::Report& report, const std::string& folder) {
   std::vector<bench::Plotted> plots = bench::plots(report);
   for (bench::Plotted& map : bench::maps()) plots.push_back(std::move(map));
+  for (const bench::Plotted& plot : plots)
+    for (const char* ending : {".svg", ".png"})
+      if (const std::string file = folder + '/' + plot.name + ending;
+          !may_be_replaced(file, [&](const std::string&) { return metadata_in(file).contains("figure"); }))
+        throw viz::FileError(fmt::format(
+            "cannot write '{}': the file there is no chart of isect's; move it away, or give another folder", file));
   Progress progress(plots.size());
   for (const bench::Plotted& plot : plots) {
     progress.done(plot.name);
@@ -252,6 +260,16 @@ int compare(const std::vector<std::string>& paths) {
   }
 }
 
+/// Rows and reports are written over earlier ones, but over nothing else. Whether they can be is tried before the work.
+void require_own_place(const std::string& option, const std::string& file, const std::string& begin) {
+  if (file.empty() || file == "-") return;
+  const auto ours = [&](const std::string& bytes) { return bytes.starts_with(begin); };
+  if (!may_be_replaced(file, ours))
+    throw viz::FileError(fmt::format(
+        "cannot write '{}': the file there was not written by {}; move it away, or give another name", file, option));
+  viz::need_writable(file);
+}
+
 int bench(const Program& program, const Wanted& wanted) {
   if (!wanted.compared.empty()) return compare(wanted.compared);
   for (const std::string& test : wanted.tests)
@@ -260,6 +278,8 @@ int bench(const Program& program, const Wanted& wanted) {
   if (wanted.from.size() > 1) throw viz::BadInput("--from: several files make sense with --publish only");
   if (!wanted.csv.empty() && wanted.csv == wanted.json)
     throw viz::BadInput("--csv: the same place as that of --json; give each its own");
+  require_own_place("--csv", wanted.csv, bench::csv({}));
+  require_own_place("--json", wanted.json, bench::json({}).substr(0, 12));
   const bench::Report report = measured(program, wanted);
   if (!wanted.csv.empty() && wanted.csv != "-") viz::write_file(wanted.csv, bench::csv(report));
   if (!wanted.json.empty() && wanted.json != "-") viz::write_file(wanted.json, bench::json(report));

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "app/baselines.h"
@@ -127,15 +126,7 @@ void compare(const std::vector<Excerpt>& chosen, const Baselines::Reach& reach, 
   report.left_alone = baselines.left_alone();
 }
 
-/// Absent or empty, no file at all, or an earlier report.
-bool is_place_for_report(const std::string& file) {
-  std::error_code absent;
-  if (!fs::is_regular_file(file, absent) || fs::file_size(file, absent) == 0) return true;
-  std::string bytes(512, '\0');
-  std::ifstream there(file, std::ios::binary);
-  there.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  return begins_html_report(bytes) || begins_junit_report(bytes);
-}
+bool begins_report(const std::string& bytes) { return begins_html_report(bytes) || begins_junit_report(bytes); }
 
 /// Reports are written over earlier ones, but over nothing else, nor over one another. Whether they can be is tried
 /// before the work.
@@ -147,7 +138,7 @@ void require_own_places(const CheckOptions& options) {
       throw viz::BadInput(fmt::format("report: {} is a baseline or a figure; give the report another name", file));
   for (const std::string& file : {options.report, options.junit}) {
     if (file.empty()) continue;
-    if (!is_place_for_report(file))
+    if (!may_be_replaced(file, begins_report))
       throw viz::FileError(
           fmt::format("cannot write '{}': the file there is no report of isect's; move it away, or give the report "
                       "another name",

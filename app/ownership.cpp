@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/terminal.h"
@@ -76,6 +77,15 @@ bool made_as(const viz::Metadata& data, const std::string& file, const std::opti
   const std::string stem = path.filename();
   return made_for(data, path.parent_path(), beside) && beside && beside->stems.contains(stem) &&
          stem.starts_with(fmt::format("{:0>2}-", at(data, "step")));
+}
+
+bool may_be_replaced(const fs::path& file, const std::function<bool(const std::string& begin)>& ours) {
+  std::error_code absent;
+  if (!fs::is_regular_file(file, absent) || fs::file_size(file, absent) == 0) return true;
+  std::string bytes(512, '\0');
+  std::ifstream there(file, std::ios::binary);
+  there.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return ours(bytes);
 }
 
 void say_left_alone(const std::string& file) {

@@ -3,6 +3,7 @@
 // a folder is a user's, and is neither changed nor removed; nor is what someone has edited since, known by its digest.
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -30,6 +31,10 @@ struct OwnTrace {
 };
 /// Nothing where the file is no such trace.
 std::optional<OwnTrace> own_trace(const std::filesystem::path& file);
+
+/// Whether a file of isect's may stand in this place: nothing is there, no regular file, an empty one, or one of whose
+/// first 512 bytes `ours` says that isect wrote it.
+bool may_be_replaced(const std::filesystem::path& file, const std::function<bool(const std::string& begin)>& ours);
 
 /// What Git LFS leaves in a file's place until that is fetched.
 bool is_lfs_pointer(const std::string& bytes);

@@ -201,7 +201,8 @@ Json Session::open(const Json& request) {
   viz::Player fresh = again ? *player_ : viz::Player(scene ? std::vector{&lesson} : lessons_, place, true);
   if (again) fresh.go(place);  // what was done before can be undone
   const std::vector<Station> all = program::book::stations(fresh.walk());
-  const Station wanted = {request.value("step", 0), request.value("asks", false)};
+  const double number = request.value("step", 0.0);  // an address may hold any
+  const Station wanted = {static_cast<int>(std::clamp(number, -1.0, 1e6)), request.value("asks", false)};
   const bool known = std::ranges::find(all, wanted) != all.end();
   player_ = std::move(fresh);
   scene_ = std::move(scene);
@@ -209,8 +210,8 @@ Json Session::open(const Json& request) {
   stand_at(known ? wanted : Station{});
   Json reply = frame(Drawn::at_rest);
   if (!known)
-    reply["told"] = wanted.asks ? fmt::format("Nothing is asked at step {} here.", wanted.step + 1)
-                                : fmt::format("There is no step {} here.", wanted.step + 1);
+    reply["told"] = wanted.asks ? fmt::format("Nothing is asked at step {:.0f} here.", number + 1)
+                                : fmt::format("There is no step {:.0f} here.", number + 1);
   reply["parameters"] = parameters();
   reply["flat"] = lesson.flat;
   return reply;

@@ -156,6 +156,28 @@ TEST_CASE("what is no report of measurements is told in words, and two results n
   CHECK_THAT(both.err, Contains("--csv: the same place as that of --json"));
 }
 
+TEST_CASE("rows and reports are written over earlier ones and over nothing else", "[bench]") {
+  const Shell shell;
+  const auto run = [&](const std::string& option, const std::string& file) {
+    return shell(std::string("isect bench --from ") + ISECT_RESULTS + " " + option + " " + file);
+  };
+  for (const std::string option : {"--csv", "--json"}) {
+    write(shell.work() / "thesis.tex", "\\section{Results}\n");
+    const Ran refused = run(option, "thesis.tex");
+    CHECK(refused.status == 4);
+    CHECK_THAT(refused.err, Contains("cannot write 'thesis.tex': the file there was not written by " + option));
+    CHECK(contents(shell.work() / "thesis.tex") == "\\section{Results}\n");
+    for (int times = 0; times < 2; ++times) CHECK(run(option, "own" + option).status == 0);
+  }
+  CHECK(run("--csv", "own--json").status == 4);
+
+  write(shell.work() / "charts/map-orientation.svg", "<svg/>");
+  const Ran refused = run("--plot", "charts");
+  CHECK(refused.status == 4);
+  CHECK_THAT(refused.err, Contains("map-orientation.svg': the file there is no chart of isect's"));
+  CHECK(contents(shell.work() / "charts/map-orientation.svg") == "<svg/>");
+}
+
 TEST_CASE("the same seed gives the same verdicts, another seed other cases", "[bench]") {
   const Shell shell;
   const auto verdicts = [&](const std::string& seed) {

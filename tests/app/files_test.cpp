@@ -307,7 +307,8 @@ Dialects in_geojson_and_wkt(const Rings& rings) {
       {"lines.wkt", "POLYGON\n(" + replaced(wkt, ", ", ",\r\n") + ")"},
       {"multi.wkt", "MULTIPOLYGON((" + wkt + "))"},
       {"srid.wkt", "SRID=4326;POLYGON (" + wkt + ")"},
-      {"collection.wkt", std::string(mark) + "GEOMETRYCOLLECTION (POLYGON (" + wkt + "))"}};
+      {"collection.wkt", std::string(mark) + "GEOMETRYCOLLECTION (POLYGON (" + wkt + "))"},
+      {"tagged.wkt", "GEOMETRYCOLLECTIONZ(POLYGON (" + wkt + "))"}};
 }
 
 /// What a scene is answered, with a shape from a file or written in it.

@@ -234,10 +234,13 @@ TEST_CASE("a name lights what bears it, and tells what is known of it", "[sessio
 
 TEST_CASE("a link to a step or a question that is not there opens the setting and says so", "[session]") {
   Session session = fresh();
-  const auto at = [&](int step, bool asks) {
+  const auto at = [&](double step, bool asks) {
     return ask(session, {{"do", "open"}, {"lesson", "sphere-sphere"}, {"step", step}, {"asks", asks}});
   };
-  Json frame = at(99, false);
+  Json frame = at(2147483647, false);
+  CHECK(frame.at("told") == "There is no step 2147483648 here.");
+  CHECK(at(1e30, true).at("told").get<std::string>().starts_with("Nothing is asked at step 1000000000000000"));
+  frame = at(99, false);
   CHECK(frame.at("told") == "There is no step 100 here.");
   CHECK((frame.at("at") == 0 && frame.contains("picture")));
   frame = at(0, true);

@@ -51,9 +51,10 @@ class WktReader {
   void geometry(int level) {
     if (lower(token()).starts_with("srid=")) take(), need(";");
     const std::string type = lower(take());
-    const bool many = type.starts_with("multipolygon"), collection = type == "geometrycollection" && level < 8;
+    const bool many = type.starts_with("multipolygon"),
+               collection = type.starts_with("geometrycollection") && level < 8;
     if (!many && !collection && !type.starts_with("polygon")) refuse_type(type);
-    std::string tag = type.substr(many ? 12 : collection ? type.size() : 7);  // z, m or zm, behind a blank or not
+    std::string tag = type.substr(many ? 12 : collection ? 18 : 7);  // z, m or zm, behind a blank or not
     for (const char* const apart : {"zm", "z", "m"})
       if (tag.empty() && take_if(apart)) tag = apart;
     if (!tag.empty() && tag != "zm" && tag != "z" && tag != "m") refuse_type(type);
