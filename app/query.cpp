@@ -10,11 +10,14 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <new>
+#include <optional>
 
 #include "app/options.h"
 #include "app/program.h"
+#include "app/scene/line.h"
 #include "app/terminal.h"
 #include "viz/files.h"
 
@@ -98,20 +101,29 @@ void write_line(const std::string& text) {
     printing_failed();
 }
 
-query::Answer answer(Lines::Next next, const std::string& line, std::size_t number) {
+struct QueryOptions {
+  std::string path = "-";
+  std::optional<std::string> files;  ///< the folder that scenes may name files of
+  bool strict = false;
+};
+
+query::Answer answer(Lines::Next next, const std::string& line, std::size_t number, const QueryOptions& options) {
   switch (next) {
     case Lines::Next::too_long:
       return query::too_long(number);
     case Lines::Next::out_of_memory:
       return query::out_of_memory(number);
     default:
-      return query::answer(line, number);
+      return scene::is_scene_line(line) ? scene::answer_line(line, number, options.files)
+                                        : query::answer(line, number, options.strict);
   }
 }
 
-int answer_all(const std::string& path) {
-  const File file(path);
-  if (path == "-" && ::isatty(STDIN_FILENO))
+int answer_all(const QueryOptions& options) {
+  if (std::error_code absent; options.files && !std::filesystem::is_directory(*options.files, absent))
+    throw viz::FileError(fmt::format("--files: {} is no folder", *options.files));
+  const File file(options.path);
+  if (options.path == "-" && ::isatty(STDIN_FILENO))
     say("one JSON case a line; Ctrl+D ends. `isect query --help` lists the kinds");
   Lines lines(file.descriptor);
   std::string line;
@@ -123,7 +135,7 @@ int answer_all(const std::string& path) {
     const Lines::Next next = lines.next(line, flush);
     if (next == Lines::Next::end) break;
     if (next == Lines::Next::line && query::blank(line)) continue;
-    const query::Answer reply = answer(next, line, number);
+    const query::Answer reply = answer(next, line, number, options);
     write_line(reply.text);
     errors = errors || reply.error;
     if (line.capacity() > (1 << 20)) std::string().swap(line);  // a long one leaves no memory behind
@@ -148,6 +160,11 @@ line or plane that it spans: a plate that pierces a box overlaps it. "interiors_
 every axis each box begins before the other ends. A box with lo above hi is empty: "empty" names it.
 The sphere of bounding_volume_fit has a center near that of the smallest ball, and the least radius for it;
 smallest_sphere is the smallest ball, but for rounding. robust of ray_sphere is another name of exact.
+With --strict an empty shape is an error that names its field, and so are a plane without a normal and an obb whose axes
+depend on each other.
+A line with "objects" in place of "kind" is a whole scene, as `isect scene --help` tells: {{"objects": [{{"sphere": "A",
+"center": [0, 0], "radius": 1}}, {{"point": "p", "at": [1, 0]}}], "ask": [["p", "A"]]}}. Its result is what `isect scene --json`
+prints: an answer a question. Of files that it names, only those below --files DIR are read.
 The id comes back as it was sent, to the letter; null for a line that is no JSON. An error without an id names its line.
 These fields may stand beside them and are not looked at: {}.
 Any other field, a field given twice, and bytes behind the end are errors. Lines of blanks get no answer.
@@ -162,10 +179,16 @@ Example: echo '{{"kind": "orient2d", "a": [0, 0], "b": [1, 0], "c": [0, 1]}}' | 
 
 void add_query(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("query", "the exact oracle: a JSON case a line in, a JSON answer a line out");
-  const auto path = std::make_shared<std::string>("-");
-  sub.add_option("FILE", *path, "the cases; standard input if none is given")->check(not_empty());
+  const auto options = std::make_shared<QueryOptions>();
+  sub.add_option("FILE", options->path, "the cases; standard input if none is given")->check(not_empty());
+  sub.add_flag("--strict", options->strict, "an empty shape is an error that names it, no answer");
+  sub.add_option_function<std::string>(
+         "--files", [options](const std::string& folder) { options->files = folder; },
+         "the folder whose files scenes may name; none if it is not given")
+      ->type_name("DIR")
+      ->check(not_empty());
   sub.footer(footer());
-  sub.callback([&program, path] { program.chosen = [path] { return answer_all(*path); }; });
+  sub.callback([&program, options] { program.chosen = [options] { return answer_all(*options); }; });
 }
 
 }  // namespace isect::program

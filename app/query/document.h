@@ -34,6 +34,7 @@ class Document {
   explicit Document(std::string_view line);
 
   std::string error;        ///< the line is no JSON, nests too deep, or gives a field twice; else empty
+  bool strict = false;      ///< a shape without points is an error, not an answer
   std::string id = "null";  ///< the field "id" as it is written; null without one, and of a line that is no JSON
 
   const Value& value(std::size_t i) const { return values_[i]; }

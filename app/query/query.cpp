@@ -95,8 +95,9 @@ Answer failed(std::size_t number, const std::string& what) {
   return failed("null", number, number > 0 ? what : "the line: " + what);
 }
 
-Answer answered(const std::string& line, std::size_t number) {
-  const Document document(line);
+Answer answered(const std::string& line, std::size_t number, bool strict) {
+  Document document(line);
+  document.strict = strict;
   if (!document.error.empty()) return failed(document.id, number, document.error);
   try {
     const Field fields(document, 0);
@@ -108,10 +109,10 @@ Answer answered(const std::string& line, std::size_t number) {
 
 }  // namespace
 
-Answer answer(const std::string& line, std::size_t number) {
+Answer answer(const std::string& line, std::size_t number, bool strict) {
   if (line.size() > most_bytes()) return too_long(number);
   try {
-    return answered(line, number);
+    return answered(line, number, strict);
   } catch (const std::bad_alloc&) {  // all that the line took is given back
     return out_of_memory(number);
   } catch (const std::exception& e) {

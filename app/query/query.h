@@ -19,8 +19,8 @@ struct Answer {
 /// memory, as long as there is some for the error. No state, so any number may run at once. O(n log n) time for a line
 /// of n bytes, and about 30 n bytes of memory for most, whatever it holds; what would take more is refused. A trace
 /// takes as many bytes more as it is long. An error without an id to be known by tells the line's `number`; 0: it has
-/// none.
-Answer answer(const std::string& line, std::size_t number = 0);
+/// none. `strict`: a shape that has no point, as a box whose lo is above its hi, is an error that names it.
+Answer answer(const std::string& line, std::size_t number = 0, bool strict = false);
 
 /// Nothing but blanks: no case, and no answer.
 bool blank(std::string_view line);

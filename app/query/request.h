@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <isect/obb_obb.h>
 #include <isect/shapes.h>
 #include "app/query/document.h"
 
@@ -49,6 +50,11 @@ class Field {
   S end() const;
   /// Whether it is one of those two.
   bool infinite() const { return says("inf") || says("-inf"); }
+
+  /// Under --strict, throws BadCase that names the field, where the shape has no point.
+  void need_points(bool has_none, const char* why) const {
+    if (document_->strict && has_none) refuse(why);
+  }
 
   std::string path() const { return document_->path(at_); }
   [[noreturn]] void complain(const std::string& what) const;  ///< what is expected
@@ -121,7 +127,9 @@ Vector<S, N> vector_of_ends(const Field& field) {
 template <class S>
 Interval<S> interval(const Field& field) {
   const auto [lo, hi] = field.list_of<2>();
-  return {lo.end<S>(), hi.end<S>()};
+  const Interval<S> ends = {lo.end<S>(), hi.end<S>()};
+  field.need_points(empty(ends), "the interval is empty: it ends before it begins");
+  return ends;
 }
 template <class S, int N>
 Ring<S, N> ring(const Field& field) {
@@ -135,13 +143,17 @@ Ring<S, N> ring(const Field& field) {
 template <class S, int N>
 Ray<S, N> ray(const Field& request) {
   const auto lo = request.find("tmin"), hi = request.find("tmax");
-  return {vector<S, N>(request["origin"]),
-          vector<S, N>(request["dir"]),
-          {lo ? lo->end<S>() : semi_infinite<S>.lo, hi ? hi->end<S>() : semi_infinite<S>.hi}};
+  const Ray<S, N> r = {vector<S, N>(request["origin"]),
+                       vector<S, N>(request["dir"]),
+                       {lo ? lo->end<S>() : semi_infinite<S>.lo, hi ? hi->end<S>() : semi_infinite<S>.hi}};
+  if (hi || lo) (hi ? *hi : *lo).need_points(empty(r.range), "the ray is empty: its range ends before it begins");
+  return r;
 }
 template <class S, int N>
 Sphere<S, N> sphere(const Field& request, const char* center = "center", const char* radius = "radius") {
-  return {vector<S, N>(request[center]), request[radius].number<S>()};
+  const Sphere<S, N> ball = {vector<S, N>(request[center]), request[radius].number<S>()};
+  request[radius].need_points(empty(ball), "the ball is empty: its radius is below 0");
+  return ball;
 }
 /// Of a box that has points: names the first of its ends that is infinite.
 void need_finite_ends(const Field& lo, const Field& hi);
@@ -150,6 +162,7 @@ template <class S, int N>
 Aabb<S, N> box(const Field& request, const char* lo = "lo", const char* hi = "hi") {
   const Aabb<S, N> b = {vector_of_ends<S, N>(request[lo]), vector_of_ends<S, N>(request[hi])};
   if (!empty(b)) need_finite_ends(request[lo], request[hi]);
+  request[lo].need_points(empty(b), "the box is empty: on some axis it lies above the box's other end");
   return b;
 }
 inline const std::vector<std::string> obb_fields = {"c", "u", "e"}, slab_fields = {"lo", "hi"},
@@ -157,7 +170,9 @@ inline const std::vector<std::string> obb_fields = {"c", "u", "e"}, slab_fields 
 /// p, q, r
 template <class S, int N>
 Capsule<S, N> capsule(const Field& request) {
-  return {vector<S, N>(request["p"]), vector<S, N>(request["q"]), request["r"].number<S>()};
+  const Capsule<S, N> c = {vector<S, N>(request["p"]), vector<S, N>(request["q"]), request["r"].number<S>()};
+  request["r"].need_points(empty(c), "the capsule is empty: its radius is below 0");
+  return c;
 }
 /// c, u: N rows, e
 template <class S, int N>
@@ -167,12 +182,17 @@ Obb<S, N> obb(const Field& request) {
   int i = 0;
   for (const Field row : request["u"].list(N)) b.axes.col(i++) = vector<S, N>(row);
   b.half = vector<S, N>(request["e"]);
+  request["e"].need_points(empty(b), "the box is empty: half an edge is below 0");
+  request["u"].need_points(!obb_obb::detail::exists(b, NoTrace()),
+                           "there is no such box: its axes depend on each other");
   return b;
 }
 /// normal, d
 template <class S, int N>
 Plane<S, N> plane(const Field& request) {
-  return {vector<S, N>(request["normal"]), request["d"].number<S>()};
+  const Plane<S, N> p = {vector<S, N>(request["normal"]), request["d"].number<S>()};
+  request["normal"].need_points(p.normal.isZero(0), "there is no such plane: its normal is 0");
+  return p;
 }
 /// normals, and {lo, hi} lists of as many ends
 template <class S, int N>
@@ -183,6 +203,7 @@ Kdop<S, N> kdop(const Field& normals, const Field& slabs) {
   auto end = hi.begin();
   for (const Field lo : slabs["lo"].list(k.normals.size())) {
     k.slabs.push_back({lo.number<S>(), (*end).template number<S>()});
+    lo.need_points(empty(k.slabs.back()), "the k-DOP is empty: this slab ends before it begins");
     ++end;
   }
   return k;
