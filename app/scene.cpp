@@ -37,6 +37,22 @@ void save(const SceneOptions& options, const std::string& text, const scene::Fil
   viz::write_file(options.save, scene::with_numbers(text, file, to));
 }
 
+std::string verdicts(const scene::File& file) {
+  std::string all;
+  scene::each_answer(file, [&](const scene::Json& answer) { all += answer["verdict"].get<std::string>() + "\n"; });
+  return all;
+}
+
+/// A list of answers, one below the other.
+std::string as_json(const scene::File& file) {
+  std::string all;
+  scene::each_answer(file, [&](const scene::Json& answer) {
+    all += all.empty() ? "[\n  " : ",\n  ";
+    for (const char c : answer.dump(2)) all += c == '\n' ? std::string("\n  ") : std::string(1, c);
+  });
+  return all.empty() ? "[]\n" : all + "\n]\n";
+}
+
 int tell(const SceneOptions& options) {
   try {
     const std::string text = read_named_file(options.path), folder = fs::path(options.path).parent_path().string();
@@ -44,18 +60,14 @@ int tell(const SceneOptions& options) {
     const viz::Parameters to = changed(scene::without_steps(file), file.parameters, options.asked.changes);
     scene::File asked = file;
     asked.parameters = to;
-    const scene::Json all = [&] {
+    const std::string all = [&] {
       const SaidLater busy = deciding(options.path);
-      return scene::answers(asked);
+      return options.json ? as_json(asked) : verdicts(asked);
     }();
     if (!options.save.empty()) save(options, text, file, to);
     for (const scene::Object& o : file.objects)
       if (!o.note.empty()) say(fmt::format("{}: {}: {}", options.path, o.name, o.note));
-    if (options.json) {
-      print(all.dump(2) + "\n");
-      return done;
-    }
-    for (const scene::Json& answer : all) print(answer["verdict"].get<std::string>() + "\n");
+    print(all);
     if (all.empty()) say(fmt::format("{}: nothing is asked; add \"ask\": \"all pairs\", say", options.path));
     return done;
   } catch (const viz::BadInput& e) {

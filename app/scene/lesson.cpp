@@ -26,6 +26,9 @@ namespace {
 
 using viz::Role;
 
+/// Of more objects than that, a step about some of them shows these alone, and that of all shows them without names.
+constexpr std::size_t most_in_all_pictures = 200;
+
 /// What has no inside comes first.
 Role usual_role(Type t) {
   return runs_along_a_line(t) || t == Type::point || t == Type::cloud ? Role::first : Role::second;
@@ -166,16 +169,14 @@ class Walker {
   }
 
   /// As JSON, without a step.
-  Json answers() {
+  void each_answer(const std::function<void(Json)>& take) {
     for (const Object& o : context_.file.objects)  // what can't be drawn is refused
       static_cast<void>(drawn(context_.setting, o, context_.room, Role::first));
-    Json all = Json::array();
     for (const Asked& asked : context_.file.asked) {
       viz::Walk unseen;
       if (const WalkAsked* const walked = std::get_if<WalkAsked>(&asked)) add(*walked, unseen);
-      all.push_back(answer_to(asked).json);
+      take(answer_to(asked).json);
     }
-    return all;
   }
 
  private:
@@ -210,19 +211,26 @@ class Walker {
     return out;
   }
 
-  /// The two asked about in colour, the others as lines in grey.
+  /// The two asked about in colour, the others as lines in grey, unless there are too many.
   viz::Scene picture(const std::vector<std::size_t>& lit) const {
     viz::Scene scene;
     for (std::size_t i = 0; i < context_.file.objects.size(); ++i) {
       const Object& o = context_.object(i);
       const auto at = std::ranges::find(lit, i);
       Role role = lit.empty() ? roles_[i] : usual_role(o.type);
-      if (!lit.empty() && at == lit.end()) role = Role::muted;
+      if (!lit.empty() && at == lit.end()) {
+        if (context_.file.objects.size() > most_in_all_pictures) continue;
+        role = Role::muted;
+      }
       if (lit.size() == 2 && at != lit.end()) role = at == lit.begin() ? Role::first : Role::second;
       std::ranges::move(drawn(context_.setting, o, context_.room, role), std::back_inserter(scene.items));
       std::ranges::move(handles(context_.setting, o, role), std::back_inserter(scene.handles));
     }
-    if (!context_.file.flat) part_names(scene, context_.room, context_.file.camera);
+    const bool too_many = context_.file.objects.size() > most_in_all_pictures;
+    if (too_many && lit.empty())
+      std::erase_if(scene.items, [](const viz::Item& item) { return std::holds_alternative<viz::Label>(item); });
+    else if (!too_many && !context_.file.flat)
+      part_names(scene, context_.room, context_.file.camera);
     for (const Note& note : context_.file.notes)  // each on its point
       scene.items.push_back(viz::Label{note.at, note.text, Role::text, note.at});
     return scene;
@@ -507,6 +515,14 @@ const viz::Lesson& kept_walks_of(const viz::Lesson& lesson, const std::string& m
   return kept_lesson_of(scene.dump(), folder);
 }
 
-Json answers(const File& file) { return Walker(file, file.parameters).answers(); }
+void each_answer(const File& file, const std::function<void(Json)>& take) {
+  Walker(file, file.parameters).each_answer(take);
+}
+
+Json answers(const File& file) {
+  Json all = Json::array();
+  each_answer(file, [&](Json answer) { all.push_back(std::move(answer)); });
+  return all;
+}
 
 }  // namespace isect::program::scene

@@ -1,6 +1,7 @@
 #pragma once
 // A scene file as a lesson: its objects, then a step for each question, then all answers.
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -28,7 +29,9 @@ void keep(const viz::Lesson& kept, const std::string& folder, const viz::Paramet
 const viz::Lesson& kept_walks_of(const viz::Lesson&, const std::string& method, const std::string& text,
                                  const std::string& folder);
 
-/// The answers to all questions with the file's parameters: names, verdict in words, query and result.
+/// The answers to all questions with the file's parameters: names, verdict in words, query and result. One at a time:
+/// many objects have many pairs.
+void each_answer(const File&, const std::function<void(Json)>& take);
 Json answers(const File&);
 
 }  // namespace isect::program::scene

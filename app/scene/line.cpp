@@ -29,13 +29,16 @@ void require_own_files(const Json& objects, const std::optional<std::string>& fo
   }
 }
 
-/// The line's answers. What is not of the scene's own fields stays out of it.
-Json result_of(const std::string& line, const std::optional<std::string>& folder) {
+/// The line's answers as a list. What is not of the scene's own fields stays out of it.
+std::string result_of(const std::string& line, const std::optional<std::string>& folder) {
   Json scene = Json::parse(line);
   scene.erase("id");
   for (const std::string& name : query::notes()) scene.erase(name);
   require_own_files(scene["objects"], folder);
-  return answers(read_scene(scene.dump(), folder.value_or("")));
+  std::string list;
+  each_answer(read_scene(scene.dump(), folder.value_or("")),
+              [&](const Json& answer) { list += (list.empty() ? "[" : ",") + query::written(answer); });
+  return list.empty() ? "[]" : list + "]";
 }
 
 /// It is the only line of its scene.
@@ -64,7 +67,7 @@ query::Answer answer_line(const std::string& line, std::size_t number, const std
   };
   try {
     id = query::Document(line).id;
-    return {fmt::format(R"({{"id":{},"result":{}}})", id, query::written(result_of(line, folder))), false};
+    return {fmt::format(R"({{"id":{},"result":{}}})", id, result_of(line, folder)), false};
   } catch (const std::bad_alloc&) {
     return query::out_of_memory(number);
   } catch (const std::exception& e) {

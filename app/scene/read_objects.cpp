@@ -17,7 +17,7 @@ namespace isect::program::scene {
 
 namespace {
 
-constexpr std::size_t most_objects = 200, most_vertices = 10'000, most_slabs = 64;
+constexpr std::size_t most_objects = 1000, most_vertices = 10'000, most_slabs = 64;
 /// More than these are no knobs of the window, and stay as they are.
 constexpr std::size_t most_knobs = 40;
 /// Of a file whose points a figure takes along, so that it can be opened without that file.

@@ -318,6 +318,29 @@ TEST_CASE("of many pairs a step tells those of one object, and few have a step e
   }
 }
 
+TEST_CASE("of more than 200 objects a step shows those that it is about, and the first one all, without names",
+          "[scene]") {
+  const auto names = [](const viz::Step& step) {
+    return std::ranges::count_if(step.scene.items,
+                                 [](const viz::Item& item) { return std::holds_alternative<viz::Label>(item); });
+  };
+  const auto last_but_one = [](const viz::Lesson& lesson) {
+    const viz::Walk walk = lesson.walk(lesson.presets[0].parameters);
+    return std::pair(walk.steps.front(), walk.steps[walk.steps.size() - 2]);
+  };
+  const auto [all, two] = last_but_one(scene::lesson_of(row_of_boxes(200), ""));
+  CHECK((names(all) == 200 && names(two) == 200));
+  const auto [more, alone] = last_but_one(scene::lesson_of(row_of_boxes(201), ""));
+  CHECK((names(more) == 0 && names(alone) == 2));
+  CHECK(more.scene.items.size() >= 201);
+  CHECK(alone.scene.items.size() < 10);
+
+  std::size_t answered = 0;
+  scene::each_answer(scene::read_scene(row_of_boxes(1000), ""), [&](const Json&) { ++answered; });
+  CHECK(answered == 1000 * 999 / 2);
+  CHECK_THROWS_WITH(scene::read_scene(row_of_boxes(1001), ""), isect::test::Contains("a list of 1 to 1000 objects"));
+}
+
 TEST_CASE("a moved object is asked anew, and all others stay as they were", "[scene]") {
   const viz::Lesson lesson = scene::lesson_of(row_of_boxes(30), "");
   viz::Parameters moved = lesson.presets[0].parameters;

@@ -223,7 +223,7 @@ TEST_CASE("a scene that is no JSON, or holds what is none of ours, is told by it
       {"7", "line 1: the file: ", "in braces"},
       {"{\"title\": \"x\"}", "line 1: the file: ", "\"objects\" is missing"},
       {R"({"lesson": "ray-sphere"})", "line 1: lesson: ", "a preset’s file"},
-      {R"({"objects": {"a": 1}})", "line 1: objects: ", "a list of 1 to 200"},
+      {R"({"objects": {"a": 1}})", "line 1: objects: ", "a list of 1 to 1000"},
       {objects("7"), "line 2: objects[0]: ", "{\"sphere\": \"A\", ...}"},
       {objects(R"({"type": "sphere", "name": "A"})"), "line 2: objects[0].type: ", "{\"sphere\": \"A\", ...}"},
       {"{\"objects\": [" + point + "], \"asks\": []}", "line 1: asks: ", "mean \"ask\""},

@@ -1,0 +1,157 @@
+#!/usr/bin/env python3
+"""The matrix of pairs: what each question about two shapes is proved by, read from the sources themselves.
+
+    matrix.py            prints the table and the gaps
+    matrix.py --check    fails where core/README.md or the named gaps are not as the sources are
+    matrix.py --write    writes the table into core/README.md
+
+A pair is a public function of two shapes in a header of core/isect: its name is the question. It is proved by
+  oracle     a test of its header that finds the truth in rationals
+  families   hard cases that are drawn: in bench/<header>/families.h, in that test, or by the judge of scenes, tests/proof
+  suite      a suite of measurements, bench/<header>/suite.cpp
+  query      a kind of `isect query`, or a scene as one of its lines
+  cases      hard cases for other libraries, tests/cases/<kind>.json
+  free       a listener costs nothing: tests/core/zero_cost_trace.cpp ("-": it takes no listener)
+  fuzz       the kind's fields in tests/fuzz/cases_fuzz.cpp
+  scene      a scene asks it
+  lesson     a lesson tells it
+A gap that tests/core/matrix_gaps.txt does not name fails, and so does a named gap that is none any more.
+"""
+
+import collections
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CORE, GAPS, README = ROOT / "core/isect", ROOT / "tests/core/matrix_gaps.txt", ROOT / "core/README.md"
+COLUMNS = ["oracle", "families", "suite", "query", "cases", "free", "fuzz", "scene", "lesson"]
+BEGIN, END = "<!-- matrix: written by tests/core/matrix.py -->\n", "<!-- end of the matrix -->\n"
+
+QUESTIONS = "relate intersects intersect first_hit all_hits may_intersect locate side cull clip".split()
+SHAPES = ("Point Segment Straight Ray Plane Sphere Aabb Obb Kdop Capsule Triangle Polygon Ring ConvexPolygon HalfSpaces Hull3 "
+          "Frustum TriangleMesh Interval").split()
+SIGNATURE = re.compile(r"\b(%s)\(const ([\w:]+)(?:<([^>]*)>)?& ?\w*,\s*(?:const )?([\w:]+)(?:<([^>]*)>)?& ?\w*" % "|".join(QUESTIONS))
+
+# What `isect query` calls a shape, where that is not its name in small letters.
+KIND_OF = {"Aabb": "box", "HalfSpaces": "solid", "Straight": "line", "Hull3": "hull", "TriangleMesh": "mesh"}
+# Kinds that are not called by both shapes: (first, second, dimension).
+OTHER_KINDS = {("Point", "Polygon", "2"): "pip", ("Point", "Ring", "2"): "pip", ("Ray", "Polygon", "3"): "ray_polygon",
+               ("Ray", "Ring", "3"): "ray_polygon", ("Ray", "Triangle", "3"): "ray_polygon"}
+
+# Scenes clip to boxes alone.
+CLIPPED = ("clip_polygon", "clip_segment")
+
+Pair = collections.namedtuple("Pair", "header first second dimension")
+
+
+def text(path):
+    return path.read_text(encoding="utf-8") if path.is_file() else ""
+
+
+def all_text(folder, pattern):
+    return "\n".join(text(p) for p in sorted((ROOT / folder).rglob(pattern)))
+
+
+def public(source):
+    """A header without comments and without what stands in its namespaces `detail`."""
+    source = re.sub(r"//[^\n]*", "", source)
+    for found in re.finditer(r"namespace [\w:]*detail \{", source):
+        depth, at = 1, found.end()
+        while depth and at < len(source):
+            depth += {"{": 1, "}": -1}.get(source[at], 0)
+            at += 1
+        source = source[:found.start()] + re.sub(r"[^\n]", " ", source[found.start():at]) + source[at:]
+    return source
+
+
+def pairs():
+    """Each pair with its questions, in the order of the headers."""
+    found = {}
+    for header in sorted(CORE.glob("*.h")):
+        if header.stem.startswith("batch") or header.stem.endswith("_methods"):
+            continue
+        for question, a, of_a, b, of_b in SIGNATURE.findall(public(text(header))):
+            a, b = a.split("::")[-1], b.split("::")[-1]
+            if a not in SHAPES or b not in SHAPES:
+                continue
+            numbers = re.findall(r"\b[23]\b", f"{of_a} {of_b}")
+            dimension = numbers[0] if numbers else "2" if "ConvexPolygon" in (a, b) else "3" if "TriangleMesh" in (a, b) else "1" if a == b == "Interval" else "2, 3"
+            asked = found.setdefault(Pair(header.stem, a, b, dimension), [])
+            if question not in asked:
+                asked.append(question)
+    return found
+
+
+class Evidence:
+    def __init__(self):
+        self.kinds = set(re.findall(r"ISECT_HANDLER\((\w+)", all_text("app/query", "*_handlers.cpp")))
+        self.kinds |= set(re.findall(r'\{"(\w+)", *"', all_text("app/query", "*_handlers.cpp")))
+        self.fuzz = text(ROOT / "tests/fuzz/cases_fuzz.cpp")
+        self.traced = text(ROOT / "tests/core/zero_cost_trace.cpp")
+        self.scene = all_text("app/scene", "*.cpp") + all_text("app/scene", "*.h")
+        self.lessons = all_text("lessons", "*.cpp") + all_text("lessons", "*.h")
+        self.tests = [text(p) for p in sorted((ROOT / "tests/core").glob("*_test.cpp"))]
+
+    def kind(self, pair):
+        name = lambda shape: KIND_OF.get(shape, shape.lower())
+        wanted = OTHER_KINDS.get(pair[1:], f"{name(pair.first)}_{name(pair.second)}")
+        return wanted if wanted in self.kinds else None
+
+    def of(self, pair):
+        include, kind = f"<isect/{pair.header}.h>", self.kind(pair)
+        tests = "\n".join(t for t in self.tests if include in t)
+        bench = ROOT / "bench" / pair.header
+        scene = kind is not None and f'"{kind}"' in self.scene or include in self.scene and not (pair.header in CLIPPED and pair.second == "Plane")
+        takes_listener = "Trace&&" in text(CORE / f"{pair.header}.h")
+        return {
+            "oracle": bool(re.search(r"oracle|Rational|\btruth\b", tests)),
+            "families": (bench / "families.h").is_file() or "famil" in tests or scene and not pair.header.startswith("clip"),
+            "suite": (bench / "suite.cpp").is_file(),
+            "query": f"`{kind}`" if kind else "scene" if scene else False,
+            "cases": kind is not None and (ROOT / f"tests/cases/{kind}.json").is_file(),
+            "free": include in self.traced if takes_listener else None,
+            "fuzz": kind is not None and f'"{kind}"' in self.fuzz,
+            "scene": scene,
+            "lesson": include in self.lessons,
+        }
+
+
+def told(pair):
+    return f"{pair.first} {pair.second} ({pair.header}, {pair.dimension})"
+
+
+def table(rows):
+    lines = ["| first | second | dimensions | questions | header | " + " | ".join(COLUMNS) + " |", "| --- " * (5 + len(COLUMNS)) + "|"]
+    sign = {True: "yes", False: "", None: "-"}  # or a name
+    for pair, (questions, proof) in rows.items():
+        cells = [pair.first, pair.second, pair.dimension, ", ".join(f"`{q}`" for q in questions),
+                 f"[`{pair.header}.h`](isect/{pair.header}.h)"] + [sign.get(proof[c], proof[c]) for c in COLUMNS]
+        lines.append("| " + " | ".join(cells) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def main(arguments):
+    evidence = Evidence()
+    rows = {pair: (questions, evidence.of(pair)) for pair, questions in pairs().items()}
+    gaps = [f"{told(pair)}: {c}" for pair, (_, proof) in rows.items() for c in COLUMNS if proof[c] is False]
+    written = table(rows)
+    readme = text(README)
+    if "--write" in arguments:
+        before, after = readme.split(BEGIN)[0], readme.split(END)[1]
+        README.write_text(before + BEGIN + written + END + after, encoding="utf-8")
+        return 0
+    if "--check" not in arguments:
+        print(written + "\n" + "\n".join(gaps))
+        return 0
+    named = [line for line in text(GAPS).splitlines() if line and not line.startswith("#")]
+    wrong = [f"a gap that is not named: {g}" for g in gaps if g not in named]
+    wrong += [f"named, and no gap any more: {g}" for g in named if g not in gaps]
+    if BEGIN + written + END not in readme:
+        wrong.append("core/README.md holds another table: tests/core/matrix.py --write")
+    print("\n".join(wrong) or f"{len(rows)} pairs, {len(gaps)} gaps, all named")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
