@@ -107,6 +107,28 @@ void compete(Session& session, int hits) {
                        "ordinary", "", false, draw, truth<S>, full_precision<S>, residual<S>});
 }
 
+/// Ordinary rays, of which so many in a hundred hit: yes or no alone.
+template <class S>
+void yes_or_no(Session& session, int hits) {
+  const auto draw = [hits, any = ray_sphere_family<S, 3>("ordinary").draw](Random& random) -> Case<S> {
+    const bool wanted = random.below(100) < hits;
+    for (;;) {
+      const Case<S> c = any(random);
+      if (c.ray.range == semi_infinite<S> && intersects(c.ray, c.sphere) == wanted) return c;
+    }
+  };
+  const auto truth = [](const Case<S>& c) -> Truth {
+    return {oracle::ray_sphere(c.ray, c.sphere).enter.has_value(), {}};
+  };
+  Contest<S, Case<S>> contest(session,
+                              {"ray-sphere, yes or no, " + (hits == 100 ? "all" : std::to_string(hits) + " %") + " hit",
+                               scalar_name<S>, "ordinary", "", false, draw, truth, full_precision<S>});
+  contest.enter("discriminant", [](const Case<S>& c) { return ray_sphere::by_discriminant(c.ray, c.sphere); })
+      .standard();
+  contest.enter("exact", [](const Case<S>& c) { return intersects(c.ray, c.sphere); }).exact();
+  contest.run();
+}
+
 /// One ray against 65,536 spheres around it: which are hit.
 template <class S>
 void one_ray(Session& session) {
@@ -173,6 +195,13 @@ void measure(Session& session) {
                .limit =
                    "245 instructions, and 74 in the naive test: floats become doubles, Lagrange's discriminant gets "
                    "its bound, and t is divided in double."});
+  for (const char* hits : {"5 %", "50 %", "all"})
+    session.aim({.work = std::string("ray-sphere, yes or no, ") + hits + " hit",
+                 .test = std::string("ray-sphere, yes or no, ") + hits + " hit",
+                 .theirs = "naive",
+                 .at_most = 1.3,
+                 .limit = "80 instructions, 45 in the naive test: both bounds, the sizes and the range's ends are "
+                          "asked without a branch that a processor could guess wrongly."});
   session.aim({.work = "ray-sphere: wrong verdicts", .kind = Target::wrong, .test = "ray-sphere", .at_most = 0});
   session.aim({.work = "ray-sphere: error of t", .kind = Target::ulps, .test = "ray-sphere", .at_most = 4});
   session.aim(
@@ -194,6 +223,10 @@ void measure(Session& session) {
   for (const int hits : {5, 100}) {
     compete<double>(session, hits);
     compete<float>(session, hits);
+  }
+  for (const int hits : {5, 50, 100}) {
+    yes_or_no<double>(session, hits);
+    yes_or_no<float>(session, hits);
   }
   one_ray<double>(session);
   one_ray<float>(session);

@@ -67,4 +67,29 @@ ISECT_INLINE RaySphere<S> intersect(const Ray<S, N>& ray, const Sphere<S, N>& sp
   }
 }
 
+/// Whether a point of the ray's range lies in the ball: what `intersect` says, by signs alone. No root is found, and
+/// nothing is divided.
+template <class S, int N, class Trace = NoTrace>
+ISECT_INLINE bool intersects(const Ray<S, N>& ray, const Sphere<S, N>& sphere, Trace&& trace = {}) {
+  using namespace ray_sphere::detail;
+  const Ray<double, N>& wide = in_doubles(ray);
+  const Sphere<double, N>& ball = in_doubles(sphere);
+  if constexpr (!small_code && !heard<Trace>)
+    if (ray.range.lo >= 0 && ray.range.lo <= 0 && ray.range.hi > std::numeric_limits<S>::max()) {
+      const QuickMeeting<N> quick(wide, ball);
+      if (quick.certain()) [[likely]]
+        return quick.holds();
+    }
+  if (!(sphere.radius >= 0) || !(ray.range.lo <= ray.range.hi)) return false;  // empty, or NaN
+  return settled_meeting(wide, ball, trace);
+}
+
+/// The least t of the ray's range at which it meets the ball: its lower end where it begins in there. It is that of
+/// `solid` in `intersect`'s answer, and takes as long: both roots are found side by side.
+template <class S, int N>
+ISECT_INLINE std::optional<S> first_hit(const Ray<S, N>& ray, const Sphere<S, N>& sphere) {
+  const RaySphere<S> answer = intersect(ray, sphere);
+  return answer.solid ? std::optional<S>(answer.solid->lo) : std::nullopt;
+}
+
 }  // namespace isect

@@ -96,6 +96,16 @@ std::optional<S> quadratic(const Ray<S, N>& ray, const Sphere<S, N>& sphere, Tra
   return detail::first_in_range(t1, t2, ray.range, trace);
 }
 
+/// Whether a ray with t >= 0 meets the ball, without a root: it begins in there, or it heads for the center and the
+/// discriminant is not negative. Source: Akenine-Moller, Haines, Real-Time Rendering, 2nd ed. (2002), ch. 13.5.1.
+template <class S, int N>
+bool by_discriminant(const Ray<S, N>& ray, const Sphere<S, N>& sphere) {
+  const Vector<S, N> f = ray.origin - sphere.center;
+  const S b = f.dot(ray.direction), c = f.dot(f) - sphere.radius * sphere.radius;
+  if (c <= S(0)) return true;
+  return b < S(0) && b * b >= ray.direction.dot(ray.direction) * c;
+}
+
 /// `quadratic` with half of B, so that the factors 2 and 4 cancel. The note warns that such tweaks gain little
 /// and breed bugs: the formula holds for the halved B only. Source: the note, N18.
 template <class S, int N, class Trace = NoTrace>

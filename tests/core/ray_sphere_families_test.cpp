@@ -25,7 +25,8 @@ Score score(const RaySphereDraw<S, N>& family, int rays) {
   for (int i = 0; i < rays; ++i) {
     const RaySphereCase<S, N> c = family.draw(random);
     const oracle::RaySphere truth = oracle::ray_sphere(c.ray, c.sphere);
-    const Judgement judgement = judge(c.ray.range, intersect(c.ray, c.sphere), truth);
+    Judgement judgement = judge(c.ray.range, intersect(c.ray, c.sphere), truth);
+    if (intersects(c.ray, c.sphere) != truth.enter.has_value()) judgement.wrong = "intersects";
     score.hits += truth.enter.has_value();
     score.ulps = std::max(score.ulps, judgement.ulps);
     if (!judgement.wrong && judgement.ulps <= promised_ulps) continue;

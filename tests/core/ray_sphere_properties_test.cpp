@@ -1,6 +1,7 @@
 // What must hold for every ray and every sphere, on the hard families.
 
 #include <cmath>
+#include <vector>
 
 #include "bench/ray_sphere/judge.h"
 #include "tests/catch.h"
@@ -199,6 +200,43 @@ TEMPLATE_TEST_CASE_SIG("floats meet as the doubles meet that they denote", "[ray
     REQUIRE(narrow.solid.has_value() == wide.solid.has_value());
     if (narrow.surface) REQUIRE(near(*narrow.surface, static_cast<float>(*wide.surface)));
   });
+}
+
+TEMPLATE_TEST_CASE_SIG("the yes or no and the first hit are those of the full answer, for ranges of every kind",
+                       "[ray_sphere][property]", FLOATS_AND_DIMENSIONS) {
+  constexpr S infinity = std::numeric_limits<S>::infinity(), nan = std::numeric_limits<S>::quiet_NaN();
+  for_all<S, N>([](const RaySphereCase<S, N>& c, Random& random) {
+    const RaySphere<S> whole = intersect(c.ray, c.sphere);
+    std::vector<S> ends = {-infinity, infinity, 0, -S(0), nan, static_cast<S>(random.uniform(-4, 4))};
+    for (const S root : {whole.roots.lo, whole.roots.hi})
+      for (const S towards : {-infinity, root, infinity}) ends.push_back(std::nextafter(root, towards));
+    for (const S lo : ends)
+      for (const S hi : ends) {
+        const Ray<S, N> ray = {c.ray.origin, c.ray.direction, {lo, hi}};
+        const RaySphere<S> answer = intersect(ray, c.sphere);
+        INFO("range " << lo << ", " << hi);
+        REQUIRE(intersects(ray, c.sphere) == bool(answer));
+        REQUIRE(intersects(ray, c.sphere, [](const auto&) {}) == bool(answer));
+        REQUIRE(first_hit(ray, c.sphere) == (answer.solid ? std::optional<S>(answer.solid->lo) : std::nullopt));
+      }
+  });
+}
+
+TEMPLATE_TEST_CASE_SIG("the yes or no holds for no direction, no ball, NaN and infinite coordinates", "[ray_sphere]",
+                       FLOATS_AND_DIMENSIONS) {
+  const S huge = std::numeric_limits<S>::infinity(), nan = std::numeric_limits<S>::quiet_NaN();
+  const Point<S, N> o = Point<S, N>::Zero(), d = Point<S, N>::Unit(0);
+  CHECK(intersects(Ray<S, N>{o, o}, Sphere<S, N>{d, 1}));
+  CHECK_FALSE(intersects(Ray<S, N>{o, o}, Sphere<S, N>{2 * d, 1}));
+  CHECK_FALSE(intersects(Ray<S, N>{o, o, {huge, huge}}, Sphere<S, N>{o, 1}));
+  CHECK(intersects(Ray<S, N>{o, d}, Sphere<S, N>{2 * d, 0}));
+  CHECK_FALSE(intersects(Ray<S, N>{o, d}, Sphere<S, N>{2 * d, -1}));
+  for (const S bad : {huge, -huge, nan}) {
+    CHECK_FALSE(intersects(Ray<S, N>{bad * d, d}, Sphere<S, N>{o, 1}));
+    CHECK_FALSE(intersects(Ray<S, N>{o, bad * d}, Sphere<S, N>{o, 1}));
+    CHECK_FALSE(intersects(Ray<S, N>{o, d}, Sphere<S, N>{bad * d, 1}));
+    CHECK_FALSE(intersects(Ray<S, N>{o, d}, Sphere<S, N>{o, bad}));
+  }
 }
 
 }  // namespace ray_sphere_properties_test

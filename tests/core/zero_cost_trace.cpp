@@ -53,6 +53,9 @@ struct Listener {
 #define CALLS(S, N)                                                               \
   RaySphere<S> call_intersect(const Ray<S, N>& ray, const Sphere<S, N>& sphere) { \
     return intersect(ray, sphere HEAR(ray_sphere::Event));                        \
+  }                                                                               \
+  bool call_intersects(const Ray<S, N>& ray, const Sphere<S, N>& sphere) {        \
+    return intersects(ray, sphere HEAR(ray_sphere::Event));                       \
   }
 CALLS(float, 2)
 CALLS(double, 3)

@@ -79,14 +79,37 @@ RaySphere<S> settle_point(const Ray<double, N>& ray, const Sphere<double, N>& sp
   return result;
 }
 
+template <class S, int N>
+bool bounded(const Ray<double, N>& ray, const Sphere<double, N>& sphere, const Interval<S>& range) {
+  return ray.origin.allFinite() && ray.direction.allFinite() && sphere.center.allFinite() &&
+         std::isfinite(sphere.radius) && !std::isnan(range.lo) && !std::isnan(range.hi);
+}
+
+/// Whether they meet: the signs alone, in one arithmetic after the other.
+template <int N, class Trace>
+[[gnu::noinline]] bool settled_meeting(const Ray<double, N>& ray, const Sphere<double, N>& sphere, Trace&& trace) {
+  const auto certain = [&](const std::optional<Verdict>& verdict) { return meets(ray.range, *verdict); };
+  if (const auto verdict = decide<double>(ray, sphere, trace)) return certain(verdict);
+  trace(Fallback{});
+  if (!bounded(ray, sphere, ray.range)) return false;
+  if ((ray.direction.array() == 0).all()) return settle_point(ray, sphere, ray.range).solid.has_value();
+  if (const auto verdict = decide<ShortExact>(ray, sphere, trace)) return certain(verdict);
+  if (const std::optional<Scaled<N>> s = scaled(ray, sphere)) {
+    if (const auto verdict = decide<double>(s->ray, s->sphere, trace)) return certain(verdict);
+    if (const auto verdict = decide<DoubleDouble>(s->ray, s->sphere, trace)) return certain(verdict);
+  } else if (const auto verdict = decide<DoubleDouble>(ray, sphere, trace)) {
+    return certain(verdict);
+  }
+  if (const auto verdict = decide<MediumExact>(ray, sphere, trace)) return certain(verdict);
+  return certain(decide<Exact>(ray, sphere, trace));
+}
+
 /// `known`: the verdict, where only the values are missing.
 template <class S, int N, class Trace>
 [[gnu::noinline, gnu::cold]] RaySphere<S> settle(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
                                                  const Interval<S>& range, const std::optional<Verdict>& known,
                                                  Trace&& trace) {
-  const bool bounded = ray.origin.allFinite() && ray.direction.allFinite() && sphere.center.allFinite() &&
-                       std::isfinite(sphere.radius) && !std::isnan(range.lo) && !std::isnan(range.hi);
-  if (!bounded) return {};
+  if (!bounded(ray, sphere, range)) return {};
   if ((ray.direction.array() == 0).all()) return settle_point(ray, sphere, range);
 
   // What touches on integers or on a grid is settled in 127 bits; its values are then as easy as any others.
