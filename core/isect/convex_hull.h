@@ -184,6 +184,7 @@ Ring<S, 2> without_interior(std::span<const Point<S, 2>> points) {
 /// std::invalid_argument where a coordinate is NaN or infinite.
 template <class S, class Trace = NoTrace>
 Ring<S, 2> convex_hull(std::span<const Point<S, 2>> points, Trace&& trace = {}) {
+  static_assert(is_scalar<S>());
   Ring<S, 2> candidates = convex_hull_2d::detail::without_interior(points);
   if constexpr (heard<Trace>) trace(convex_hull_2d::Remaining{candidates.size()});
   return convex_hull_2d::monotone_chain(std::move(candidates), trace);

@@ -109,6 +109,7 @@ Indices hull(const Points& points, Trace&& trace) {
 /// out. O(n log n) for most inputs. Throws std::invalid_argument where a coordinate is NaN or infinite.
 template <class S, class Trace = NoTrace>
 Hull3<S> convex_hull(std::span<const Point<S, 3>> points, Trace&& trace = {}) {
+  static_assert(is_scalar<S>());
   convex_hull_3d::detail::Points wide;
   wide.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {

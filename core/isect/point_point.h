@@ -50,6 +50,7 @@ template <class S, int N, class Trace>
 /// Whether the points are the same. Exact: coordinates are compared, -0 equals 0. NaN or an infinite coordinate: no.
 template <class S, int N, class Trace = NoTrace>
 bool equal(const Point<S, N>& p, const Point<S, N>& q, Trace&& trace = {}) {
+  static_assert(is_scalar<S>());
   if (!finite(p)) return false;
   for (int axis = 0; axis < N; ++axis) {
     const bool same = p[axis] == q[axis];
@@ -63,6 +64,7 @@ bool equal(const Point<S, N>& p, const Point<S, N>& q, Trace&& trace = {}) {
 /// are equal; a negative one or NaN is never kept, an infinite one by all points. NaN or an infinite coordinate: no.
 template <class S, int N, class Trace = NoTrace>
 bool nearly_equal(const Point<S, N>& p, const Point<S, N>& q, S tolerance, Trace&& trace = {}) {
+  static_assert(is_scalar<S>());
   if (!finite(p) || !finite(q) || !(tolerance >= 0)) return false;
   if (std::isinf(tolerance)) return true;
 

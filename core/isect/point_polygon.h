@@ -260,6 +260,7 @@ Winding winding(const Point<S, 2>& point, const Polygon<S, 2>& polygon, Trace&& 
 }
 template <class S, class Trace = NoTrace>
 Winding winding(const Point<S, 2>& point, const Ring<S, 2>& ring, Trace&& trace = {}) {
+  static_assert(is_scalar<S>());
   return point_polygon::detail::winding(point, std::span<const Ring<S, 2>>(&ring, 1), trace);
 }
 

@@ -170,6 +170,7 @@ Vector<S, 3> newell_naive(const Ring<S, 3>& ring, Trace&& trace = {}) {
 /// largest. NaN when a coordinate is NaN or infinite.
 template <class S, class Trace = NoTrace>
 S area(const Ring<S, 2>& ring, Trace&& trace = {}) {
+  static_assert(is_scalar<S>());
   if (!finite(ring)) return std::numeric_limits<S>::quiet_NaN();
   return value_of<S>([&]<class W>() -> Ratio<W> { return {polygon_area::detail::area2<W>(ring), W(2.)}; }, trace);
 }
@@ -178,6 +179,7 @@ S area(const Ring<S, 2>& ring, Trace&& trace = {}) {
 /// ulp. Infinite beyond the largest number. NaN when a coordinate is NaN or infinite.
 template <class S, class Trace = NoTrace>
 S area(const Ring<S, 3>& ring, Trace&& trace = {}) {
+  static_assert(is_scalar<S>());
   if (!finite(ring)) return std::numeric_limits<S>::quiet_NaN();
   const auto n = polygon_area::detail::area_vector(ring, trace);
   return n ? static_cast<S>(n->unit * leading(n->length())) : S(0);
@@ -187,6 +189,7 @@ S area(const Ring<S, 3>& ring, Trace&& trace = {}) {
 /// of the true one. Nothing when the area is exactly zero, and when a coordinate is NaN or infinite.
 template <class S, class Trace = NoTrace>
 std::optional<Vector<S, 3>> normal(const Ring<S, 3>& ring, Trace&& trace = {}) {
+  static_assert(is_scalar<S>());
   if (!finite(ring)) return {};
   const auto n = polygon_area::detail::area_vector(ring, trace);
   if (!n) return {};

@@ -12,6 +12,14 @@
 
 namespace isect {
 
+/// Fails to compile for a scalar S that is neither float nor double.
+template <class S>
+constexpr bool is_scalar() {
+  static_assert(std::is_same_v<S, float> || std::is_same_v<S, double>,
+                "isect: a scalar is float or double; no error bound is proved for any other");
+  return true;
+}
+
 template <class S, int N>
 using Vector = Eigen::Matrix<S, N, 1>;
 template <class S, int N>
@@ -20,6 +28,7 @@ using Point = Eigen::Matrix<S, N, 1>;
 /// The closed interval [lo, hi]; empty when lo > hi.
 template <class S>
 struct Interval {
+  static_assert(is_scalar<S>());
   S lo, hi;
 
   bool contains(const S& x) const { return lo <= x && x <= hi; }
@@ -37,6 +46,7 @@ inline constexpr Interval<S> infinite = {-std::numeric_limits<S>::infinity(), st
 /// finite, a line when neither is. The direction may have any length; t is measured in it. Source: the note, N16.
 template <class S, int N>
 struct Ray {
+  static_assert(is_scalar<S>());
   Point<S, N> origin;
   Vector<S, N> direction;
   Interval<S> range = semi_infinite<S>;
@@ -60,6 +70,7 @@ Ray<S, N> line_through(const Point<S, N>& p, const Point<S, N>& q) {
 /// The segment between two points as given; a point when they coincide.
 template <class S, int N>
 struct Segment {
+  static_assert(is_scalar<S>());
   Point<S, N> p, q;
 };
 
@@ -67,6 +78,7 @@ struct Segment {
 /// Source: the note, N20.
 template <class S, int N>
 struct Plane {
+  static_assert(is_scalar<S>());
   Vector<S, N> normal;
   S d;
 };
@@ -74,6 +86,7 @@ struct Plane {
 /// The closed ball around `center`; empty when radius < 0. Its surface is the sphere proper.
 template <class S, int N>
 struct Sphere {
+  static_assert(is_scalar<S>());
   Point<S, N> center;
   S radius;
 };
@@ -81,6 +94,7 @@ struct Sphere {
 /// The points within `radius` of the segment from p to q; empty when radius < 0, a ball when p equals q.
 template <class S, int N>
 struct Capsule {
+  static_assert(is_scalar<S>());
   Point<S, N> p, q;
   S radius;
 };
@@ -88,6 +102,7 @@ struct Capsule {
 /// The axis-aligned box lo_i <= x_i <= hi_i; empty when lo_i > hi_i for some i. Source: the note, N06.
 template <class S, int N>
 struct Aabb {
+  static_assert(is_scalar<S>());
   Point<S, N> lo, hi;
 
   Interval<S> along(int axis) const { return {lo[axis], hi[axis]}; }
@@ -98,6 +113,7 @@ struct Aabb {
 /// some half_i < 0. Source: the note, N07.
 template <class S, int N>
 struct Obb {
+  static_assert(is_scalar<S>());
   Point<S, N> center;
   Eigen::Matrix<S, N, N> axes;
   Vector<S, N> half;
@@ -107,12 +123,14 @@ struct Obb {
 /// have any length: integer ones such as (1, 1, 0) keep touching exact. Source: the note, N08, with the sign turned.
 template <class S, int N>
 struct Kdop {
+  static_assert(is_scalar<S>());
   std::vector<Vector<S, N>> normals;
   std::vector<Interval<S>> slabs;
 };
 
 template <class S, int N>
 struct Triangle {
+  static_assert(is_scalar<S>());
   std::array<Point<S, N>, 3> vertices;
 };
 
@@ -123,6 +141,7 @@ using Ring = std::vector<Point<S, N>>;
 /// One ring, or several: holes and islands, as the fill rule has it. In 3D all lie in one plane, nearly.
 template <class S, int N>
 struct Polygon {
+  static_assert(is_scalar<S>());
   std::vector<Ring<S, N>> rings;
 };
 
