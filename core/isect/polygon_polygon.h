@@ -21,9 +21,9 @@
 // common point, two edges of one polygon counted as well, and one way through the hierarchy for each ring. Long edges
 // side by side, as of a comb that stands obliquely, have k near n^2.
 //
-// Source: F. Yamaguchi, Computer-Aided Geometric Design (2002), and M. Margalit, G. Knott, An algorithm for computing
-// the union, intersection or difference of two polygons, Computers & Graphics 13 (1989), for edges cut and classified;
-// Edelsbrunner, Mücke, Simulation of simplicity, ACM Trans. Graphics 9 (1990), for lines moved by less than anything.
+// Source: M. Margalit, G. Knott, An algorithm for computing the union, intersection or difference of two polygons,
+// Computers & Graphics 13 (1989), for edges that are cut and classified; Edelsbrunner, Mücke, Simulation of simplicity,
+// ACM Trans. Graphics 9 (1990), for lines moved by less than anything.
 
 #include <algorithm>
 #include <array>
@@ -79,7 +79,7 @@ struct LineOfRay {
 /// A place on a line: where the line of r s crosses it, a point r that it holds, or a number t.
 struct Mark {
   enum class Kind { crossing, point, number } kind;
-  Point2 r = {}, s = {};
+  Point2 r = Point2::Zero(), s = Point2::Zero();
   double number = 0;
   int den = 1;         ///< the sign of the denominator of t
   bool flips = false;  ///< whether the left side changes there
@@ -98,7 +98,7 @@ class Order {
   Mark crossing(const Point2& r, const Point2& s, int side_r, int side_s) const {
     return {Mark::Kind::crossing, r, s, 0, side_s > side_r ? 1 : -1, (side_r > 0) != (side_s > 0)};
   }
-  Mark point(const Point2& x, int cover) const { return {Mark::Kind::point, x, {}, 0, heading_, false, cover}; }
+  Mark point(const Point2& x, int cover) const { return {Mark::Kind::point, x, x, 0, heading_, false, cover}; }
 
   /// The sign of t less u.
   int compare(const Mark& t, const Mark& u) const {
