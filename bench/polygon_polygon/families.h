@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -214,13 +215,26 @@ inline PolygonPair<double> ordinary(Random& random) {
 struct PolygonPairFamily {
   const char* name;
   polygon_pairs::Draw<double> draw;
+  const char* note;     ///< of NamedDraw
+  bool simple = false;  ///< each is one outline that neither crosses nor touches itself
 };
 inline constexpr PolygonPairFamily polygon_pair_families[] = {
-    {"ordinary", polygon_pairs::ordinary},   {"any", polygon_pairs::any},       {"stars", polygon_pairs::stars},
-    {"boxes", polygon_pairs::boxes},         {"nested", polygon_pairs::nested}, {"plugs", polygon_pairs::plugs},
-    {"shared", polygon_pairs::shared},       {"combs", polygon_pairs::combs},   {"spirals", polygon_pairs::spirals},
-    {"slivers", polygon_pairs::slivers},     {"tenths", polygon_pairs::tenths}, {"nudged", polygon_pairs::nudged},
-    {"distant", polygon_pairs::distant},     {"huge", polygon_pairs::huge},     {"tiny", polygon_pairs::tiny},
-    {"subnormal", polygon_pairs::subnormal}, {"wide", polygon_pairs::wide}};
+    {"ordinary", polygon_pairs::ordinary, "outlines of 3 to 9 corners around near centers.", true},
+    {"any", polygon_pairs::any, "one or two rings of any points of a small grid: they cross themselves and go back."},
+    {"stars", polygon_pairs::stars, "grid points by their angle around a point of a half grid."},
+    {"boxes", polygon_pairs::boxes, "unions and differences of boxes on a grid: long sides in common."},
+    {"nested", polygon_pairs::nested, "squares one in another: holes and islands."},
+    {"plugs", polygon_pairs::plugs, "the hole of one is the other, or nearly so."},
+    {"shared", polygon_pairs::shared, "one of corners of the other and middles of its sides."},
+    {"combs", polygon_pairs::combs, "combs with teeth on whole numbers.", true},
+    {"spirals", polygon_pairs::spirals, "spirals in steps along the axes."},
+    {"slivers", polygon_pairs::slivers, "outlines as thin as doubles can say, along one line."},
+    {"tenths", polygon_pairs::tenths, "those of grids, times 0.1: what users type."},
+    {"nudged", polygon_pairs::nudged, "those of grids, a quarter of the numbers an ulp off."},
+    {"distant", polygon_pairs::distant, "the tenths, 1e8 away."},
+    {"huge", polygon_pairs::huge, "those of grids, times 2^1018."},
+    {"tiny", polygon_pairs::tiny, "those of grids, times 2^-990."},
+    {"subnormal", polygon_pairs::subnormal, "those of grids, times twice the least double."},
+    {"wide", polygon_pairs::wide, "few numbers of all sizes, from 5e-324 to 1e300."}};
 
 }  // namespace isect::bench
