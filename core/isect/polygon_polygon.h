@@ -17,10 +17,10 @@
 // quotients t = (r - p) x (s - r) / (d x (s - r)): the sign of a polynomial of degree four. So all of it is
 // comparisons and true signs.
 //
-// A hierarchy of the edges' boxes finds which meet: O((n + k) lg (n + k)) with k pairs of edges whose boxes have a
-// common point, two edges of one polygon counted as well, and for each ring a ray past all edges to the right of it.
-// Long edges side by side, as of a comb that stands obliquely, have k near n^2; n small rings in rows have n^1.5 in
-// all.
+// A hierarchy of the edges' boxes finds which meet, edge by edge, in O(n) space, until nothing is left open: two that
+// overlap are soon told. Else it takes O((n + k) lg (n + k)) with k pairs of edges whose boxes have a common point, two
+// of one polygon counted as well, and for each ring a ray past all edges to the right of it. Long edges side by side,
+// as of a comb that stands obliquely, have k near n^2; n small rings in rows have n^1.5 in all.
 //
 // Source: M. Margalit, G. Knott, An algorithm for computing the union, intersection or difference of two polygons,
 // Computers & Graphics 13 (1989), for edges that are cut and classified; Edelsbrunner, Mücke, Simulation of simplicity,
@@ -30,7 +30,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -254,6 +253,8 @@ inline bool from_right(const Point2& v, const Point2& x, const Point2& d) {
 struct Found {
   bool common = false, interiors = false, a_leaves_b = false, b_leaves_a = false;
 
+  bool all() const { return common && interiors && a_leaves_b && b_leaves_a; }
+
   Relation relation() const {
     if (!common) return Relation::disjoint;
     if (!a_leaves_b) return b_leaves_a ? Relation::a_inside_b : Relation::equal;
@@ -266,51 +267,54 @@ struct Found {
 class Overlay {
  public:
   explicit Overlay(const Edges& edges) : edges_(edges) {
-    report_pairs(edges.tree, edges.boxes, [&](int i, int j) { add(i, j); });
-    first_.assign(edges.all.size() + 1, 0);
-    for (const Meeting& m : unsorted_) ++first_[m.edge + 1];
-    for (std::size_t i = 0; i + 1 < first_.size(); ++i) first_[i + 1] += first_[i];
-    meetings_.resize(unsorted_.size());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (const Meeting& m : unsorted_) meetings_[next[m.edge]++] = m;
-    for (int i = 0; i < static_cast<int>(edges.all.size()); ++i) edges.all[i].is_point() ? point(i) : edge(i);
+    for (int i = 0; i < static_cast<int>(edges.all.size()) && !found_.all(); ++i) {
+      find_meetings(i);
+      edges.all[i].is_point() ? point(i) : edge(i);
+    }
   }
 
   const Found& found() const { return found_; }
 
  private:
-  /// Of two edges that have a common point: the sides of the other's ends, and whether it holds the first end, or the
-  /// last.
+  /// Of an edge and another that has a common point with it: the sides of the other's ends, and whether it holds the
+  /// first end, or the last.
   struct Meeting {
-    int edge, other;
-    std::int8_t p, q;
+    int other, p, q;
     bool at_start, at_end;
   };
 
-  void add(int i, int j) {
-    const Edge &e = edges_.all[i], &f = edges_.all[j];
+  void find_meetings(int i) {
+    const Edge& e = edges_.all[i];
+    const Aabb<double, 2>& box = edges_.boxes[i];
+    meetings_.clear();
+    edges_.any([&](const Aabb<double, 2>& other) { return bvh_pairs::detail::meet(box, other); },
+               [&](int j) {
+                 if (j != i) add(e, j);
+                 return false;
+               });
+  }
+  void add(const Edge& e, int j) {
+    const Edge& f = edges_.all[j];
     const segment_segment::Sides side = segment_segment::detail::sides({e.p, e.q}, {f.p, f.q}, NoTrace());
     if (!side.p || *side.p * *side.q > 0) return;
     const bool on_line = side.r == 0 && side.s == 0 && side.p == 0 && side.q == 0;
-    const auto holds = [&](int of, int beside, const Point2& x) {
-      return beside == 0 && (!on_line || intersects(edges_.boxes[of], Aabb<double, 2>{x, x}));
+    const auto held = [&](int beside, const Point2& x) {
+      return beside == 0 && (!on_line || bvh_pairs::detail::meet(edges_.boxes[j], {x, x}));
     };
-    const auto small = [](int sign) { return static_cast<std::int8_t>(sign); };
-    unsorted_.push_back({i, j, small(side.r), small(side.s), holds(j, *side.p, e.p), holds(j, *side.q, e.q)});
-    unsorted_.push_back({j, i, small(*side.p), small(*side.q), holds(i, side.r, f.p), holds(i, side.s, f.q)});
+    meetings_.push_back({j, side.r, side.s, held(*side.p, e.p), held(*side.q, e.q)});
     found_.common |= e.of_b != f.of_b;
   }
 
   template <class Use>
-  void each_meeting(int i, const Use& use) const {
-    for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) use(meetings_[k], edges_.all[meetings_[k].other]);
+  void each_meeting(const Use& use) const {
+    for (const Meeting& m : meetings_) use(m, edges_.all[m.other]);
   }
 
   /// A ring that is a point.
   void point(int i) {
     const Edge& e = edges_.all[i];
     bool in_other = false;
-    each_meeting(i, [&](const Meeting&, const Edge& f) { in_other |= f.of_b != e.of_b; });
+    each_meeting([&](const Meeting&, const Edge& f) { in_other |= f.of_b != e.of_b; });
     if (!in_other) in_other = edges_.within(e.p)[!e.of_b];
     found_.common |= in_other;
     (e.of_b ? found_.b_leaves_a : found_.a_leaves_b) |= !in_other;
@@ -320,7 +324,7 @@ class Overlay {
   template <class Use>
   void each_leaving(int i, const Use& use) const {
     const Point2& v = edges_.all[i].p;
-    each_meeting(i, [&](const Meeting& m, const Edge& f) {
+    each_meeting([&](const Meeting& m, const Edge& f) {
       if (!m.at_start) return;
       if (f.p != v) use(f.p, f.of_b);
       if (f.q != v) use(f.q, f.of_b);
@@ -352,7 +356,7 @@ class Overlay {
     const Order order(line);
     std::array<int, 2> cover = {!e.of_b, e.of_b};
     marks_.clear();
-    each_meeting(i, [&](const Meeting& m, const Edge& f) {
+    each_meeting([&](const Meeting& m, const Edge& f) {
       if (m.p == 0 && m.q == 0) {
         const bool forth = order.compare(f.p, f.q) <= 0;
         const Point2 &low = forth ? f.p : f.q, &high = forth ? f.q : f.p;
@@ -374,8 +378,13 @@ class Overlay {
       if (k + 1 == marks_.size() || order.compare(marks_[k], marks_[k + 1]) != 0) piece(cover);
     }
     const bool last = i + 1 == static_cast<int>(edges_.all.size()) || edges_.all[i + 1].start;
-    assert(!last || next_left(first_of_ring_, left_) == left_of_ring_);
-    static_cast<void>(last);
+    if (last) assert(comes_round());
+  }
+
+  /// Whether the ring's first edge has on its left again what it had.
+  bool comes_round() {
+    find_meetings(first_of_ring_);
+    return next_left(first_of_ring_, left_) == left_of_ring_;
   }
 
   void piece(const std::array<int, 2>& cover) {
@@ -389,9 +398,8 @@ class Overlay {
   }
 
   const Edges& edges_;
-  std::vector<Meeting> unsorted_, meetings_;
-  std::vector<std::size_t> first_;
-  std::vector<Mark> marks_;
+  std::vector<Meeting> meetings_;  ///< of one edge
+  std::vector<Mark> marks_;        ///< on it
   std::array<bool, 2> left_ = {}, left_of_ring_ = {};
   int first_of_ring_ = 0;
   Found found_;
