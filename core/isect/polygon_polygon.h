@@ -20,7 +20,7 @@
 // A hierarchy of the edges' boxes finds which meet, edge by edge, in O(n) space, until nothing is left open: two that
 // overlap are soon told. Else it takes O((n + k) lg (n + k)) with k pairs of edges whose boxes have a common point, two
 // of one polygon counted as well, and for each ring a ray past all edges to the right of it. Long edges side by side,
-// as of a comb that stands obliquely, have k near n^2; n small rings in rows have n^1.5 in all.
+// as of a comb that stands obliquely, have k near n^2; n small rings in rows may take n^1.5.
 //
 // Source: M. Margalit, G. Knott, An algorithm for computing the union, intersection or difference of two polygons,
 // Computers & Graphics 13 (1989), for edges that are cut and classified; Edelsbrunner, Mücke, Simulation of simplicity,
