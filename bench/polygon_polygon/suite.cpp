@@ -41,6 +41,7 @@ bool by_edges(const Polygon<double, 2>& a, const Polygon<double, 2>& b) {
   const auto holds = [](const Polygon<double, 2>& outer, const Polygon<double, 2>& inner) {
     return std::ranges::any_of(inner.rings, [&](const Ring<double, 2>& r) {
       bool inside = false;
+      if (r.empty()) return false;
       for (const Ring<double, 2>& s : outer.rings) inside ^= point_polygon::crossings_naive(r.front(), s);
       return inside;
     });

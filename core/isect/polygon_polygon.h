@@ -179,8 +179,10 @@ inline bool crossed_rightwards(const Edge& e, const Point2& p) {
   return up ? orient2d(e.p, e.q, p) > 0 : orient2d(e.q, e.p, p) > 0;
 }
 
-/// Edges with the hierarchy of their boxes.
+/// Edges with the hierarchy of their boxes; of a few there is none.
 struct Edges {
+  static constexpr std::size_t few = 24;
+
   std::vector<Edge> all;
   std::vector<Aabb<double, 2>> boxes;
   Bvh<double, 2> tree;
@@ -188,13 +190,17 @@ struct Edges {
   explicit Edges(std::vector<Edge> edges) : all(std::move(edges)) {
     boxes.reserve(all.size());
     for (const Edge& e : all) boxes.push_back(box_of(e.p, e.q));
-    tree = build_bvh(boxes);
+    if (all.size() > few) tree = build_bvh(boxes);
   }
 
   /// Calls visit(number of an edge) for all whose boxes `near` does not rule out, until that is true.
   template <class Near, class Visit>
   bool any(const Near& near, const Visit& visit) const {
-    if (tree.nodes.empty()) return false;
+    if (tree.nodes.empty()) {
+      for (int i = 0; i < static_cast<int>(all.size()); ++i)
+        if (near(boxes[i]) && visit(i)) return true;
+      return false;
+    }
     std::vector<int> stack = {0};
     while (!stack.empty()) {
       const BvhNode<double, 2>& node = tree.nodes[stack.back()];
