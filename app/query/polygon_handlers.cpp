@@ -6,6 +6,7 @@
 #include <isect/point_convex_polygon.h>
 #include <isect/point_polygon.h>
 #include <isect/polygon.h>
+#include <isect/polygon_polygon.h>
 #include <isect/slab_map.h>
 #include <isect/trapezoid_map.h>
 #include "app/query/events.h"
@@ -111,6 +112,21 @@ Json pip(Job& job) {
 }
 
 template <class S>
+Json polygon_polygon(Job& job) {
+  const Relation r = relate(polygon<S>(job.fields["a"]), polygon<S>(job.fields["b"]));
+  return {{"intersects", r != Relation::disjoint}, {"relation", name(r)}};
+}
+
+template <class S>
+Json segment_polygon(Job& job) {
+  const Relation r = relate(segment<S>(job.fields["segment"]), polygon<S>(job.fields["rings"]));
+  return {{"intersects", r != Relation::disjoint},
+          {"relation", r == Relation::a_inside_b   ? "polygon_contains_segment"
+                       : r == Relation::b_inside_a ? "segment_contains_polygon"
+                                                   : name(r)}};
+}
+
+template <class S>
 Json convex_hull2d(Job& job) {
   const Ring<S, 2> points = ring<S, 2>(job.fields["points"]);
   return {{"hull", numbers<S, 2>(run<convex_hull_2d::Event<S>>(
@@ -180,6 +196,8 @@ const std::vector<Handler>& polygon_handlers() {
       ISECT_HANDLER(
           pip, "rings point",
           {"exact", "crossings", "winding", "convex", "slabs", "trapezoids", "crossings_naive", "winding_naive"}),
+      ISECT_HANDLER(polygon_polygon, "a b", {"exact"}),
+      ISECT_HANDLER(segment_polygon, "segment rings", {"exact"}),
       ISECT_HANDLER(convex_hull2d, "points", {"exact"}),
       ISECT_HANDLER(polygon_normal, "polygon", {"exact"}),
       ISECT_HANDLER(bounding_volume_fit, "points volume [normals]", {"exact"}),

@@ -139,6 +139,12 @@ Ring<S, N> ring(const Field& field) {
   return points;
 }
 
+template <class S>
+Segment<S, 2> segment(const Field& field) {
+  const auto [p, q] = field.list_of<2>();
+  return {vector<S, 2>(p), vector<S, 2>(q)};
+}
+
 /// origin, dir, tmin = 0, tmax = inf
 template <class S, int N>
 Ray<S, N> ray(const Field& request) {

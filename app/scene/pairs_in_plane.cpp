@@ -8,10 +8,10 @@
 #include <cmath>
 
 #include <isect/convex_hull.h>
-#include <isect/convex_polygons.h>
 #include <isect/numbers/exact.h>
 #include <isect/orient.h>
 #include <isect/point_polygon.h>
+#include <isect/polygon_polygon.h>
 #include <isect/segment_segment.h>
 
 #include "app/query/reply.h"
@@ -69,44 +69,30 @@ void tell_along(const Setting& s, const Object& a, const Object& b, Answer& out)
 
 // Outlines.
 
-/// Counter-clockwise, if it is convex and has an area.
-std::optional<ConvexPolygon<double>> convex(const std::vector<Ring2>& rings) {
+/// The segment, or the point, that one ring without an area is.
+std::optional<Segment<double, 2>> thin(const std::vector<Ring2>& rings) {
   if (rings.size() != 1) return {};
-  const std::optional<Ring2> corners = convex_corners(rings.front());
-  return corners ? std::optional(ConvexPolygon<double>{*corners}) : std::nullopt;
+  const Ring2 hull = convex_hull(rings.front());
+  return hull.size() == 1 || hull.size() == 2 ? std::optional(Segment<double, 2>{hull.front(), hull.back()})
+                                              : std::nullopt;
 }
 
-/// Whether edges of both have a common point.
-bool edges_meet(const std::vector<Ring2>& a, const std::vector<Ring2>& b) {
-  const auto edge = [](const Ring2& r, std::size_t i) {
-    return Segment<double, 2>{r[i], r[i + 1 < r.size() ? i + 1 : 0]};
-  };
-  for (const Ring2& r : a)
-    for (std::size_t i = 0; i < r.size(); ++i) {
-      const Segment<double, 2> e = edge(r, i);
-      const Point<double, 2> lo = e.p.cwiseMin(e.q), hi = e.p.cwiseMax(e.q);
-      for (const Ring2& q : b)
-        for (std::size_t j = 0; j < q.size(); ++j) {
-          const Segment<double, 2> f = edge(q, j);
-          const bool apart = (f.p.array() < lo.array() && f.q.array() < lo.array()).any() ||
-                             (f.p.array() > hi.array() && f.q.array() > hi.array()).any();
-          if (!apart && intersect(e, f).relation != segment_segment::Meeting::disjoint) return true;
-        }
-    }
-  return false;
+/// Each has its interior within the line that it spans.
+Relation relation_of_segments(const Segment<double, 2>& a, const Segment<double, 2>& b) {
+  const Relation r = isect::relate(a, Polygon<double, 2>{{{b.p, b.q}}});
+  const auto met = intersect(a, b).relation;
+  const bool within = met == segment_segment::Meeting::cross || met == segment_segment::Meeting::overlap;
+  return r == Relation::touching && within ? Relation::overlapping : r;
 }
 
-bool holds_a_corner(const std::vector<Ring2>& outer, const std::vector<Ring2>& inner) {
-  const Polygon<double, 2> polygon = {outer};
-  return std::ranges::any_of(inner, [&](const Ring2& r) { return locate(r.front(), polygon) != Location::out; });
-}
-
-/// Of convex ones how they lie; of others whether they have a common point, by the even-odd rule.
+/// How they lie, by the even-odd rule; what has no area, as a segment.
 Json outlines_result(const Setting& s, const Object& a, const Object& b) {
-  const std::vector<Ring2> p = outlines_of(s, a), q = outlines_of(s, b);
-  const auto convex_p = convex(p), convex_q = convex(q);
-  if (convex_p && convex_q) return as_relation(relate(*convex_p, *convex_q));
-  return {{"meet", edges_meet(p, q) || holds_a_corner(p, q) || holds_a_corner(q, p)}};
+  const Polygon<double, 2> p = {outlines_of(s, a)}, q = {outlines_of(s, b)};
+  const auto thin_p = thin(p.rings), thin_q = thin(q.rings);
+  if (thin_p && thin_q) return as_relation(relation_of_segments(*thin_p, *thin_q));
+  if (thin_p) return as_relation(isect::relate(*thin_p, q));
+  if (thin_q) return as_relation(reversed(isect::relate(*thin_q, p)));
+  return as_relation(isect::relate(p, q));
 }
 
 // A point beside a line or a plane.

@@ -515,9 +515,19 @@ TEST_CASE("outlines, segments and lines in the plane are asked about each other"
   CHECK(other(hull, "[[3,1],[6,0],[5,2]]") == "H and T overlap");
   CHECK(other(hull, "[[1,1],[1,2],[2,1]]") == "T lies in H");              // clockwise
   CHECK(other(notched, "[[2,2],[3,3],[1,3]]") == "P and T are disjoint");  // in the notch
-  CHECK(other(notched, "[[2,1],[3,3],[1,3]]") == "P and T have a common point");
-  CHECK(other(notched, "[[0.5,0.5],[1,0.5],[1,1]]") == "P and T have a common point");  // within
-  CHECK(other(holed, "[[2.5,2.5],[3,2.5],[3,3]]") == "P and T are disjoint");           // in the hole
+  CHECK(other(notched, "[[2,1],[3,3],[1,3]]") == "P and T touch");
+  CHECK(other(notched, "[[2,0.5],[3,3],[1,3]]") == "P and T overlap");
+  CHECK(other(notched, "[[0.5,0.5],[1,0.5],[1,1]]") == "T lies in P");
+  CHECK(other(notched, "[[-9,-9],[99,-9],[-9,99]]") == "P lies in T");
+  CHECK(other(notched, "[[2,0],[2,0.5],[2,0.75]]") == "T lies in P");  // without an area
+  CHECK(other(notched, "[[2,0],[2,0.5],[2,2]]") == "P and T overlap");
+  CHECK(other(notched, "[[2,2],[2,1],[2,1.5]]") == "P and T touch");
+  CHECK(other(holed, "[[2.5,2.5],[3,2.5],[3,3]]") == "P and T are disjoint");  // in the hole
+  CHECK(verdict(shell, holed + R"({"box": "B", "lo": [2,2], "hi": [4,4]})") == "P and B touch");
+  CHECK(verdict(shell, holed + R"({"box": "B", "lo": [0,0], "hi": [6,6]})") == "P lies in B");
+  CHECK(verdict(shell, holed + R"({"box": "B", "lo": [2,1], "hi": [4,4]})") == "P and B overlap");
+  CHECK(verdict(shell, holed + R"({"polygon": "Q", "rings": [[[4,4],[4,2],[2,2],[2,4]],[[6,0],[6,6],[0,6],[0,0]]]})") ==
+        "P and Q are equal");
   CHECK(verdict(shell, hull + R"({"box": "B", "lo": [1,1], "hi": [2,2]})") == "B lies in H");
   CHECK(verdict(shell, hull + R"({"hull": "K", "points": [[0,0],[0,4],[4,4],[4,0]]})") == "H and K are equal");
   CHECK(verdict(shell, hull + R"({"hull": "K", "points": [[5,5],[6,6]]})") == "H and K are disjoint");  // no area

@@ -103,6 +103,8 @@ std::vector<CaseFile> all() {
           segment_segment(),
           ray_polygon(),
           pip(),
+          polygon_polygon(),
+          segment_polygon(),
           convex_hull2d(),
           polygon_normal(),
           bounding_volume_fit()};

@@ -81,6 +81,8 @@ CaseFile ray_obb();
 CaseFile segment_segment();
 CaseFile ray_polygon();
 CaseFile pip();
+CaseFile polygon_polygon();
+CaseFile segment_polygon();
 CaseFile convex_hull2d();
 CaseFile polygon_normal();
 CaseFile bounding_volume_fit();

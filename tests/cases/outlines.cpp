@@ -1,6 +1,8 @@
 // Polygons with points and rays, and segments.
 
 #include "bench/point_polygon/families.h"
+#include "bench/polygon_polygon/families.h"
+#include "bench/polygon_polygon/oracle.h"
 #include "bench/ray_polygon/families.h"
 #include "bench/ray_polygon/oracle.h"
 #include "tests/cases/shapes.h"
@@ -54,6 +56,31 @@ Case ray_and_polygon(const Ray<S, 3>& ray, const Ring<S, 3>& ring) {
                          {"t", truth.parallel ? Json(nullptr) : json(nearest(truth.t))},
                          {"plane_point_location", truth.parallel ? Json(nullptr) : word(truth.location)}};
   return {in, expected, is_f32<S>};
+}
+
+template <class S>
+Json outlines(const Polygon<S, 2>& p) {
+  Json rings = Json::array();
+  for (const Ring<S, 2>& r : p.rings) rings.push_back(json<S, 2>(r));
+  return rings;
+}
+
+Case polygons(const Polygon<double, 2>& a, const Polygon<double, 2>& b) {
+  return {{{"a", outlines(a)}, {"b", outlines(b)}},
+          related(oracle::polygon_polygon_truth(a, b).relation()),
+          is_f32<double>};
+}
+
+/// The ends differ.
+Case segment_and_polygon(const Segment<double, 2>& s, const Polygon<double, 2>& polygon) {
+  const auto p = oracle::rational<double, 2>(s.p), q = oracle::rational<double, 2>(s.q);
+  const Relation r = oracle::line_polygon_truth(p, q - p, Rational(0), Rational(1), polygon);
+  return {{{"segment", {json<double, 2>(s.p), json<double, 2>(s.q)}}, {"rings", outlines(polygon)}},
+          {{"intersects", r != Relation::disjoint},
+           {"relation", r == Relation::a_inside_b   ? "polygon_contains_segment"
+                        : r == Relation::b_inside_a ? "segment_contains_polygon"
+                                                    : word(r)}},
+          is_f32<double>};
 }
 
 template <class S>
@@ -196,6 +223,90 @@ CaseFile segment_segment() {
     if (!finite(c.a) || !finite(c.b)) return {};
     return segments(c.a, c.b);
   });
+  return file;
+}
+
+CaseFile polygon_polygon() {
+  CaseFile file("polygon_polygon");
+  using bench::polygon_pairs::box;
+  const auto add = [&](const char* note, const Polygon<double, 2>& a, const Polygon<double, 2>& b) {
+    file.add(note, polygons(a, b));
+  };
+  const Polygon<double, 2> square = {{box(0, 0, 4, 4)}}, frame = {{box(0, 0, 9, 9), box(3, 3, 6, 6)}};
+  const Ring<double, 2> u = {{0, 0}, {5, 0}, {5, 5}, {4, 5}, {4, 1}, {1, 1}, {1, 5}, {0, 5}},
+                        tie = {{0, 0}, {4, 4}, {4, 0}, {0, 4}};
+  add("the same, from another corner and the other way", square, {{{{4, 4}, {4, 0}, {0, 0}, {0, 4}}}});
+  add("a side in common, part of it", square, {{box(4, 1, 8, 2)}});
+  add("a corner in common", square, {{box(4, 4, 8, 8)}});
+  add("an ulp apart", square, {{box(std::nextafter(4., 5.), 0, 8, 4)}});
+  add("an ulp across", square, {{box(std::nextafter(4., 3.), 0, 8, 4)}});
+  add("a cross: no corner of either lies in the other", {{box(0, 1, 9, 2)}}, {{box(1, 0, 2, 9)}});
+  add("all corners of one on the other, most of it outside", {{u}}, {{{{1, 5}, {4, 5}, {4, 3}}}});
+  add("in the arms of a concave one", {{u}}, {{box(2, 2, 3, 9)}});
+  add("between the arms of a concave one, along all three", {{u}}, {{box(1, 1, 4, 5)}});
+  add("a hole that is filled", frame, {{box(3, 3, 6, 6)}});
+  add("a hole that is not filled", frame, {{box(4, 4, 5, 5)}});
+  add("a hole that is more than filled, by an ulp", frame, {{box(3, 3, 6, std::nextafter(6., 7.))}});
+  add("without its hole", frame, {{box(0, 0, 9, 9)}});
+  add("with a larger hole", frame, {{box(0, 0, 9, 9), box(2, 2, 7, 7)}});
+  add("an island in the hole", frame, {{box(0, 0, 9, 9), box(3, 3, 6, 6), box(4, 4, 5, 5)}});
+  add("a ring in a ring", {{box(0, 0, 9, 9), box(1, 1, 8, 8)}}, {{box(2, 2, 7, 7), box(3, 3, 6, 6)}});
+  add("two parts and their union", {{box(0, 0, 4, 4), box(4, 0, 8, 4)}}, {{box(0, 0, 8, 4)}});
+  add("a bow-tie and its wings", {{tie}}, {{{{0, 0}, {2, 2}, {0, 4}}, {{4, 0}, {2, 2}, {4, 4}}}});
+  add("a bow-tie and what is between its wings", {{tie}}, {{{{0, 0}, {4, 0}, {2, 2}}}});
+  add("an antenna, and what lies on it", {{{{0, 0}, {4, 0}, {8, 0}, {4, 0}, {4, 4}, {0, 4}}}}, {{box(6, 0, 7, 1)}});
+  add("without an area: within", square, {{{{1, 1}, {2, 2}}}});
+  add("without an area: across", square, {{{{3, 3}, {6, 6}}}});
+  add("a point at a corner", square, {{{{4, 4}}}});
+  add("a point as a part", {{box(0, 0, 4, 4), {{9, 9}}}}, square);
+  add("repeated corners", square, {{{{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {0, 4}, {0, 0}}}});
+  add("corners on the sides", square, {{{{0, 0}, {1, 0}, {4, 0}, {4, 4}, {3, 4}, {0, 4}, {0, .5}}}});
+  add("no rings", {}, square);
+  add("no vertices", {{{}}}, square);
+  add("a corner on an edge as typed, not as rounded", {{{{0, 0}, {.3, .9}, {1, 0}}}}, {{{{.1, .3}, {0, 1}, {0, .5}}}});
+  add("the smallest numbers there are", {{{{0, 0}, {2 * least, 0}, {0, 2 * least}}}},
+      {{{{least, least}, {2 * least, least}, {2 * least, 2 * least}}}});
+  add("the largest numbers there are", {{{{-most, -most}, {most, -most}, {0, most}}}}, {{box(-1, -1, 1, 1)}});
+  for (const auto& family : bench::polygon_pair_families)
+    file.family(family.name, 3, [&](Random& random) {
+      const bench::PolygonPair<double> c = family.draw(random);
+      return polygons(c.a, c.b);
+    });
+  return file;
+}
+
+CaseFile segment_polygon() {
+  CaseFile file("segment_polygon");
+  using bench::polygon_pairs::box;
+  const auto add = [&](const char* note, const Segment<double, 2>& s, const Polygon<double, 2>& p) {
+    file.add(note, segment_and_polygon(s, p));
+  };
+  const Polygon<double, 2> frame = {{box(0, 0, 9, 9), box(3, 3, 6, 6)}};
+  add("through one side", {{-1, 1}, {1, 1}}, frame);
+  add("through the hole", {{-1, 5}, {10, 5}}, frame);
+  add("in the hole", {{4, 4}, {5, 5}}, frame);
+  add("in the hole, its ends on the rim", {{3, 3}, {6, 6}}, frame);
+  add("within, to a corner of the hole", {{0, 0}, {3, 3}}, frame);
+  add("along a side", {{0, 0}, {9, 0}}, frame);
+  add("along a side and beyond", {{-1, 0}, {9, 0}}, frame);
+  add("along the rim of the hole", {{3, 3}, {3, 6}}, frame);
+  add("at a corner", {{-1, 1}, {1, -1}}, frame);
+  add("an ulp beside a corner", {{-1, 1}, {1, std::nextafter(-1., -2.)}}, frame);
+  add("an ulp across a corner", {{-1, 1}, {1, std::nextafter(-1., 0.)}}, frame);
+  add("through a corner of each", {{-1, -1}, {10, 10}}, frame);
+  add("no rings", {{0, 0}, {1, 1}}, {});
+  add("a ring that is a segment", {{0, 0}, {4, 4}}, {{{{1, 1}, {3, 3}}}});
+  add("a ring that is the same segment", {{0, 0}, {4, 4}}, {{{{4, 4}, {0, 0}}}});
+  add("a ring that is a point of it", {{0, 0}, {4, 4}}, {{{{1, 1}}}});
+  for (const auto& family : bench::polygon_pair_families)
+    file.family(family.name, 3, [&](Random& random) -> std::optional<Case> {
+      const bench::PolygonPair<double> c = family.draw(random);
+      if (c.a.rings.empty() || c.b.rings.empty() || c.b.rings[0].empty()) return {};
+      const Ring<double, 2>&of_a = c.a.rings[0], &of_b = c.b.rings[0];
+      const Segment<double, 2> s = {of_b[0], random.one_in(2) && !of_a.empty() ? of_a[0] : of_b.back()};
+      if (s.p == s.q) return {};
+      return segment_and_polygon(s, c.a);
+    });
   return file;
 }
 

@@ -76,6 +76,8 @@ const std::vector<KindSpec>& specs() {
       {"kdop_kdop", 2, 3, {{"normals", normals}, {"a", slabs}, {"b", slabs}}},
       {"ray_obb", 3, 3, {{"origin", point}, {"dir", direction}, {"", obb}}},
       {"segment_segment", 2, 2, {{"a", segment}, {"b", segment}}},
+      {"polygon_polygon", 2, 2, {{"a", rings}, {"b", rings}}},
+      {"segment_polygon", 2, 2, {{"segment", segment}, {"rings", rings}}},
       {"point_box", 2, 3, {{"point", point}, {"lo", point}, {"hi", point}}},
       {"point_sphere", 2, 3, {{"point", point}, {"center", point}, {"radius", length}}},
       {"point_obb", 3, 3, {{"point", point}, {"", obb}}},

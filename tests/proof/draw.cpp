@@ -505,6 +505,14 @@ class Drawing {
   // The same set as another type; null where there is none.
 
   static Place place_of(const Json& p) { return {p[0], p[1], p.size() > 2 ? p[2].get<double>() : 0}; }
+  /// A box around points of the plane, one unit or more.
+  static Places around(const Json& points) {
+    Place lo = place_of(points[0]), hi = lo;
+    for (const Json& p : points)
+      for (int i = 0; i < 2; ++i)
+        lo[i] = std::min(lo[i], p[i].get<double>()), hi[i] = std::max(hi[i], p[i].get<double>());
+    return {{lo[0] - 1, lo[1] - 1, 0}, {hi[0] + 1, lo[1] - 1, 0}, {hi[0] + 1, hi[1] + 1, 0}, {lo[0] - 1, hi[1] + 1, 0}};
+  }
   Json restated(const Json& o) {
     const std::string type = o.begin().key();
     if (type == "sphere") {
@@ -559,9 +567,16 @@ class Drawing {
       if (!flat_ && chance(0.3)) return {{"mesh", ""}, {"points", points}, {"triangles", {{0, 1, 2}}}};
       return {{"triangle", ""}, {"points", points}};
     }
-    if (type == "polygon" && o.contains("points")) {
+    if (type == "polygon" && o.contains("rings")) {
+      Json rings = o["rings"];
+      std::reverse(rings.begin(), rings.end());
+      for (Json& ring : rings) std::rotate(ring.begin(), ring.begin() + 1, ring.end());
+      return {{"polygon", ""}, {"rings", rings}};
+    }
+    if (type == "polygon") {
       Json points = o["points"];
       std::reverse(points.begin(), points.end());
+      if (flat_ && chance(0.3)) return {{"polygon", ""}, {"rings", {list(around(points)), points}}};  // as its hole
       return {{"polygon", ""}, {"points", points}};
     }
     if (type == "hull") {

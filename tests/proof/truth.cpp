@@ -452,12 +452,52 @@ struct Overlay {
   }
 };
 
+/// In the plane, what has no area as the segment that it is: its ends. A region only if it is one ring.
+std::optional<Points> thin(const Thing& t) {
+  if (t.radius > 0 || !t.flat || (t.kind != Kind::body && t.kind != Kind::region) || t.rings.size() > 1) return {};
+  const Points all = corners(t);
+  const Vec first = *std::ranges::min_element(all), last = *std::ranges::max_element(all);
+  for (const Vec& p : all)
+    if (orientation(first, last, p) != 0) return {};
+  return Points{first, last};
+}
+
+/// Whether a segment has a point between its ends, or is one, that is interior to a region.
+bool reaches_into(const Points& ends, const Thing& region) {
+  if (ends[0] == ends[1]) return place(ends[0], region) < 0;
+  const Vec d = ends[1] - ends[0];
+  std::vector<Rational> cuts = {0, 1};
+  for (const auto& [r, s] : edges_of(region)) {
+    const Vec e = s - r, w = r - ends[0];
+    const Rational turn = d[0] * e[1] - d[1] * e[0];
+    if (turn != 0) cuts.push_back(Rational((w[0] * e[1] - w[1] * e[0]) / turn));
+  }
+  std::erase_if(cuts, [](const Rational& t) { return t < 0 || t > 1; });
+  std::ranges::sort(cuts);
+  for (std::size_t i = 1; i < cuts.size(); ++i)
+    if (place(ends[0] + Rational((cuts[i - 1] + cuts[i]) / 2) * d, region) < 0) return true;
+  return false;
+}
+
 bool is_region(const Thing& a, const Thing& b) { return a.kind == Kind::region || b.kind == Kind::region; }
 
 }  // namespace
 
 bool interiors_meet(const Thing& a, const Thing& b) {
-  if (is_region(a, b)) return Overlay(a, b).interiors_meet;
+  if (is_region(a, b)) {
+    const std::optional<Points> thin_a = thin(a), thin_b = thin(b);
+    if (thin_a && thin_b) {
+      const auto along = [](const Points& ends) {
+        Thing part = {Kind::body, "segment", true, ends};
+        close_faces(part);
+        return part;
+      };
+      return interiors_meet(along(*thin_a), along(*thin_b));
+    }
+    if (thin_a) return reaches_into(*thin_a, b);
+    if (thin_b) return reaches_into(*thin_b, a);
+    return Overlay(a, b).interiors_meet;
+  }
   if (b.kind == Kind::surface) return interiors_meet(b, a);
   if (a.kind == Kind::surface)
     return std::ranges::any_of(a.triangles, [&](const Points& triangle) {

@@ -224,7 +224,8 @@ std::string wrong_in_round(const Json& result, const Thing& line, const Thing& b
 
 std::string wrong_in_result(const Json& result, bool of_query, const Named& a, const Named& b) {
   const std::string relation = result.is_object() ? result.value("relation", "") : "";
-  const bool bodies = a.thing.kind == Kind::body && b.thing.kind == Kind::body &&
+  const auto bounded = [](const Thing& t) { return t.kind == Kind::body || t.kind == Kind::region; };
+  const bool bodies = bounded(a.thing) && bounded(b.thing) &&
                       (!of_query || a.thing.type == b.thing.type);  // else a query has an order of its own
   if (bodies && relation.ends_with("a_contains_b") && !contains(a.thing, b.thing)) return "relation " + relation;
   if (bodies && relation.ends_with("b_contains_a") && !contains(b.thing, a.thing)) return "relation " + relation;
