@@ -4,6 +4,7 @@
 #include <isect/ray_plane.h>
 #include <isect/ray_sphere.h>
 
+#include <isect/ray_capsule.h>
 #include <isect/ray_obb.h>
 #include <isect/ray_polygon.h>
 #include <isect/ray_sphere_methods.h>
@@ -56,6 +57,12 @@ template <class S> struct EventNames<ray_obb::Projected<S>> : Named<"Projected",
 template <class S> struct EventNames<ray_obb::Beside<S>> : Named<"Beside", "axis outside"> {};
 template <class S> struct EventNames<ray_obb::Crossing<S>> : Named<"Crossing", "axis entry exit"> {};
 template <class S> struct EventNames<ray_obb::Remains<S>> : Named<"Remains", "in out holds"> {};
+template <> struct EventNames<ray_capsule::Between> : Named<"Between", "holds sign"> {};
+template <> struct EventNames<ray_capsule::End> : Named<"End", "end sign"> {};
+template <> struct EventNames<ray_capsule::Passage> : Named<"Passage", "leaves through"> {};
+template <> struct Names<ray_capsule::Piece> {
+  static constexpr const char* of[] = {"p", "q", "side"};
+};
 template <> struct EventNames<segment_segment::Apart> : Named<"Apart"> {};
 template <> struct EventNames<segment_segment::Sides> : Named<"Sides", "r s p q"> {};
 template <class S> struct EventNames<segment_segment::Determinant<S>> : Named<"Determinant", "value"> {};
@@ -164,6 +171,15 @@ Json ray_obb(Job& job) {
 }
 
 template <class S>
+Json ray_capsule(Job& job) {
+  return in_dimension(job.fields["origin"], [&]<int N>() -> Json {
+    const Ray<S, N> r = ray<S, N>(job.fields);
+    const Capsule<S, N> c = capsule<S, N>(job.fields);
+    return stretch(run<ray_capsule::Event>(job, [&](auto&& trace) { return intersect(r, c, trace); }));
+  });
+}
+
+template <class S>
 Segment<S, 2> segment(const Field& field) {
   const auto [p, q] = field.list_of<2>();
   return {vector<S, 2>(p), vector<S, 2>(q)};
@@ -212,6 +228,7 @@ const std::vector<Handler>& ray_handlers() {
       ISECT_HANDLER(ray_box, "origin dir lo hi [tmin] [tmax]", {"exact", "conservative", "slabs"}),
       ISECT_HANDLER(ray_plane, "origin dir normal d [tmin] [tmax]", {"exact", "textbook"}),
       ISECT_HANDLER(ray_obb, "origin dir c u e [tmin] [tmax]", {"exact", "projections"}),
+      ISECT_HANDLER(ray_capsule, "origin dir p q r [tmin] [tmax]", {"exact"}),
       ISECT_HANDLER(segment_segment, "a b", {"exact", "parametric"}),
       ISECT_HANDLER(ray_polygon, "origin dir polygon [tmin] [tmax]", {"exact", "projected"}),
   };

@@ -100,6 +100,7 @@ std::vector<CaseFile> all() {
           ray_box(),
           ray_plane(),
           ray_obb(),
+          ray_capsule(),
           segment_segment(),
           ray_polygon(),
           pip(),

@@ -78,6 +78,7 @@ CaseFile ray_sphere();
 CaseFile ray_box();
 CaseFile ray_plane();
 CaseFile ray_obb();
+CaseFile ray_capsule();
 CaseFile segment_segment();
 CaseFile ray_polygon();
 CaseFile pip();

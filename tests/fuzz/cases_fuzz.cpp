@@ -75,6 +75,7 @@ const std::vector<KindSpec>& specs() {
       {"obb_obb", 3, 3, {{"a", obb}, {"b", obb}}},
       {"kdop_kdop", 2, 3, {{"normals", normals}, {"a", slabs}, {"b", slabs}}},
       {"ray_obb", 3, 3, {{"origin", point}, {"dir", direction}, {"", obb}}},
+      {"ray_capsule", 2, 3, {{"origin", point}, {"dir", direction}, {"p", point}, {"q", point}, {"r", length}}},
       {"segment_segment", 2, 2, {{"a", segment}, {"b", segment}}},
       {"point_box", 2, 3, {{"point", point}, {"lo", point}, {"hi", point}}},
       {"point_sphere", 2, 3, {{"point", point}, {"center", point}, {"radius", length}}},
