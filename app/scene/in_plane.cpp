@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <isect/numbers/exact.h>
-#include <isect/parts/ray_range.h>
 
 namespace isect::program::scene {
 
@@ -126,15 +125,6 @@ Projection projection(const Ring<double, 3>& outline) {
   return {(axis + 1) % 3, (axis + 2) % 3, n[axis].sign() < 0};
 }
 
-namespace {
-
-std::optional<double> nearest(const std::optional<Place>& place, const Interval<double>& range) {
-  if (!place) return {};
-  return std::clamp(quotient(place->num, place->den), range.lo, range.hi);
-}
-
-}  // namespace
-
 std::optional<Place> place_in_plane(const Point<double, 3>& origin, const Exact3& direction,
                                     const Interval<double>& range, const Ring<double, 3>& outline) {
   const auto [x, y, clockwise] = projection(outline);
@@ -149,23 +139,6 @@ std::optional<Place> place_in_plane(const Point<double, 3>& origin, const Exact3
 std::optional<Place> place_in_plane(const Point<double, 2>& origin, const Exact2& direction,
                                     const Interval<double>& range, const std::vector<Ring<double, 2>>& outlines) {
   return InPlane(range, direction, seen_from(origin, outlines)).first();
-}
-
-std::optional<double> first_in_plane(const Ray<double, 3>& ray, const Ring<double, 3>& outline) {
-  const Vector<double, 3>& d = ray.direction;
-  return nearest(place_in_plane(ray.origin, {Exact(d[0]), Exact(d[1]), Exact(d[2])}, ray.range, outline), ray.range);
-}
-std::optional<double> first_in_plane(const Segment<double, 3>& segment, const Ring<double, 3>& outline) {
-  return nearest(place_in_plane(segment.p, difference(segment.q, segment.p), {0, 1}, outline), {0, 1});
-}
-
-std::optional<double> first_in_plane(const Ray<double, 2>& ray, const std::vector<Ring<double, 2>>& outlines) {
-  const Exact2 direction = {Exact(ray.direction[0]), Exact(ray.direction[1])};
-  return nearest(place_in_plane(ray.origin, direction, ray.range, outlines), ray.range);
-}
-
-std::optional<double> first_in_plane(const Segment<double, 2>& segment, const std::vector<Ring<double, 2>>& outlines) {
-  return nearest(place_in_plane(segment.p, difference(segment.q, segment.p), {0, 1}, outlines), {0, 1});
 }
 
 Crossing crossing_of_plane(const Point<double, 3>& origin, const Exact3& direction, const Ring<double, 3>& outline) {
@@ -201,30 +174,6 @@ Location locate_corner(const Kdop<double, 2>& kdop, const std::vector<Ring<doubl
         }
     }
   return Location::out;
-}
-
-RayPolygon<double> across_plane(const Segment<double, 3>& segment, const Ring<double, 3>& outline) {
-  RayPolygon<double> result;
-  const Exact3 n = normal_of(outline), direction = difference(segment.q, segment.p);
-  result.flat = std::ranges::all_of(n, [](const Exact& x) { return x.sign() == 0; });
-  if (result.flat) return result;
-  const Exact num = dot(n, difference(outline[0], segment.p)), den = dot(n, direction);
-  result.coplanar = num.sign() == 0 && den.sign() == 0;
-  if (den.sign() == 0) return result;
-  result.line = quotient(num, den);
-
-  // The corners from the plane's point at t = num / den, times den
-  const auto [x, y, clockwise] = projection(outline);
-  Outline corners;
-  for (const Point<double, 3>& v : outline) {
-    const Exact3 from_p = difference(v, segment.p);
-    corners.push_back({from_p[x] * den - num * direction[x], from_p[y] * den - num * direction[y]});
-  }
-  result.location = location_of_origin({corners});
-  const bool beyond_p = num.sign() * den.sign()<0, beyond_q = (num - den).sign() * den.sign()> 0;
-  if (result.location != Location::out && !beyond_p && !beyond_q)
-    result.t = ray_range::clamped(*result.line, Interval<double>{0, 1});
-  return result;
 }
 
 double off_plane(const Ring<double, 3>& outline) {

@@ -12,10 +12,10 @@
 #include <isect/numbers/exact.h>
 #include <isect/orient.h>
 #include <isect/point_polygon.h>
+#include <isect/ray_outline.h>
 #include <isect/segment_segment.h>
 
 #include "app/query/reply.h"
-#include "app/scene/in_plane.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 
@@ -43,18 +43,13 @@ std::vector<Ring2> outlines_of(const Setting& s, const Object& o) {
 // What runs along a line.
 
 Json along_result(const Setting& s, const Object& a, const Object& b) {
-  const std::vector<Ring2> rings = outlines_of(s, b);
+  const Polygon<double, 2> polygon = {outlines_of(s, b)};
   std::optional<double> t;
   if (a.type == Type::segment) {
-    const Segment<double, 2> segment = {point_of<2>(s.point(a, "from")), point_of<2>(s.point(a, "to"))};
-    if (segment.p == segment.q) {
-      const bool in = locate(segment.p, Polygon<double, 2>{rings}) != Location::out;
-      return in ? Json{{"hit", true}, {"t", 0.0}} : Json{{"hit", false}};
-    }
-    t = first_in_plane(segment, rings);
+    t = first_hit(Segment<double, 2>{point_of<2>(s.point(a, "from")), point_of<2>(s.point(a, "to"))}, polygon);
   } else {
     const Ray<double, 3> ray = ray_in_space(s, a);
-    t = first_in_plane(Ray<double, 2>{point_of<2>(ray.origin), point_of<2>(ray.direction), ray.range}, rings);
+    t = first_hit(Ray<double, 2>{point_of<2>(ray.origin), point_of<2>(ray.direction), ray.range}, polygon);
   }
   Json result = {{"hit", t.has_value()}};
   if (t) result["t"] = query::number(*t);

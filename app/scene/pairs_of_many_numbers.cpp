@@ -9,6 +9,7 @@
 #include <isect/bvh_ray.h>
 #include <isect/half_spaces.h>
 #include <isect/kdop_kdop.h>
+#include <isect/line_triangle.h>
 #include <isect/numbers/exact.h>
 #include <isect/orient.h>
 #include <isect/point_aabb.h>
@@ -17,12 +18,10 @@
 #include <isect/point_obb.h>
 #include <isect/point_polygon.h>
 #include <isect/point_sphere.h>
-#include <isect/ray_triangle.h>
 #include <isect/sphere_frustum.h>
 #include <isect/triangle_aabb.h>
 
 #include "app/query/reply.h"
-#include "app/scene/along_triangle.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 
@@ -165,12 +164,7 @@ Json cloud_on_result(const Setting& s, const Object& a, const Object& b) {
 Json ray_and_mesh(const Setting& s, const Object& a, const Object& b) {
   const TriangleMesh<double> mesh = mesh_of(b);
   const Ray<double, 3> ray = ray_in_space(s, a);
-  const auto hit = closest_hit(build_bvh(boxes(mesh)), ray, [&](int i) {
-    const Triangle<double, 3> x = triangle(mesh, i);
-    const RayTriangle<double> found = intersect(ray, x);
-    const bool left_open = !found.t && (found.coplanar || triangle_half_spaces::detail::degenerate(x, NoTrace()));
-    return left_open ? first_in(ray, x) : found.t;
-  });
+  const auto hit = closest_hit(build_bvh(boxes(mesh)), ray, [&](int i) { return first_hit(ray, triangle(mesh, i)); });
   if (!hit) return {{"hit", false}};
   return {{"hit", true}, {"t", query::number(hit->t)}, {"triangle", hit->primitive}};
 }

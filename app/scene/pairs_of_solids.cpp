@@ -11,17 +11,18 @@
 #include <isect/capsule_half_spaces.h>
 #include <isect/convex_hull.h>
 #include <isect/line_line.h>
+#include <isect/line_triangle.h>
 #include <isect/numbers/exact.h>
 #include <isect/plane_sphere.h>
 #include <isect/point_mesh.h>
 #include <isect/point_polygon.h>
 #include <isect/ray_capsule.h>
 #include <isect/ray_half_spaces.h>
+#include <isect/segment_polygon.h>
 #include <isect/segment_sphere.h>
 #include <isect/sphere_triangle.h>
 
 #include "app/query/reply.h"
-#include "app/scene/along_triangle.h"
 #include "app/scene/in_plane.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
@@ -346,7 +347,7 @@ Json segment_and_plane(const Segment<double, 3>& segment, const Plane<double, 3>
 }
 
 Json segment_and_outline(const Segment<double, 3>& segment, const Ring<double, 3>& outline) {
-  const RayPolygon<double> shared = across_plane(segment, outline);
+  const RayPolygon<double> shared = intersect(segment, outline);
   return {{"parallel", !shared.line},
           {"coplanar", shared.coplanar},
           {"hit", shared.flat || shared.coplanar ? Json(nullptr) : Json(shared.t.has_value())},
@@ -358,7 +359,7 @@ Json segment_and_mesh(const Segment<double, 3>& segment, const TriangleMesh<doub
   Json result = {{"hit", false}};
   std::optional<double> first;
   for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
-    if (const auto t = first_in(segment, triangle(mesh, i)); t && (!first || *t < *first)) {
+    if (const auto t = first_hit(segment, triangle(mesh, i)); t && (!first || *t < *first)) {
       first = t;
       result = {{"hit", true}, {"t", *t}, {"triangle", i}};
     }

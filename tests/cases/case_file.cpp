@@ -101,6 +101,8 @@ std::vector<CaseFile> all() {
           ray_plane(),
           ray_obb(),
           ray_capsule(),
+          ray_outline(),
+          line_triangle(),
           segment_segment(),
           ray_polygon(),
           pip(),

@@ -79,6 +79,8 @@ CaseFile ray_box();
 CaseFile ray_plane();
 CaseFile ray_obb();
 CaseFile ray_capsule();
+CaseFile ray_outline();
+CaseFile line_triangle();
 CaseFile segment_segment();
 CaseFile ray_polygon();
 CaseFile pip();

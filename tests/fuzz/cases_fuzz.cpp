@@ -76,6 +76,8 @@ const std::vector<KindSpec>& specs() {
       {"kdop_kdop", 2, 3, {{"normals", normals}, {"a", slabs}, {"b", slabs}}},
       {"ray_obb", 3, 3, {{"origin", point}, {"dir", direction}, {"", obb}}},
       {"ray_capsule", 2, 3, {{"origin", point}, {"dir", direction}, {"p", point}, {"q", point}, {"r", length}}},
+      {"ray_outline", 2, 2, {{"origin", point}, {"dir", direction}, {"rings", rings}}},
+      {"line_triangle", 3, 3, {{"origin", point}, {"dir", direction}, {"tri", polygon}}},
       {"segment_segment", 2, 2, {{"a", segment}, {"b", segment}}},
       {"point_box", 2, 3, {{"point", point}, {"lo", point}, {"hi", point}}},
       {"point_sphere", 2, 3, {{"point", point}, {"center", point}, {"radius", length}}},
@@ -111,7 +113,8 @@ Json field(Source& source, Form form, int n, const char* kind) {
     case Form::normals:
       return points(source, slab_count, n);
     case Form::polygon:
-      return points(source, kind == std::string("triangle_box") ? 3 : source.below(7), n);
+      return points(
+          source, kind == std::string("triangle_box") || kind == std::string("line_triangle") ? 3 : source.below(7), n);
     case Form::rings: {
       Json rings = Json::array();
       for (int i = source.below(3); i >= 0; --i) rings.push_back(points(source, source.below(9), n));
