@@ -1,31 +1,12 @@
 #pragma once
-// A polygon's plane: how to see it, what lies off it, and where a ray in it first meets the polygon, as the number
-// itself.
+// A polygon's plane: how to see it, and what lies off it.
 
-#include <array>
-#include <optional>
 #include <vector>
 
 #include <isect/point_polygon.h>
 #include <isect/shapes.h>
 
-#include "app/scene/place.h"
-
 namespace isect::program::scene {
-
-/// The least t at which a ray meets a polygon in its plane, as the number itself, which is no root: what `first_hit` of
-/// isect/ray_outline.h finds. Each coordinate of the direction is exact.
-std::optional<Place> place_in_plane(const Point<double, 3>& origin, const std::array<Exact, 3>& direction,
-                                    const Interval<double>& range, const Ring<double, 3>& outline);
-std::optional<Place> place_in_plane(const Point<double, 2>& origin, const std::array<Exact, 2>& direction,
-                                    const Interval<double>& range, const std::vector<Ring<double, 2>>& outlines);
-
-/// Where the line crosses the plane of an outline with an area: t = num / den; den is 0 where it does not.
-struct Crossing {
-  Exact num, den;
-};
-Crossing crossing_of_plane(const Point<double, 3>& origin, const std::array<Exact, 3>& direction,
-                           const Ring<double, 3>& outline);
 
 /// Where a corner of the k-DOP lies among outlines and their holes, by the even-odd rule: `out` if it has none. Exact,
 /// though no double may be that corner. All is finite.

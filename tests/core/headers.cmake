@@ -23,6 +23,7 @@ set(tested_by
   overlapping_pairs=all_pairs
   overlapping_pairs_corners=all_pairs
   overlapping_pairs_level=all_pairs
+  place=first_place
   point_polygon_fast=point_polygon
   point_segment=sphere_capsule
   predicate=bounded
