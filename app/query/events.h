@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include <isect/parts/point_segment.h>
 #include <isect/point_polygon.h>
 #include <isect/trace.h>
 #include "app/query/reply.h"
@@ -169,6 +170,10 @@ struct EventNames<point_polygon::LeftBy<S>> : Named<"LeftBy", "index area2"> {};
 template <>
 struct Names<point_polygon::Passage> {
   static constexpr const char* of[] = {"above", "below", "horizontal", "crossed_left", "crossed_right", "on"};
+};
+template <>
+struct Names<point_segment::Nearest> {
+  static constexpr const char* of[] = {"p", "q", "between"};
 };
 
 }  // namespace isect::query

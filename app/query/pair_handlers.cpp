@@ -38,9 +38,6 @@ template <class S> struct EventNames<kdop_kdop::Slab<S>> : Named<"Slab", "slab a
 template <int N> struct EventNames<obb_obb::Tested<N>> : Named<"Tested", "axis l distance radius_a radius_b sign"> {};
 template <int N> struct EventNames<obb_obb::Witness<N>> : Named<"Witness", "p"> {};
 template <int N> struct EventNames<triangle_aabb::Tested<N>> : Named<"Tested", "axis l triangle box sign"> {};
-template <> struct Names<point_segment::Nearest> {
-  static constexpr const char* of[] = {"p", "q", "between"};
-};
 template <> struct Names<obb_obb::Kind> {
   static constexpr const char* of[] = {"face_of_a", "face_of_b", "edges"};
 };

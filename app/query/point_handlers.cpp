@@ -5,7 +5,10 @@
 #include <isect/plane_aabb.h>
 #include <isect/plane_sphere.h>
 #include <isect/point_aabb.h>
+#include <isect/point_capsule.h>
+#include <isect/point_line.h>
 #include <isect/point_obb.h>
+#include <isect/point_plane.h>
 #include <isect/point_point.h>
 #include <isect/point_sphere.h>
 #include "app/query/events.h"
@@ -23,6 +26,13 @@ template <class S> struct EventNames<point_point::Coordinate<S>> : Named<"Coordi
 template <> struct EventNames<point_point::Distance> : Named<"Distance", "sign"> {};
 template <class S, int N> struct EventNames<plane_aabb::Corners<S, N>> : Named<"Corners", "least greatest at_least at_greatest"> {};
 template <> struct EventNames<plane_aabb::Decision> : Named<"Decision", "least greatest"> {};
+template <> struct EventNames<point_line::Side> : Named<"Side", "sign"> {};
+template <> struct EventNames<point_line::Along> : Named<"Along", "from_lo from_hi"> {};
+template <> struct Names<Beside> {
+  static constexpr const char* of[] = {"on", "before", "beyond", "left", "right", "aside"};
+};
+template <> struct EventNames<point_plane::Height> : Named<"Height", "sign"> {};
+template <> struct EventNames<point_capsule::Distance> : Named<"Distance", "nearest sign"> {};
 template <> struct EventNames<plane_sphere::Decision> : Named<"Decision", "center clear"> {};
 // clang-format on
 
@@ -90,6 +100,34 @@ Json point_sphere(Job& job) {
 }
 
 template <class S>
+Json point_capsule(Job& job) {
+  return in_dimension(job.fields["point"], [&]<int N>() -> Json {
+    const Point<S, N> point = vector<S, N>(job.fields["point"]);
+    const Capsule<S, N> c = capsule<S, N>(job.fields);
+    return {{"location", name(run<point_capsule::Event>(job, [&](auto&& trace) { return locate(point, c, trace); }))}};
+  });
+}
+
+template <class S>
+Json point_line(Job& job) {
+  return in_dimension(job.fields["point"], [&]<int N>() -> Json {
+    const Point<S, N> point = vector<S, N>(job.fields["point"]);
+    const Ray<S, N> r = ray<S, N>(job.fields);
+    const Beside where = run<point_line::Event>(job, [&](auto&& trace) { return beside(point, r, trace); });
+    return {{"where", Names<Beside>::of[static_cast<int>(where)]}};
+  });
+}
+
+template <class S>
+Json point_plane(Job& job) {
+  return in_dimension(job.fields["point"], [&]<int N>() -> Json {
+    const Point<S, N> point = vector<S, N>(job.fields["point"]);
+    const Plane<S, N> p = plane<S, N>(job.fields);
+    return {{"side", run<point_plane::Event>(job, [&](auto&& trace) { return side(p, point, trace); })}};
+  });
+}
+
+template <class S>
 Json plane_sphere(Job& job) {
   return in_dimension(job.fields["normal"], [&]<int N>() -> Json {
     const Plane<S, N> p = plane<S, N>(job.fields);
@@ -119,6 +157,9 @@ const std::vector<Handler>& point_handlers() {
       ISECT_HANDLER(point_point, "a b [tol]", {"exact"}),
       ISECT_HANDLER(point_box, "point lo hi", {"exact"}),
       ISECT_HANDLER(point_sphere, "point center radius", {"exact"}),
+      ISECT_HANDLER(point_capsule, "point p q r", {"exact"}),
+      ISECT_HANDLER(point_line, "point origin dir [tmin] [tmax]", {"exact"}),
+      ISECT_HANDLER(point_plane, "point normal d", {"exact"}),
       ISECT_HANDLER(plane_sphere, "normal d center radius", {"exact"}),
       ISECT_HANDLER(plane_box, "normal d lo hi", {"exact"}),
   };

@@ -1,10 +1,13 @@
 // Rays and segments.
 
+#include <isect/line_triangle.h>
 #include <isect/ray_aabb.h>
 #include <isect/ray_plane.h>
 #include <isect/ray_sphere.h>
 
+#include <isect/ray_capsule.h>
 #include <isect/ray_obb.h>
+#include <isect/ray_outline.h>
 #include <isect/ray_polygon.h>
 #include <isect/ray_sphere_methods.h>
 #include <isect/segment_segment.h>
@@ -56,6 +59,12 @@ template <class S> struct EventNames<ray_obb::Projected<S>> : Named<"Projected",
 template <class S> struct EventNames<ray_obb::Beside<S>> : Named<"Beside", "axis outside"> {};
 template <class S> struct EventNames<ray_obb::Crossing<S>> : Named<"Crossing", "axis entry exit"> {};
 template <class S> struct EventNames<ray_obb::Remains<S>> : Named<"Remains", "in out holds"> {};
+template <> struct EventNames<ray_capsule::Between> : Named<"Between", "holds sign"> {};
+template <> struct EventNames<ray_capsule::End> : Named<"End", "end sign"> {};
+template <> struct EventNames<ray_capsule::Passage> : Named<"Passage", "leaves through"> {};
+template <> struct Names<ray_capsule::Piece> {
+  static constexpr const char* of[] = {"p", "q", "side"};
+};
 template <> struct EventNames<segment_segment::Apart> : Named<"Apart"> {};
 template <> struct EventNames<segment_segment::Sides> : Named<"Sides", "r s p q"> {};
 template <class S> struct EventNames<segment_segment::Determinant<S>> : Named<"Determinant", "value"> {};
@@ -72,6 +81,8 @@ template <class S> struct EventNames<ray_polygon::Normal<S>> : Named<"Normal", "
 template <class S> struct EventNames<ray_polygon::InPlane<S>> : Named<"InPlane", "t point"> {};
 template <class S> struct EventNames<ray_polygon::InRange<S>> : Named<"InRange", "t holds"> {};
 template <class S> struct EventNames<ray_polygon::Projected<S>> : Named<"Projected", "dropped point"> {};
+template <> struct EventNames<ray_outline::Start> : Named<"Start", "location"> {};
+template <> struct EventNames<ray_outline::Nearer> : Named<"Nearer", "ring index corner"> {};
 // clang-format on
 
 namespace {
@@ -164,6 +175,21 @@ Json ray_obb(Job& job) {
 }
 
 template <class S>
+Json ray_capsule(Job& job) {
+  return in_dimension(job.fields["origin"], [&]<int N>() -> Json {
+    const Ray<S, N> r = ray<S, N>(job.fields);
+    const Capsule<S, N> c = capsule<S, N>(job.fields);
+    return stretch(run<ray_capsule::Event>(job, [&](auto&& trace) { return intersect(r, c, trace); }));
+  });
+}
+
+template <class S>
+Segment<S, 2> segment(const Field& field) {
+  const auto [p, q] = field.list_of<2>();
+  return {vector<S, 2>(p), vector<S, 2>(q)};
+}
+
+template <class S>
 Json segment_segment(Job& job) {
   const Segment<S, 2> a = segment<S>(job.fields["a"]), b = segment<S>(job.fields["b"]);
   if (job.variant == "parametric") {
@@ -197,6 +223,27 @@ Json ray_polygon(Job& job) {
           {"plane_point_location", shared.line ? name(shared.location) : nullptr}};
 }
 
+template <class S>
+Json first_t(const std::optional<S>& t) {
+  return {{"hit", t.has_value()}, {"t", number(t)}};
+}
+
+template <class S>
+Json ray_outline(Job& job) {
+  const Ray<S, 2> r = ray<S, 2>(job.fields);
+  Polygon<S, 2> polygon;
+  for (const Field entry : job.fields["rings"].list()) polygon.rings.push_back(ring<S, 2>(entry));
+  return first_t(
+      run<ray_outline::Event>(job, [&](auto&& trace) { return first_hit(r, polygon, FillRule::even_odd, trace); }));
+}
+
+template <class S>
+Json line_triangle(Job& job) {
+  const Ray<S, 3> r = ray<S, 3>(job.fields);
+  const auto [a, b, c] = job.fields["tri"].list_of<3>();
+  return first_t(first_hit(r, Triangle<S, 3>{{vector<S, 3>(a), vector<S, 3>(b), vector<S, 3>(c)}}));
+}
+
 }  // namespace
 
 const std::vector<Handler>& ray_handlers() {
@@ -206,7 +253,10 @@ const std::vector<Handler>& ray_handlers() {
       ISECT_HANDLER(ray_box, "origin dir lo hi [tmin] [tmax]", {"exact", "conservative", "slabs"}),
       ISECT_HANDLER(ray_plane, "origin dir normal d [tmin] [tmax]", {"exact", "textbook"}),
       ISECT_HANDLER(ray_obb, "origin dir c u e [tmin] [tmax]", {"exact", "projections"}),
+      ISECT_HANDLER(ray_capsule, "origin dir p q r [tmin] [tmax]", {"exact"}),
       ISECT_HANDLER(segment_segment, "a b", {"exact", "parametric"}),
+      ISECT_HANDLER(ray_outline, "origin dir rings [tmin] [tmax]", {"exact"}),
+      ISECT_HANDLER(line_triangle, "origin dir tri [tmin] [tmax]", {"exact"}),
       ISECT_HANDLER(ray_polygon, "origin dir polygon [tmin] [tmax]", {"exact", "projected"}),
   };
   return table;

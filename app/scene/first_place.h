@@ -3,14 +3,14 @@
 
 #include <optional>
 
+#include <isect/numbers/place.h>
+
 #include "app/scene/objects.h"
-#include "app/scene/place.h"
 
 namespace isect::program::scene {
 
 /// The least t at which a ray, a line or a segment meets an object: nothing where it misses it, and where a whole line
-/// lies in what has no end. Where it begins within, that is where its range begins. A triangle or a polygon is to be
-/// met.
+/// lies in what has no end. Where it begins within, that is where its range begins.
 std::optional<Place> first_place(const Setting&, const Object& along, const Object&);
 
 }  // namespace isect::program::scene

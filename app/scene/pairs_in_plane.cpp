@@ -5,17 +5,19 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <isect/convex_hull.h>
+#include <isect/convex_polygons.h>
 #include <isect/numbers/exact.h>
 #include <isect/orient.h>
+#include <isect/point_line.h>
+#include <isect/point_plane.h>
 #include <isect/point_polygon.h>
 #include <isect/polygon_polygon.h>
+#include <isect/ray_outline.h>
 #include <isect/segment_segment.h>
 
 #include "app/query/reply.h"
-#include "app/scene/in_plane.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 
@@ -43,18 +45,13 @@ std::vector<Ring2> outlines_of(const Setting& s, const Object& o) {
 // What runs along a line.
 
 Json along_result(const Setting& s, const Object& a, const Object& b) {
-  const std::vector<Ring2> rings = outlines_of(s, b);
+  const Polygon<double, 2> polygon = {outlines_of(s, b)};
   std::optional<double> t;
   if (a.type == Type::segment) {
-    const Segment<double, 2> segment = {point_of<2>(s.point(a, "from")), point_of<2>(s.point(a, "to"))};
-    if (segment.p == segment.q) {
-      const bool in = locate(segment.p, Polygon<double, 2>{rings}) != Location::out;
-      return in ? Json{{"hit", true}, {"t", 0.0}} : Json{{"hit", false}};
-    }
-    t = first_in_plane(segment, rings);
+    t = first_hit(Segment<double, 2>{point_of<2>(s.point(a, "from")), point_of<2>(s.point(a, "to"))}, polygon);
   } else {
     const Ray<double, 3> ray = ray_in_space(s, a);
-    t = first_in_plane(Ray<double, 2>{point_of<2>(ray.origin), point_of<2>(ray.direction), ray.range}, rings);
+    t = first_hit(Ray<double, 2>{point_of<2>(ray.origin), point_of<2>(ray.direction), ray.range}, polygon);
   }
   Json result = {{"hit", t.has_value()}};
   if (t) result["t"] = query::number(*t);
@@ -97,15 +94,10 @@ Json outlines_result(const Setting& s, const Object& a, const Object& b) {
 
 // A point beside a line or a plane.
 
-Exact product_sum(const Vec3& n, const Vec3& p, const Vec3& o) {
-  Exact sum(0.0);
-  for (int i = 0; i < 3; ++i) sum = sum + Exact(n[i]) * (Exact(p[i]) - Exact(o[i]));
-  return sum;
-}
+Plane<double, 3> plane_in_space(const Setting& s, const Object& o) { return {s.point(o, "normal"), s.number(o, "d")}; }
 
 Json beside_plane(const Setting& s, const Object& a, const Object& b) {
-  return {
-      {"side", (product_sum(s.point(b, "normal"), s.point(a, "at"), Vec3::Zero()) + Exact(s.number(b, "d"))).sign()}};
+  return {{"side", side(plane_in_space(s, b), s.point(a, "at"))}};
 }
 void tell_beside_plane(const Setting&, const Object& a, const Object& b, Answer& out) {
   const std::string na = shown_name(a.name), nb = shown_name(b.name);
@@ -129,18 +121,9 @@ std::vector<Vec3> all_corners(const Setting& s, const Object& o) {
   return all;
 }
 
-/// The sign of n . p + d, in doubles where their rounding can't change it.
-int side_of_plane(const Vec3& n, double d, const Vec3& p) {
-  const double value = n.dot(p) + d, sum = n.cwiseAbs().dot(p.cwiseAbs()) + std::abs(d);
-  if (sum > 1e-290 && sum < 1e290 && std::abs(value) > 1e-14 * sum) return value > 0 ? 1 : -1;
-  return (product_sum(n, p, Vec3::Zero()) + Exact(d)).sign();
-}
-
 Json corners_beside_plane(const Setting& s, const Object& a, const Object& b) {
-  std::array<int, 3> count = {};
-  for (const Vec3& p : all_corners(s, b))
-    ++count[static_cast<std::size_t>(1 + side_of_plane(s.point(a, "normal"), s.number(a, "d"), p))];
-  return {{"behind", count[0]}, {"on", count[1]}, {"before", count[2]}};
+  const Sides count = sides<double, 3>(plane_in_space(s, a), all_corners(s, b));
+  return {{"behind", count.behind}, {"on", count.on}, {"before", count.before}};
 }
 void tell_corners(const Setting& s, const Object& a, const Object& b, Answer& out) {
   const std::string na = shown_name(a.name), nb = shown_name(b.name);
@@ -164,22 +147,17 @@ void tell_corners(const Setting& s, const Object& a, const Object& b, Answer& ou
 
 /// Left of it, right of it, on it, or in line with it and beyond an end.
 Json beside_line(const Setting& s, const Object& a, const Object& b) {
-  const bool segment = b.type == Type::segment;
-  const Vec3 p = s.point(a, "at"), o = segment ? s.point(b, "from") : s.point(b, "origin");
-  const auto part = [&](int i) {
-    return segment ? Exact(s.point(b, "to")[i]) - Exact(o[i]) : Exact(s.point(b, "dir")[i]);
+  static constexpr const char* words[] = {"on", "in line", "in line", "left", "right", "in line"};
+  const Point<double, 2> p = point_of<2>(s.point(a, "at"));
+  const auto in_plane = [&] {
+    const Ray<double, 3> ray = ray_in_space(s, b);
+    return Ray<double, 2>{point_of<2>(ray.origin), point_of<2>(ray.direction), ray.range};
   };
-  const Exact x = Exact(p.x()) - Exact(o.x()), y = Exact(p.y()) - Exact(o.y()), u = part(0), v = part(1);
-  const int side = (u * y - v * x).sign();
-  if (side != 0) return {{"where", side > 0 ? "left" : "right"}};
-  const Exact along = x * u + y * v, length = u * u + v * v;
-  const double lo = segment ? 0 : b.type == Type::line ? -HUGE_VAL : s.has(b, "tmin") ? s.number(b, "tmin") : 0;
-  const double hi = segment ? 1 : s.has(b, "tmax") ? s.number(b, "tmax") : HUGE_VAL;
-  const bool before = std::isfinite(lo) && (along - Exact(lo) * length).sign() < 0;
-  const bool beyond = std::isfinite(hi) && (along - Exact(hi) * length).sign() > 0;
-  // A segment that is a point is told from others by the place, not by the side.
-  const bool off = segment && length.sign() == 0 && (x.sign() != 0 || y.sign() != 0);
-  return {{"where", before || beyond || off ? "in line" : "on"}};
+  const Beside where =
+      b.type == Type::segment
+          ? beside(p, Segment<double, 2>{point_of<2>(s.point(b, "from")), point_of<2>(s.point(b, "to"))})
+          : beside(p, in_plane());
+  return {{"where", words[static_cast<int>(where)]}};
 }
 void tell_beside_line(const Setting&, const Object& a, const Object& b, Answer& out) {
   const std::string na = shown_name(a.name), nb = shown_name(b.name), where = out.result["where"];

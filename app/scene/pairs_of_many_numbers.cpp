@@ -9,20 +9,18 @@
 #include <isect/bvh_ray.h>
 #include <isect/half_spaces.h>
 #include <isect/kdop_kdop.h>
-#include <isect/numbers/exact.h>
-#include <isect/orient.h>
+#include <isect/line_triangle.h>
 #include <isect/point_aabb.h>
+#include <isect/point_capsule.h>
 #include <isect/point_kdop.h>
 #include <isect/point_mesh.h>
 #include <isect/point_obb.h>
 #include <isect/point_polygon.h>
 #include <isect/point_sphere.h>
-#include <isect/ray_triangle.h>
 #include <isect/sphere_frustum.h>
 #include <isect/triangle_aabb.h>
 
 #include "app/query/reply.h"
-#include "app/scene/along_triangle.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 
@@ -35,31 +33,6 @@ using viz::Vec3;
 using viz::Verdict;
 
 // Where points lie.
-
-/// By the squared distance from the segment p q, times its squared length where the nearest point is no end.
-Location beside_capsule(const Vec3& x, const Vec3& p, const Vec3& q, double r) {
-  const auto product = [](const Vec3& a, const Vec3& from_a, const Vec3& b, const Vec3& from_b) {
-    Exact sum(0.0);
-    for (int i = 0; i < 3; ++i) sum = sum + (Exact(a[i]) - Exact(from_a[i])) * (Exact(b[i]) - Exact(from_b[i]));
-    return sum;
-  };
-  const Exact along = product(x, p, q, p), length = product(q, p, q, p), radius = Exact(r) * Exact(r);
-  const int side = along.sign() <= 0              ? (product(x, p, x, p) - radius).sign()
-                   : (along - length).sign() >= 0 ? (product(x, q, x, q) - radius).sign()
-                                                  : ((product(x, p, x, p) - radius) * length - along * along).sign();
-  return side < 0 ? Location::in : side == 0 ? Location::on : Location::out;
-}
-
-/// Beside the triangles of a hull in space, which are counter-clockwise seen from outside.
-Location beside(const Vec3& p, const Hull3<double>& hull) {
-  Location where = Location::in;
-  for (const auto& [i, j, k] : hull.triangles) {
-    const int side = orient3d(hull.vertices[i], hull.vertices[j], hull.vertices[k], p);
-    if (side < 0) return Location::out;
-    if (side == 0) where = Location::on;
-  }
-  return where;
-}
 
 Polygon<double, 2> polygon_of(const std::vector<std::vector<Vec3>>& rings) {
   Polygon<double, 2> polygon;
@@ -84,9 +57,7 @@ Locator locator(const Setting& s, const Object& o) {
     case Type::kdop:
       return of(kdop_of<N>(s, o));
     case Type::capsule:
-      return [p = s.point(o, "p"), q = s.point(o, "q"), r = s.number(o, "r")](const Vec3& x) {
-        return beside_capsule(x, p, q, r);
-      };
+      return of(Capsule<double, N>{point_of<N>(s.point(o, "p")), point_of<N>(s.point(o, "q")), s.number(o, "r")});
     case Type::frustum:
       return [solid = half_spaces_of(frustum_of(s, o))](const Vec3& p) { return isect::locate(p, solid); };
     case Type::mesh:
@@ -95,7 +66,7 @@ Locator locator(const Setting& s, const Object& o) {
     case Type::hull:
       if constexpr (N == 3) {
         static_cast<void>(solid_of(s, o));  // refuses one without a volume
-        return [hull = hull_of(s, o)](const Vec3& p) { return beside(p, hull); };
+        return [solid = half_spaces_of(hull_of(s, o))](const Vec3& p) { return isect::locate(p, solid); };
       } else {
         return of(Polygon<double, 2>{{points_of<2>(outline_of(s, o))}});
       }
@@ -165,12 +136,7 @@ Json cloud_on_result(const Setting& s, const Object& a, const Object& b) {
 Json ray_and_mesh(const Setting& s, const Object& a, const Object& b) {
   const TriangleMesh<double> mesh = mesh_of(b);
   const Ray<double, 3> ray = ray_in_space(s, a);
-  const auto hit = closest_hit(build_bvh(boxes(mesh)), ray, [&](int i) {
-    const Triangle<double, 3> x = triangle(mesh, i);
-    const RayTriangle<double> found = intersect(ray, x);
-    const bool left_open = !found.t && (found.coplanar || triangle_half_spaces::detail::degenerate(x, NoTrace()));
-    return left_open ? first_in(ray, x) : found.t;
-  });
+  const auto hit = closest_hit(build_bvh(boxes(mesh)), ray, [&](int i) { return first_hit(ray, triangle(mesh, i)); });
   if (!hit) return {{"hit", false}};
   return {{"hit", true}, {"t", query::number(hit->t)}, {"triangle", hit->primitive}};
 }

@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include <isect/bvh_pairs.h>
+#include <isect/line_triangle.h>
 #include <isect/orient.h>
 #include <isect/ray_polygon.h>
 #include <isect/sphere_triangle.h>
 
 #include "app/query/reply.h"
-#include "app/scene/along_triangle.h"
 #include "app/scene/in_plane.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
@@ -166,7 +166,7 @@ Answer along_surface(const Setting& s, const Object& a, const Object& polygon) {
   const auto first = [&](const auto& along) {
     std::optional<double> least;
     for (const Triangle<double, 3>& x : triangles)
-      if (const std::optional<double> t = first_in(along, x); t && (!least || *t < *least)) least = t;
+      if (const std::optional<double> t = first_hit(along, x); t && (!least || *t < *least)) least = t;
     return least;
   };
   const std::optional<double> t = a.type == Type::segment ? first(segment_of(s, a)) : first(ray_in_space(s, a));

@@ -11,17 +11,18 @@
 #include <isect/capsule_half_spaces.h>
 #include <isect/convex_hull.h>
 #include <isect/line_line.h>
+#include <isect/line_triangle.h>
 #include <isect/numbers/exact.h>
 #include <isect/plane_sphere.h>
 #include <isect/point_mesh.h>
 #include <isect/point_polygon.h>
 #include <isect/ray_capsule.h>
 #include <isect/ray_half_spaces.h>
+#include <isect/segment_polygon.h>
+#include <isect/segment_sphere.h>
 #include <isect/sphere_triangle.h>
 
 #include "app/query/reply.h"
-#include "app/scene/along_capsule.h"
-#include "app/scene/along_triangle.h"
 #include "app/scene/in_plane.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
@@ -233,17 +234,10 @@ void tell_line_and_solid(const Setting& s, const Object& a, const Object& b, Ans
   meets(a, b, out, hit);
 }
 
-bool meets_round(const Segment<double, 3>& segment, const Capsule<double, 3>& capsule) {
-  return intersects(Capsule<double, 3>{segment.p, segment.q, 0}, capsule);
-}
-bool meets_round(const Ray<double, 3>& ray, const Capsule<double, 3>& capsule) { return intersects(ray, capsule); }
-
 Json line_and_capsule(const Setting& s, const Object& a, const Object& b) {
   const Capsule<double, 3> capsule = capsule_in_space(s, b);
-  const auto part = [&](const auto& line) {
-    return part_of_line(meets_round(line, capsule) ? std::optional(part_in(line, capsule)) : std::nullopt);
-  };
-  return a.type == Type::segment ? part(segment_of(s, a)) : part(ray_in_space(s, a));
+  return part_of_line(a.type == Type::segment ? intersect(segment_of(s, a), capsule)
+                                              : intersect(ray_in_space(s, a), capsule));
 }
 
 // In the plane: outlines, which need not be convex, against what is no outline.
@@ -331,15 +325,14 @@ namespace {
 
 // Segments with both ends as given, told as queries tell rays.
 
-Json segment_and_ball(const Segment<double, 3>& segment, const Capsule<double, 3>& ball) {
-  const LineAndBall line = line_and_ball(segment, {ball.p, ball.radius});
-  const bool hit = meets_round(segment, ball);
-  const auto root = [&](double t) { return line.roots > 0 ? query::number(t) : Json(nullptr); };
-  return {{"line_roots", line.roots},
-          {"t0", root(line.t.lo)},
-          {"t1", root(line.t.hi)},
-          {"ray_hit", hit},
-          {"t_enter_solid", hit ? query::number(part_in(segment, ball).lo) : Json(nullptr)}};
+Json segment_and_ball(const Segment<double, 3>& segment, const Sphere<double, 3>& ball) {
+  const RaySphere<double> shared = intersect(segment, ball);
+  const auto root = [&](double t) { return shared.line_roots > 0 ? query::number(t) : Json(nullptr); };
+  return {{"line_roots", shared.line_roots},
+          {"t0", root(shared.roots.lo)},
+          {"t1", root(shared.roots.hi)},
+          {"ray_hit", shared.solid.has_value()},
+          {"t_enter_solid", shared.solid ? query::number(shared.solid->lo) : Json(nullptr)}};
 }
 
 Json segment_and_plane(const Segment<double, 3>& segment, const Plane<double, 3>& plane) {
@@ -354,7 +347,7 @@ Json segment_and_plane(const Segment<double, 3>& segment, const Plane<double, 3>
 }
 
 Json segment_and_outline(const Segment<double, 3>& segment, const Ring<double, 3>& outline) {
-  const RayPolygon<double> shared = across_plane(segment, outline);
+  const RayPolygon<double> shared = intersect(segment, outline);
   return {{"parallel", !shared.line},
           {"coplanar", shared.coplanar},
           {"hit", shared.flat || shared.coplanar ? Json(nullptr) : Json(shared.t.has_value())},
@@ -366,7 +359,7 @@ Json segment_and_mesh(const Segment<double, 3>& segment, const TriangleMesh<doub
   Json result = {{"hit", false}};
   std::optional<double> first;
   for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
-    if (const auto t = first_in(segment, triangle(mesh, i)); t && (!first || *t < *first)) {
+    if (const auto t = first_hit(segment, triangle(mesh, i)); t && (!first || *t < *first)) {
       first = t;
       result = {{"hit", true}, {"t", *t}, {"triangle", i}};
     }
@@ -379,7 +372,7 @@ std::optional<Json> exact_of_segment(const Setting& s, const Object& a, const Ob
   const Segment<double, 3> segment = segment_of(s, a);
   switch (b.type) {
     case Type::sphere:
-      return segment_and_ball(segment, capsule_in_space(s, b));
+      return segment_and_ball(segment, sphere_of<3>(s, b));
     case Type::box:
     case Type::obb:
       return part_of_line(intersect(segment, faces_of(s, b)));

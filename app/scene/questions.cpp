@@ -8,10 +8,10 @@
 #include <iterator>
 #include <stdexcept>
 
+#include <isect/line_triangle.h>
+
 #include "app/query/query.h"
 #include "app/query/reply.h"
-#include "app/scene/along_triangle.h"
-#include "app/scene/in_plane.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 #include "app/scene/triangulated.h"
@@ -198,7 +198,7 @@ void ray_meets_polygon(const Setting& s, const Object& a, const Object& b, Answe
   };
   if (out.result["hit"].is_null() && !coplanar) {
     if (b.type != Type::triangle) refuse_outline(b);
-    const auto t = hit_by([&](const auto& along) { return first_in(along, triangle_of(s, b)); });
+    const auto t = hit_by([&](const auto& along) { return first_hit(along, triangle_of(s, b)); });
     out.result["hit_without_area"] = t.has_value();
     if (t) add_hit(s, a, out, "*t*", query::number(*t), viz::Mark::disc);
     return meets(a, b, out, t.has_value());
@@ -206,7 +206,7 @@ void ray_meets_polygon(const Setting& s, const Object& a, const Object& b, Answe
   if (outline.size() <= most_corners && !is_simple(outline))
     out.note = shown_name(b.name) + " crosses or touches itself: what is inside is told by the even-odd rule.";
   if (coplanar) {
-    const auto t = hit_by([&](const auto& along) { return first_in_plane(along, outline); });
+    const auto t = hit_by([&](const auto& along) { return first_hit(along, Polygon<double, 3>{{outline}}); });
     out.result["hit_in_plane"] = t.has_value();
     if (t) add_hit(s, a, out, "*t*", query::number(*t), viz::Mark::disc);
     meets(a, b, out, t.has_value());
@@ -245,7 +245,7 @@ void segments(const Setting& s, const Object& a, const Object& b, Answer& out) {
   if (r == "disjoint") return;
   const auto end = [&](const Object& o, const char* name) { return point_of<2>(s.point(o, name)); };
   const Segment<double, 2> of_a = {end(a, "from"), end(a, "to")};
-  out.first_hit = of_a.p == of_a.q ? 0 : first_in_plane(of_a, {{end(b, "from"), end(b, "to")}});
+  out.first_hit = first_hit(of_a, Polygon<double, 2>{{{end(b, "from"), end(b, "to")}}});
 }
 
 const std::vector<Pair>& pairs() {

@@ -64,7 +64,8 @@ class Ears {
   }
   bool is_crossed(const Segment<double, 2>& side) const {
     for (std::size_t i = 0; i < left_.size(); ++i)
-      if (intersect(side, {corner(left(i)), corner(left(i + 1))}).relation == segment_segment::Meeting::cross)
+      if (const Segment<double, 2> own = {corner(left(i)), corner(left(i + 1))};
+          intersect(side, own).relation == segment_segment::Meeting::cross)
         return true;
     return false;
   }

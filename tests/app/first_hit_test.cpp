@@ -9,7 +9,6 @@
 
 #include "app/scene/answered.h"
 #include "app/scene/file.h"
-#include "app/scene/place.h"
 #include "tests/catch.h"
 #include "viz/rich_text.h"
 
@@ -204,37 +203,14 @@ TEST_CASE("a segment whose ends are no vector apart meets what it meets in order
         "r meets A and B at the same t");
 }
 
-TEST_CASE("places are put in order as the numbers they are made of", "[scene][first hit]") {
-  std::mt19937_64 random(7);
-  const auto whole = [&](int lo, int hi) { return static_cast<double>(std::uniform_int_distribution(lo, hi)(random)); };
-  int equal = 0, less = 0;
-  for (int k = 0; k < 20000; ++k) {
-    // (n + s sqrt(q)) / d, told apart in long doubles where they differ: by more than 1e-9 for numbers so small
-    const auto drawn = [&] {
-      const int side = static_cast<int>(whole(-1, 1));
-      return Place{whole(-6, 6), whole(1, 6), side, side == 0 ? Exact(0.0) : Exact(whole(0, 12))};
-    };
-    const auto value = [](const Place& p) {
-      return (static_cast<long double>(p.num.rounded()) +
-              static_cast<long double>(p.side) * std::sqrt(static_cast<long double>(p.square.rounded()))) /
-             static_cast<long double>(p.den.rounded());
-    };
-    const Place x = drawn(), y = drawn();
-    const long double apart = value(x) - value(y);
-    const int expected = std::abs(apart) < 1e-12L ? 0 : apart < 0 ? -1 : 1;
-    CAPTURE(x.num.rounded(), x.den.rounded(), x.side, x.square.rounded(), y.num.rounded(), y.den.rounded(), y.side,
-            y.square.rounded());
-    CHECK(compare(x, y) == expected);
-    CHECK(compare(y, x) == -expected);
-    equal += expected == 0, less += expected < 0;
-
-    const Exact by = whole(1, 9);  // the same number, written otherwise
-    CHECK(compare(x, {x.num * by, x.den * by, x.side, x.square * by * by}) == 0);
-    const Exact more = 0x1p-200;
-    CHECK(compare(x, {x.num * by + more, x.den * by, x.side, x.square * by * by}) == -1);
-  }
-  CHECK(equal > 100);
-  CHECK(less > 5000);
+TEST_CASE("a capsule whose ends coincide is met where the ball is, and not where the ray begins",
+          "[scene][first hit]") {
+  const Json ray = {{"ray", "r"}, {"origin", {-9, 4, 1}}, {"dir", {1, 0, 0}}};
+  const Json capsule = {{"capsule", "C"}, {"p", {0, 0, 1}}, {"q", {0, 0, 1}}, {"r", 5}};  // at t = 6, by 3, 4, 5
+  const auto box = [](double x) { return Json{{"box", "B"}, {"lo", {x, 3, 0}}, {"hi", {9, 5, 2}}}; };
+  CHECK(told(first_hit(ray, {capsule, box(-3)})) == "r meets C and B at the same t");
+  CHECK(told(first_hit(ray, {capsule, box(std::nextafter(-3, -4))})).starts_with("r meets B first"));
+  CHECK(told(first_hit(ray, {capsule, box(std::nextafter(-3, 0))})).starts_with("r meets C first"));
 }
 
 TEST_CASE("what is thin is met like all else", "[scene][first hit]") {

@@ -3,6 +3,7 @@
 #include "app/scene/in_plane.h"
 
 #include <isect/point_polygon.h>
+#include <isect/ray_outline.h>
 #include <isect/segment_segment.h>
 
 #include <random>
@@ -13,9 +14,16 @@
 namespace in_plane_test {
 using namespace isect;
 using isect::test::in_space;
-using program::scene::first_in_plane;
 using program::scene::off_plane;
 using Vec3 = Vector<double, 3>;
+
+namespace {
+
+std::optional<double> first_in_plane(const Ray<double, 3>& ray, const Ring<double, 3>& outline) {
+  return first_hit(ray, Polygon<double, 3>{{outline}});
+}
+
+}  // namespace
 
 TEST_CASE("a ray in a polygon's plane meets it where the segment to its end does, for whole numbers", "[scene]") {
   std::mt19937 random(11);

@@ -1,7 +1,6 @@
-// Polygons in space as triangles, and where a line enters a capsule: held to the core's exact verdicts.
+// Polygons in space as triangles, and what meets them: held to the core's exact verdicts.
 
 #include <isect/point_polygon.h>
-#include <isect/ray_capsule.h>
 #include <isect/sphere_triangle.h>
 
 #include <algorithm>
@@ -9,7 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "app/scene/along_capsule.h"
 #include "app/scene/triangulated.h"
 #include "tests/app/poses.h"
 #include "tests/app/shell.h"
@@ -22,7 +20,7 @@ using isect::test::in_space;
 using isect::test::Shell;
 using isect::test::write;
 using Json = nlohmann::ordered_json;
-using program::scene::part_in, program::scene::triangulated;
+using program::scene::triangulated;
 using Vec3 = Vector<double, 3>;
 
 namespace {
@@ -242,29 +240,6 @@ TEST_CASE("a polygon that is not plane is the same triangles whatever it is aske
   for (std::size_t i = 0; i < told.size(); ++i) CHECK(all[i]["verdict"] == told[i]);
   CHECK(all[0]["result"]["t"] == 9);
   CHECK_THAT(ran.err, Contains("P: Its corners lie up to"));
-}
-
-TEST_CASE("where a line enters a capsule and leaves it is known to 5 ulp", "[scene]") {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> any(-3, 3);
-  const auto vec = [&] { return Vec3(any(random), any(random), any(random)); };
-  int checked = 0;
-  for (int i = 0; i < 20000; ++i) {
-    Capsule<double, 3> c = {vec(), vec(), std::abs(any(random))};
-    if (i % 5 == 0) c.q = c.p;
-    Ray<double, 3> line = {vec() * 2, vec(), infinite<double>};
-    if (i % 7 == 0) line.direction = c.q - c.p;
-    if (line.direction.isZero(0) || !intersects(line, c)) continue;
-    const Interval<double> part = part_in(line, c);
-    const auto in = [&](double t) { return intersects(Ray<double, 3>{line.origin, line.direction, {t, t}}, c); };
-    const auto moved = [](double t, double ulps) { return t + ulps * std::abs(t) * 0x1p-52; };
-    if (part.hi - part.lo < 1e-10) continue;  // too short to be in it for certain
-    CAPTURE(i, part.lo, part.hi);
-    if (in(moved(part.lo, -5)) || !in(moved(part.lo, 5)) || !in(moved(part.hi, -5)) || in(moved(part.hi, 5)))
-      FAIL("more than 5 ulp off");
-    ++checked;
-  }
-  CHECK(checked > 2000);
 }
 
 TEST_CASE("rays, lines and segments enter a capsule", "[scene]") {

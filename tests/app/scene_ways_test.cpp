@@ -6,9 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include <isect/ray_capsule.h>
-
-#include "app/scene/along_capsule.h"
 #include "app/scene/answered.h"
 #include "app/scene/file.h"
 #include "app/scene/pairs.h"
@@ -296,34 +293,6 @@ TEST_CASE("of a line one point lies in a box only where it is one, not where rou
   CHECK_THAT(told(line("ray", {10, 1}, {1, 0}), {10, 0}, {11, 1}), Contains("from t = 0 to 1"));
   CHECK_THAT(told(segment("g", {10.25, 0, 0}, {10.25, 0, 0}), lo, hi), Contains("one point lies in B"));
   CHECK_THAT(told(segment("g", {0.1, 0, 0}, {10, 1, 1}), lo, hi), Contains("one point lies in B: t = 1"));
-}
-
-TEST_CASE("where a line enters a capsule and leaves it is known to 2 ulp, in numbers of any size", "[scene]") {
-  bench::Random random(tests::seed());
-  int checked = 0;
-  for (const bench::Numbers numbers : bench::all_numbers_and_ends)
-    for (int i = 0; i < tests::cases(1500, 100000); ++i) {
-      Capsule<double, 3> c = bench::capsule<double, 3>(random, numbers);
-      Ray<double, 3> line = {bench::vector<double, 3>(random, numbers), bench::vector<double, 3>(random, numbers),
-                             infinite<double>};
-      if (random.one_in(3)) line.direction = bench::vector<double, 3>(random, bench::Numbers::wide);
-      if (line.direction.isZero(0) || !intersects(line, c)) continue;
-      const Interval<double> part = part_in(line, c);
-      const auto in = [&](double t) {
-        const double t_in_range = std::isfinite(t) ? t : std::copysign(std::numeric_limits<double>::max(), t);
-        return intersects(Ray<double, 3>{line.origin, line.direction, {t_in_range, t_in_range}}, c);
-      };
-      INFO("seed " << tests::seed() << ", family " << static_cast<int>(numbers) << ", case " << i << ": " << part.lo
-                   << " to " << part.hi);
-      const double before = bench::moved(part.lo, -2), entered = bench::moved(part.lo, 2);
-      const double leaving = bench::moved(part.hi, -2), after = bench::moved(part.hi, 2);
-      if (!(entered < leaving)) continue;  // too short to be in it for certain
-      if (std::isfinite(before)) REQUIRE_FALSE(in(before));
-      if (std::isfinite(after)) REQUIRE_FALSE(in(after));
-      REQUIRE((in(entered) && in(leaving)));
-      ++checked;
-    }
-  CHECK(checked > 3000);
 }
 
 TEST_CASE("a k-DOP without a corner among the doubles lies in an outline or beside it", "[scene]") {

@@ -1,12 +1,15 @@
 // Polygons with points and rays, and segments.
 
+#include "bench/line_triangle/oracle.h"
 #include "bench/point_polygon/families.h"
 #include "bench/polygon_polygon/families.h"
 #include "bench/polygon_polygon/oracle.h"
+#include "bench/ray_outline/oracle.h"
 #include "bench/ray_polygon/families.h"
 #include "bench/ray_polygon/oracle.h"
 #include "tests/cases/shapes.h"
 #include "tests/core/point_location.h"
+#include "tests/core/ray_outline_pairs.h"
 #include "tests/core/segment_pairs.h"
 
 namespace isect::cases {
@@ -63,6 +66,34 @@ Json outlines(const Polygon<S, 2>& p) {
   Json rings = Json::array();
   for (const Ring<S, 2>& r : p.rings) rings.push_back(json<S, 2>(r));
   return rings;
+}
+
+/// The first t; a ray without direction stays where it is, if that is met.
+template <class S, int N, class IsMet, class First>
+Case first_t(const Ray<S, N>& ray, const Json& shape, const IsMet& is_met, const First& first) {
+  std::optional<double> t;
+  const auto o = oracle::rational(ray.origin), d = oracle::rational(ray.direction);
+  if (!ray.direction.isZero(0)) {
+    if (const std::optional<Rational> truth = first(o, d, cast<double>(ray.range))) t = nearest(*truth);
+  } else if (!empty(ray.range) && is_met(o)) {
+    t = ray.range.lo;
+  }
+  return {both(fields(ray), shape), {{"hit", t.has_value()}, {"t", t ? json(*t) : Json(nullptr)}}, is_f32<S>};
+}
+template <class S>
+Case ray_in_plane(const Ray<S, 2>& ray, const Polygon<S, 2>& polygon) {
+  const auto rings = oracle::rational(polygon);
+  return first_t(
+      ray, {{"rings", outlines(polygon)}}, [&](const auto& o) { return oracle::locate(o, rings) != Location::out; },
+      [&](const auto& o, const auto& d, const auto& range) { return oracle::first_hit(o, d, range, rings); });
+}
+template <class S>
+Case line_and_triangle(const Ray<S, 3>& ray, const Triangle<S, 3>& x) {
+  const oracle::Corners v = oracle::corners(x);
+  const Ring<S, 3> corners(x.vertices.begin(), x.vertices.end());
+  return first_t(
+      ray, {{"tri", json<S, 3>(corners)}}, [&](const auto& o) { return oracle::in_triangle(o, v); },
+      [&](const auto& o, const auto& d, const auto& range) { return oracle::first_hit(o, d, range, v); });
 }
 
 Case polygons(const Polygon<double, 2>& a, const Polygon<double, 2>& b) {
@@ -307,6 +338,111 @@ CaseFile segment_polygon() {
       if (s.p == s.q) return {};
       return segment_and_polygon(s, c.a);
     });
+  return file;
+}
+
+CaseFile ray_outline() {
+  CaseFile file("ray_outline");
+  using P = Point<double, 2>;
+  const auto add = [&](const char* note, P origin, P direction, Rings<double> rings,
+                       Interval<double> range = semi_infinite<double>) {
+    file.add(note, ray_in_plane<double>({origin, direction, range}, {rings}));
+  };
+  const Ring<double, 2> square = {{1, 1}, {5, 1}, {5, 5}, {1, 5}}, hole = {{2, 2}, {4, 2}, {4, 4}, {2, 4}};
+  const Ring<double, 2> tenths = {{.1, .1}, {.3, .1}, {.3, .3}, {.1, .3}}, bow = {{0, 0}, {4, 4}, {4, 0}, {0, 4}};
+  const double below = std::nextafter(1., 0.);
+  add("onto a side", {0, 3}, {1, 0}, {square});
+  add("from inside", {3, 3}, {1, 0}, {square});
+  add("from a hole", {3, 3}, {1, 0}, {square, hole});
+  add("from the side of a hole, inwards", {2, 3}, {1, 0}, {square, hole});
+  add("from a corner, away", {5, 5}, {1, 1}, {square});
+  add("from an ulp beside a side, away", {std::nextafter(5., 6.), 3}, {1, 0}, {square});
+  add("through a corner that it only touches", {0, 2}, {1, -1}, {square});
+  add("an ulp beside that corner", {0, std::nextafter(2., 0.)}, {1, -1}, {square});
+  add("along a side", {0, 1}, {1, 0}, {square});
+  add("along a side, an ulp beside it", {0, below}, {1, 0}, {square});
+  add("along a side that the range starts on", {0, 1}, {1, 0}, {square}, {3, inf});
+  add("the range starts in the hole", {0, 3}, {1, 0}, {square, hole}, {2.5, inf});
+  add("the range ends on the side", {0, 3}, {1, 0}, {square}, {0, 1});
+  add("the range ends an ulp before the side", {0, 3}, {1, 0}, {square}, {0, below});
+  add("a line, behind its origin", {9, 3}, {1, 0}, {square}, {-inf, inf});
+  add("tenths: along the diagonal", {0, 0}, {.1, .1}, {tenths});
+  add("tenths: a corner rounded", {0, 0}, {.3, .1}, {tenths});
+  add("tenths: towards the far corner", {-.1, .5}, {.2, -.1}, {tenths});
+  add("where an outline crosses itself", {2, -1}, {0, 1}, {bow});
+  add("from where an outline crosses itself", {2, 2}, {0, 1}, {bow});
+  add("wound twice, from within: outside by even-odd", {2, 3}, {1, 0},
+      {{{1, 1}, {5, 1}, {5, 5}, {1, 5}, {1, 1}, {5, 1}, {5, 5}, {1, 5}}});
+  add("onto a spike", {0, 7}, {1, 0}, {{{1, 1}, {5, 1}, {5, 5}, {3, 5}, {3, 9}, {3, 5}, {1, 5}}});
+  add("a ring of two corners is a segment", {0, 0}, {1, 1}, {{{4, 0}, {0, 4}}});
+  add("a ring of one corner is a point", {0, 0}, {.1, .1}, {{{.3, .3}}});
+  add("a ring of one corner, beside it", {0, 0}, {.1, .1}, {{{.3, std::nextafter(.3, 1)}}});
+  add("no ring", {0, 0}, {1, 1}, {});
+  add("no direction, on a side", {1, 3}, {0, -0.}, {square}, {-2, 7});
+  add("no direction, in the hole", {3, 3}, {0, 0}, {square, hole});
+  add("an empty range", {0, 3}, {1, 0}, {square}, {3, 2});
+  add("a direction whose square vanishes", {0, 3}, {1e-300, 0}, {square});
+  add("a direction whose square overflows", {0, 3}, {1e300, 1e300}, {square});
+  add("1e-300 beside 1e300", {-1e300, 1e-300}, {1e300, 0}, {{{0, 0}, {1, 0}, {0, 1e-300}}});
+  by_numbers(file, 4, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
+    const auto c = tests::ray_outline_pairs::draw<S>(random, numbers);
+    return ray_in_plane(c.ray, c.polygon);
+  });
+  return file;
+}
+
+CaseFile line_triangle() {
+  CaseFile file("line_triangle");
+  using P = Point<double, 3>;
+  const auto add = [&](const char* note, P origin, P direction, std::array<P, 3> corners,
+                       Interval<double> range = semi_infinite<double>) {
+    file.add(note, line_and_triangle<double>({origin, direction, range}, {corners}));
+  };
+  const std::array<P, 3> flat = {P(0, 0, 0), P(4, 0, 0), P(0, 4, 0)}, thin = {P(1, 1, 0), P(4, 4, 0), P(2, 2, 0)};
+  const std::array<P, 3> point = {P(.1, .2, .3), P(.1, .2, .3), P(.1, .2, .3)};
+  const std::array<P, 3> slanted = {P(1, 0, 0), P(0, 1, 0), P(0, 0, 1)};
+  add("across its plane", {1, 1, 3}, {0, 0, -1}, flat);
+  add("across an edge", {2, 2, 3}, {0, 0, -1}, flat);
+  add("across its plane, an ulp beside that edge", {2, std::nextafter(2., 3.), 3}, {0, 0, -1}, flat);
+  add("across a corner", {0, 4, 3}, {0, 0, -.1}, flat);
+  add("in its plane, from outside", {-2, 1, 0}, {1, 0, 0}, flat);
+  add("in its plane, from inside", {1, 1, 0}, {1, 0, 0}, flat);
+  add("in its plane, along an edge", {-2, 0, 0}, {3, 0, 0}, flat);
+  add("in its plane, at a corner", {4, -1, 0}, {0, 2, 0}, flat);
+  add("in its plane, an ulp beside a corner", {std::nextafter(4., 5.), -1, 0}, {0, 2, 0}, flat);
+  add("in its plane, a line", {-2, 1, 0}, {1, 0, 0}, flat, {-inf, inf});
+  add("in its plane, the range ends on an edge", {-2, 1, 0}, {2, 0, 0}, flat, {0, 1});
+  add("in its plane, the range ends an ulp before", {-2, 1, 0}, {2, 0, 0}, flat, {0, std::nextafter(1., 0.)});
+  add("above its plane by the least", {-2, 1, least}, {1, 0, 0}, flat);
+  add("in a slanted plane", {3, -1, -1}, {-2, 1, 1}, slanted);
+  add("in a slanted plane, along an edge", {2, -1, 0}, {-1, 1, 0}, slanted);
+  add("beside a slanted plane by an ulp", {3, -1, std::nextafter(-1., 0.)}, {-2, 1, 1}, slanted);
+  add("without area, crossed", {3, 3, 3}, {0, 0, -2}, thin);
+  add("without area, along it", {0, 0, 0}, {1, 1, 0}, thin);
+  add("without area, from within it", {3, 3, 0}, {1, 1, 0}, thin);
+  add("without area, missed beyond its end", {5, 5, 3}, {0, 0, -1}, thin);
+  add("without area, missed by the least", {3, 3, 3}, {least, 0, -1}, thin);
+  add("a point that is met", {0, 0, 0}, {.1, .2, .3}, point);
+  add("a point that is missed by an ulp", {0, 0, 0}, {.1, .2, std::nextafter(.3, 1)}, point);
+  add("no direction, inside", {1, 1, 0}, {0, -0., 0}, flat, {-2, 7});
+  add("no direction, on a triangle without area", {3, 3, 0}, {0, 0, 0}, thin, {-2, 7});
+  add("no direction, outside", {1, 1, 1}, {0, 0, 0}, flat);
+  add("an empty range", {1, 1, 3}, {0, 0, -1}, flat, {5, 4});
+  add("a direction whose square vanishes", {-2, 1, 0}, {1e-300, 0, 0}, flat);
+  add("a direction whose square overflows", {-2, 1, 0}, {1e300, 0, 0}, flat);
+  add("corners of 1e300", {-2, 1e299, 0}, {1, 0, 0}, {P(0, 0, 0), P(1e300, 0, 0), P(0, 1e300, 0)});
+  add("corners of 1e-300", {-2, 1e-301, 0}, {1, 0, 0}, {P(0, 0, 0), P(1e-300, 0, 0), P(0, 1e-300, 0)});
+  by_numbers(file, 4, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
+    const auto corner = [&]() -> Point<S, 3> { return bench::vector<S, 3>(random, numbers); };
+    Triangle<S, 3> x = {{corner(), corner(), corner()}};
+    if (random.one_in(2)) x.vertices[1][2] = x.vertices[2][2] = x.vertices[0][2];
+    if (random.one_in(5)) x.vertices[2] = x.vertices[0];
+    Ray<S, 3> ray = {corner(), x.vertices[1] / 2 + x.vertices[2] / 2};
+    ray.direction -= ray.origin;
+    if (random.one_in(2)) ray.origin[2] = x.vertices[0][2], ray.direction[2] = 0;
+    if (!finite(ray)) return {};
+    return line_and_triangle(ray, x);
+  });
   return file;
 }
 

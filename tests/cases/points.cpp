@@ -1,9 +1,12 @@
-// Points against points, intervals, boxes and balls.
+// Points against points, intervals, boxes, balls, capsules, lines and planes.
 
 #include "bench/aabb_aabb/families.h"
 #include "bench/orient2d/families.h"
 #include "bench/point_point/families.h"
+#include "bench/simple_shapes.h"
+#include "bench/sphere_capsule/oracle.h"
 #include "tests/cases/shapes.h"
+#include "tests/core/point_line_pairs.h"
 #include "tests/core/point_obb_pairs.h"
 
 namespace isect::cases {
@@ -71,6 +74,28 @@ template <class S, int N>
 Case in_obb(const Point<S, N>& p, const Obb<S, N>& box) {
   const Location where = tests::point_obb_pairs::oracle_locate(p, box);
   return {both({{"point", json<S, N>(p)}}, json(box)), {{"location", word(where)}}, is_f32<S>};
+}
+
+template <class S, int N>
+Case in_capsule(const Point<S, N>& p, const Capsule<S, N>& capsule) {
+  const Rational d2 = oracle::distance2<N>(rational(p), oracle::stretch(capsule)), r = capsule.radius;
+  const Location where = !oracle::at_most(d2, r) ? Location::out : d2 == r * r ? Location::on : Location::in;
+  return {both({{"point", json<S, N>(p)}}, fields(capsule)), {{"location", word(where)}}, is_f32<S>};
+}
+
+template <class S, int N>
+Case beside_line(const Point<S, N>& p, const Ray<S, N>& ray) {
+  constexpr const char* words[] = {"on", "before", "beyond", "left", "right", "aside"};
+  const Beside where =
+      tests::point_line_pairs::truth<S, N>(p, ray.origin, rational(ray.direction), cast<double>(ray.range));
+  return {both({{"point", json<S, N>(p)}}, fields(ray)), {{"where", words[static_cast<int>(where)]}}, is_f32<S>};
+}
+
+template <class S, int N>
+Case beside_plane(const Point<S, N>& p, const Plane<S, N>& plane) {
+  Rational height = plane.d;
+  for (int i = 0; i < N; ++i) height += Rational(plane.normal[i]) * Rational(p[i]);
+  return {both({{"point", json<S, N>(p)}}, fields(plane)), {{"side", oracle::sign(height)}}, is_f32<S>};
 }
 
 }  // namespace
@@ -182,6 +207,100 @@ CaseFile point_obb() {
     const Point<S, 3> p = tests::point_obb_pairs::near(random, box, numbers);
     if (!finite(p) || !finite(box)) return {};
     return in_obb(p, box);
+  });
+  return file;
+}
+
+CaseFile point_capsule() {
+  CaseFile file("point_capsule");
+  const auto add = [&](const char* note, P3 p, Capsule<double, 3> capsule) {
+    file.add(note, in_capsule<double, 3>(p, capsule));
+  };
+  const Capsule<double, 3> lying = {{-3, 0, 0}, {3, 0, 0}, 5}, thin = {{.1, .1, 0}, {.7, .7, 0}, 0};
+  add("on the side, by 3, 4 and 5", {1, 3, 4}, lying);
+  add("an ulp outside the side", {1, 3, std::nextafter(4., 5.)}, lying);
+  add("an ulp inside the side", {1, 3, std::nextafter(4., 3.)}, lying);
+  add("on an end", {6, 4, 0}, lying);
+  add("an ulp outside an end", {std::nextafter(6., 7.), 4, 0}, lying);
+  add("where the side meets an end", {3, 0, -5}, lying);
+  add("on the axis of radius 0, which is on", {.3, .3, 0}, thin);
+  add("beside the axis of radius 0 by the least", {.3, .3, least}, thin);
+  add("an axis without length", {4, 0, 3}, {{0, 0, 0}, {0, 0, 0}, 5});
+  add("a point on a point", {.1, .2, .3}, {{.1, .2, .3}, {.1, .2, .3}, 0});
+  add("an empty capsule", {0, 0, 0}, {{-3, 0, 0}, {3, 0, 0}, -1});
+  add("sizes of 1e300", {1e300, 3e300, 4e300}, {{-3e300, 0, 0}, {3e300, 0, 0}, 5e300});
+  add("sizes of 1e-300", {1e-300, 3e-300, 4e-300}, {{-3e-300, 0, 0}, {3e-300, 0, 0}, 5e-300});
+  by_numbers(file, 4, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
+    Capsule<S, 3> capsule = bench::capsule<S, 3>(random, numbers);
+    const Point<S, 3> p = bench::vector<S, 3>(random, numbers);
+    const Rational d2 = oracle::distance2<3>(rational(p), oracle::stretch(capsule));
+    if (random.one_in(2))
+      capsule.radius = bench::moved(static_cast<S>(std::sqrt(static_cast<double>(d2))), random.integer(-2, 2));
+    if (!finite(capsule)) return {};
+    return in_capsule(p, capsule);
+  });
+  return file;
+}
+
+CaseFile point_line() {
+  CaseFile file("point_line");
+  const auto add = [&](const char* note, P2 p, P2 origin, P2 direction,
+                       Interval<double> range = semi_infinite<double>) {
+    file.add(note, beside_line<double, 2>(p, {origin, direction, range}));
+  };
+  add("on a ray", {5, 3}, {1, 1}, {2, 1});
+  add("an ulp left of it", {5, std::nextafter(3., 4.)}, {1, 1}, {2, 1});
+  add("an ulp right of it", {5, std::nextafter(3., 2.)}, {1, 1}, {2, 1});
+  add("before its start", {-1, 0}, {1, 1}, {2, 1});
+  add("before the start of a ray, on the line", {-1, 0}, {1, 1}, {2, 1}, {-inf, inf});
+  add("on its start", {1, 1}, {1, 1}, {2, 1});
+  add("on the end of a segment", {5, 3}, {1, 1}, {2, 1}, {0, 2});
+  add("an ulp beyond the end of a segment", {5, 3}, {1, 1}, {2, 1}, {0, std::nextafter(2., 0.)});
+  add("tenths on the diagonal", {.3, .3}, {.1, .1}, {.6, .6}, {0, 1});
+  add("tenths: the sum of .1 and .2 is not .3", {.1 + .2, .3}, {0, 0}, {.3, .3});
+  add("Kettner's: nearly on the line", {.5, .5 + 0x1p-53}, {12, 12}, {12, 12}, {-inf, inf});
+  add("no direction, on the point", {.1, .7}, {.1, .7}, {0, -0.});
+  add("no direction, beside the point", {.1, .7}, {.1, std::nextafter(.7, 1)}, {0, 0});
+  add("an empty range", {5, 3}, {1, 1}, {2, 1}, {2, 1});
+  add("1e-300 beside 1e300", {1e300, 1e-300}, {0, 0}, {1e300, 1e-300});
+  add("1e-300 beside 1e300, an ulp off", {1e300, std::nextafter(1e-300, 1)}, {0, 0}, {1e300, 1e-300});
+  add("a product that vanishes", {least, 0}, {0, 0}, {least, least});
+  file.add("in space, on the line", beside_line<double, 3>({2, 4, 6}, {{0, 0, 0}, {1, 2, 3}}));
+  file.add("in space, an ulp aside", beside_line<double, 3>({2, 4, std::nextafter(6., 7.)}, {{0, 0, 0}, {1, 2, 3}}));
+  file.add("in space, beyond the end", beside_line<double, 3>({2, 4, 6}, {{0, 0, 0}, {1, 2, 3}, {0, 1}}));
+  by_numbers(file, 4, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
+    if (random.one_in(3)) {
+      const auto c = tests::point_line_pairs::draw<S, 3>(random, numbers);
+      return finite(c.point) && finite(c.ray) ? std::optional(beside_line(c.point, c.ray)) : std::nullopt;
+    }
+    const auto c = tests::point_line_pairs::draw<S, 2>(random, numbers);
+    return finite(c.point) && finite(c.ray) ? std::optional(beside_line(c.point, c.ray)) : std::nullopt;
+  });
+  return file;
+}
+
+CaseFile point_plane() {
+  CaseFile file("point_plane");
+  const auto add = [&](const char* note, P3 p, Plane<double, 3> plane) {
+    file.add(note, beside_plane<double, 3>(p, plane));
+  };
+  add("in the plane", {1, 2, 2}, {{1, 2, 2}, -9});
+  add("an ulp before it", {1, 2, std::nextafter(2., 3.)}, {{1, 2, 2}, -9});
+  add("an ulp behind it", {std::nextafter(1., 0.), 2, 2}, {{1, 2, 2}, -9});
+  add("tenths that cancel", {.3, -.3, 0}, {{.1, .1, .1}, 0});
+  add("tenths that do not quite cancel", {.1, .2, -.3}, {{1, 1, 1}, 0});
+  add("products that overflow and cancel", {1e300, 1e300, 0}, {{1e300, -1e300, 0}, 0});
+  add("products that overflow and leave the least", {1e300, 1e300, 0}, {{1e300, -1e300, 0}, least});
+  add("products that vanish", {-1e-300, 0, 0}, {{1e-300, 0, 0}, 0});
+  add("far away", {1e8, 1e8, 1}, {{1, -1, 1e-8}, -1e-8});
+  add("a plane through the origin", {0, -0., 0}, {{1, 2, 3}, -0.});
+  by_numbers(file, 4, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
+    Plane<S, 3> plane = {bench::vector<S, 3>(random, numbers), bench::number<S>(random, numbers)};
+    const Point<S, 3> p = bench::vector<S, 3>(random, numbers);
+    if (random.one_in(2))
+      plane.d = -static_cast<S>(plane.normal.template cast<double>().dot(p.template cast<double>()));
+    if (!finite(plane) || plane.normal.isZero(0)) return {};
+    return beside_plane(p, plane);
   });
   return file;
 }

@@ -1,11 +1,13 @@
-// Rays against balls and boxes.
+// Rays against balls, boxes and capsules.
 
 #include "bench/oracle.h"
 #include "bench/ray_aabb/families.h"
 #include "bench/ray_aabb/oracle.h"
+#include "bench/ray_capsule/oracle.h"
 #include "bench/ray_obb/oracle.h"
 #include "bench/ray_sphere/families.h"
 #include "tests/cases/shapes.h"
+#include "tests/core/ray_capsule_pairs.h"
 #include "tests/core/ray_obb_pairs.h"
 
 namespace isect::cases {
@@ -46,6 +48,25 @@ Case ray_and_box(const Ray<S, N>& ray, const Aabb<S, N>& box) {
 template <class S, int N>
 Case ray_and_obb(const tests::ray_obb_pairs::Case<S, N>& c) {
   return {both(fields(c.ray), json(c.box)), stretch(c.ray, oracle::ray_obb(c.ray, c.box)), is_f32<S>};
+}
+template <class S, int N>
+Case ray_and_capsule(const Ray<S, N>& ray, const Capsule<S, N>& capsule) {
+  const Json in = both(fields(ray), fields(capsule));
+  if (!finite(ray) || !finite(capsule)) return policy(in, is_f32<S>);
+  const Json none = {{"hit", false}, {"t_in", nullptr}, {"t_out", nullptr}};
+  if (empty(ray.range) || empty(capsule)) return {in, none, is_f32<S>};
+  if (ray.direction.isZero(0)) {
+    const Rational d2 = oracle::distance2<N>(oracle::rational(ray.origin), oracle::stretch(capsule));
+    if (!oracle::at_most(d2, Rational(capsule.radius))) return {in, none, is_f32<S>};
+    return {in, {{"hit", true}, {"t_in", json(ray.range.lo)}, {"t_out", json(ray.range.hi)}}, is_f32<S>};
+  }
+  const oracle::LineInCapsule<N> line = oracle::line_in_capsule(ray, capsule);
+  if (!line.meets(cast<double>(ray.range))) return {in, none, is_f32<S>};
+  const auto end = [&](bool last) -> double {
+    const double t = last ? ray.range.hi : ray.range.lo;
+    return std::isfinite(t) && line.holds(Rational(t)) ? t : line.passes_at(last);
+  };
+  return {in, {{"hit", true}, {"t_in", json(end(false))}, {"t_out", json(end(true))}}, is_f32<S>};
 }
 
 }  // namespace
@@ -142,6 +163,65 @@ CaseFile ray_obb() {
     const auto c = tests::ray_obb_pairs::draw<S, 3>(random, numbers);
     if (!finite(c.ray) || !finite(c.box)) return {};
     return ray_and_obb(c);
+  });
+  return file;
+}
+
+CaseFile ray_capsule() {
+  CaseFile file("ray_capsule");
+  using P = Point<double, 3>;
+  const auto add = [&](const char* note, P origin, P direction, Capsule<double, 3> capsule,
+                       Interval<double> range = semi_infinite<double>) {
+    file.add(note, ray_and_capsule<double, 3>({origin, direction, range}, capsule));
+  };
+  const Capsule<double, 3> lying = {{-3, 0, 0}, {3, 0, 0}, 5}, slanted = {{-8, -6, 0}, {12, 9, 0}, 5};
+  const double less = std::nextafter(5., 0.);
+  add("in by an end, on 3, 4 and 5, and out by the side", {-8, -4, 0}, {1, 1, 0}, lying);
+  add("along the axis, through both ends", {-9, 0, 0}, {1, 0, 0}, lying);
+  add("along the axis, from within", {0, 0, 0}, {-2, 0, 0}, lying);
+  add("along the side, in touch", {-9, 3, 4}, {1, 0, 0}, lying);
+  add("along the side, an ulp beside it", {-9, 3, 4}, {1, 0, 0}, {lying.p, lying.q, less});
+  add("along the side of a slanted one", {-3, 4, 0}, {8, 6, 0}, slanted);
+  add("along the side of a slanted one, an ulp beside it", {-3, 4, 0}, {8, 6, 0}, {slanted.p, slanted.q, less});
+  add("across it, in touch with the side", {1, -9, 5}, {0, 2, 0}, lying);
+  add("across it, an ulp above the side", {1, -9, 5}, {0, 2, 0}, {lying.p, lying.q, less});
+  add("in touch with an end, on 3, 4 and 5", {6, 4, -9}, {0, 0, 1}, lying);
+  add("an ulp beside an end", {6, 4, -9}, {0, 0, 1}, {lying.p, lying.q, less});
+  add("where the side meets an end", {3, -9, 0}, {0, 1, 0}, lying);
+  add("in by the side just before it ends, out by the end", {0, 9, 0}, {1, -1, 0}, lying);
+  add("from an end to the other but beside the axis", {-9, 4, 1}, {4, -1, 0}, lying);
+  add("nearly along a long one", {-1e8, -1e-8, 0}, {1, 1e-16, 0}, {{-1e8, 0, 0}, {1e8, 0, 0}, 1});
+  add("nearly along the side of a long one, sinking in", {-1e8, 1.0000001, 0}, {1, -1e-15, 0},
+      {{-1e8, 0, 0}, {1e8, 0, 0}, 1});
+  add("a thin one far away", {0, 0, 0}, {.6, .8, 1e-9}, {{6e7, 8e7, -1}, {6e7, 8e7, 1}, 1e-8});
+  add("an axis without length", {-9, 4, 0}, {1, 0, 0}, {{1, 1, 0}, {1, 1, 0}, 5});
+  add("radius 0: a segment, crossed", {.1, .1, -1}, {0, 0, .3}, {{-.1, -.1, 0}, {.3, .3, 0}, 0});
+  add("radius 0: a segment, missed by the least", {.1, .1, -1}, {least, 0, .3}, {{-.1, -.1, 0}, {.3, .3, 0}, 0});
+  add("radius 0: along the segment", {-1, -1, 0}, {.1, .1, 0}, {{-.1, -.1, 0}, {.3, .3, 0}, 0});
+  add("a point on the ray", {-1, 0, 0}, {.1, 0, 0}, {{2, 0, 0}, {2, 0, 0}, 0});
+  add("no direction, on the side", {1, 3, 4}, {0, -0., 0}, lying, {-2, 7});
+  add("no direction, an ulp outside", {1, 3, 4}, {0, 0, 0}, {lying.p, lying.q, less});
+  add("behind", {9, 1, 0}, {1, 0, 0}, lying);
+  add("a line, behind its origin", {9, 1, 0}, {1, 0, 0}, lying, {-inf, inf});
+  add("a segment that ends on the side", {1, -9, 0}, {0, 4, 0}, lying, {0, 1});
+  add("a segment that ends an ulp before the side", {1, -9, 0}, {0, 4, 0}, lying, {0, std::nextafter(1., 0.)});
+  add("a segment within", {-1, 0, 0}, {2, 1, 0}, lying, {0, 1});
+  add("an empty range", {1, -9, 0}, {0, 4, 0}, lying, {3, 2});
+  add("an empty capsule", {1, -9, 0}, {0, 4, 0}, {lying.p, lying.q, -1});
+  add("a direction whose square vanishes", {1, -9, 0}, {0, 1e-300, 0}, lying);
+  add("a direction whose square overflows", {1, -9, 0}, {0, 1e300, 0}, lying);
+  add("sizes of 1e300", {1e300, -9e300, 0}, {0, 1, 0}, {{-3e300, 0, 0}, {3e300, 0, 0}, 5e300});
+  add("sizes of 1e-300", {1e-300, -9e-300, 0}, {0, 1, 0}, {{-3e-300, 0, 0}, {3e-300, 0, 0}, 5e-300});
+  add("1e-300 beside 1e300", {-1e300, 1e-300, 0}, {1e300, 0, 0}, {{0, 0, 0}, {1, 0, 0}, 1e-300});
+  add("a radius that is not finite", {1, -9, 0}, {0, 4, 0}, {lying.p, lying.q, inf});
+  by_numbers(file, 5, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
+    const bool flat = random.one_in(3);
+    const auto ask = [&]<int N>() -> std::optional<Case> {
+      const auto c = tests::ray_capsule_pairs::draw<S, N>(random, numbers, random.one_in(2));
+      if (!finite(c.ray) || !finite(c.capsule)) return {};
+      return ray_and_capsule(c.ray, c.capsule);
+    };
+    return flat ? ask.template operator()<2>() : ask.template operator()<3>();
   });
   return file;
 }

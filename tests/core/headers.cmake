@@ -23,6 +23,7 @@ set(tested_by
   overlapping_pairs=all_pairs
   overlapping_pairs_corners=all_pairs
   overlapping_pairs_level=all_pairs
+  place=first_place
   point_polygon_fast=point_polygon
   point_segment=sphere_capsule
   predicate=bounded
@@ -32,8 +33,10 @@ set(tested_by
   ray_range=ray_plane
   ray_sphere_roots=ray_sphere
   ray_sphere_settle=ray_sphere
+  root=ray_capsule
   slabs=ray_aabb
   sphere_half_spaces=half_spaces
+  straight=ray_capsule
   triangle_aabb_first_pass=triangle_aabb
   triangle_aabb_methods=triangle_aabb
   triangle_half_spaces=half_spaces

@@ -2,9 +2,11 @@
 
 #include <isect/capsule_capsule.h>
 #include "bench/capsule_capsule/oracle.h"
+#include "bench/ray_capsule/oracle.h"
 #include "bench/sphere_capsule/families.h"
 #include "tests/catch.h"
 #include "tests/core/motion.h"
+#include "tests/core/ray_capsule_pairs.h"
 #include "tests/settings.h"
 
 namespace ray_capsule_test {
@@ -182,6 +184,142 @@ TEMPLATE_TEST_CASE_SIG("ray and capsule: verdicts are those of rational arithmet
   CHECK(hits > 2000);
   CHECK(misses > 2000);
   CHECK(touches > 40);
+}
+
+TEMPLATE_TEST_CASE_SIG("the part of a ray in a capsule, by its side and by its ends", "[ray_capsule]",
+                       FLOATS_AND_DIMENSIONS) {
+  const Capsule<S, N> c = lying<S, N>(2);
+  const auto part = [&](const Ray<S, N>& line, const Capsule<S, N>& capsule) {
+    const auto found = intersect(line, capsule);
+    CHECK(intersect(line, Capsule<S, N>{capsule.q, capsule.p, capsule.radius}) == found);
+    CHECK(first_hit(line, capsule) == (found ? std::optional(found->lo) : std::nullopt));
+    return found;
+  };
+  using Part = Interval<S>;
+  CHECK(part(ray<S, N>(1, 5, 0, -1), c) == Part{3, 7});                // through both sides
+  CHECK(part(ray<S, N>(1, 5, 0, -1, 4, 6), c) == Part{4, 6});          // all of it within
+  CHECK(part(ray<S, N>(1, 5, 0, -1, -inf), c) == Part{3, 7});          // the line
+  CHECK(part(ray<S, N>(1, 0, 0, -4), c) == Part{0, S(0.5)});           // from within, in units of the direction
+  CHECK(part(ray<S, N>(-9, 0, 1, 0), c) == Part{4, 14});               // through both ends
+  CHECK(part(ray<S, N>(9, 0, -1, 0), c) == Part{4, 14});               // and turned round
+  CHECK(part(ray<S, N>(-9, 2, 1, 0), c) == Part{6, 12});               // along the side
+  CHECK(part(ray<S, N>(5, -9, 0, 1), c) == Part{9, 9});                // tangent to an end
+  CHECK(part(ray<S, N>(3, -9, 0, 1), c) == Part{7, 11});               // where side and end meet
+  CHECK(part(ray<S, N>(-8, -4, 1, 1), lying<S, N>(5)) == Part{1, 9});  // in by an end, on 3, 4, 5; out by the side
+  CHECK(part(ray<S, N>(1, 5, 0, -1), lying<S, N>(0)) == Part{5, 5});   // a segment
+  CHECK(part(ray<S, N>(-9, 0, 1, 0), lying<S, N>(0)) == Part{6, 12});  // along it
+  const Capsule<S, N> ball = {at<S, N>(1, 1), at<S, N>(1, 1), S(5)};
+  CHECK(part(ray<S, N>(-9, 4, 1, 0), ball) == Part{6, 14});
+  CHECK(part(ray<S, N>(-9, 1, 1, 0), Capsule<S, N>{ball.p, ball.q, S(0)}) == Part{10, 10});  // a point
+  CHECK(part(ray<S, N>(1, 2, 0, 0, -3, 8), c) == Part{-3, 8});                               // no direction
+  CHECK_FALSE(part(ray<S, N>(1, 3, 0, 0, -3, 8), c));
+  CHECK_FALSE(part(ray<S, N>(1, 5, 0, -1, 8), c));
+  CHECK_FALSE(part(ray<S, N>(1, 5, 0, -1, 0, S(2.5)), c));
+  CHECK_FALSE(part(ray<S, N>(1, 5, 0, -1, 6, 5), c));
+  CHECK_FALSE(part(ray<S, N>(1, 5, 0, -1, nan_), c));
+  for (const double bad : {nan_, inf, -1.0}) CHECK_FALSE(part(ray<S, N>(1, 5, 0, -1), lying<S, N>(bad)));
+}
+
+TEMPLATE_TEST_CASE_SIG("a segment keeps both its ends as it enters a capsule", "[ray_capsule]", FLOATS_AND_DIMENSIONS) {
+  // q - p is rounded in S: as a ray it would end a hair before or behind q
+  const Segment<S, N> segment = {at<S, N>(1e8, 0), at<S, N>(1 / 3., 0)};
+  const Capsule<S, N> touched = {at<S, N>(0, 0), at<S, N>(-1, 0), S(1 / 3.)};
+  CHECK(intersect(segment, touched) == Interval<S>{1, 1});
+  CHECK(intersects(segment, touched));
+  CHECK_FALSE(intersects(segment, Capsule<S, N>{touched.p, touched.q, std::nextafter(S(1 / 3.), S(0))}));
+  CHECK_FALSE(first_hit(segment, Capsule<S, N>{touched.p, touched.q, std::nextafter(S(1 / 3.), S(0))}));
+  const Segment<S, N> point = {at<S, N>(1, 2), at<S, N>(1, 2)};
+  CHECK(intersect(point, lying<S, N>(2)) == Interval<S>{0, 1});
+  CHECK_FALSE(intersect(point, lying<S, N>(1)));
+  CHECK_FALSE(intersect(Segment<S, N>{at<S, N>(nan_, 0), at<S, N>(0, 0)}, lying<S, N>(1)));
+}
+
+TEST_CASE("ray and capsule: the events tell by which piece a line enters and leaves", "[ray_capsule]") {
+  using namespace ray_capsule;
+  const auto told = [](const Ray<double, 3>& line) {
+    Record<Event> record;
+    intersect(line, {{-3, 0, 0}, {3, 0, 0}, 2}, record);
+    std::vector<Piece> pieces;
+    for (const Event& event : record.events)
+      if (const auto* passage = std::get_if<Passage>(&event)) pieces.push_back(passage->through);
+    return pieces;
+  };
+  using Pieces = std::vector<Piece>;
+  CHECK(told({{-9, 0, 0}, {1, 0, 0}}) == Pieces{Piece::p, Piece::q});
+  CHECK(told({{9, 1, 1}, {-1, 0, 0}}) == Pieces{Piece::q, Piece::p});
+  CHECK(told({{1, 9, 0}, {0, -1, 0}}) == Pieces{Piece::side, Piece::side});
+  CHECK(told({{0, 9, 0}, {1, -3, 0}}) == Pieces{Piece::side, Piece::q});
+  CHECK(told({{-9, -9, 1}, {1, 1, 0}}) == Pieces{Piece::side, Piece::side});
+  CHECK(told({{-9, 3, 0}, {3, -1, 0}}) == Pieces{Piece::p, Piece::q});
+  CHECK(told({{-9, -4, 0}, {2, 1, 0}}) == Pieces{Piece::p, Piece::side});
+  CHECK(told({{4, -9, 0}, {0, 1, 0}}) == Pieces{Piece::q, Piece::q});
+  CHECK(told({{0, 0, 0}, {0, 1, 0}}) == Pieces{Piece::side});  // from within
+}
+
+TEMPLATE_TEST_CASE_SIG("ray and capsule: where the line enters and leaves is what rational arithmetic says",
+                       "[ray_capsule]", FLOATS_AND_DIMENSIONS) {
+  using namespace tests::ray_capsule_pairs;
+  std::array<int, 3> entered = {};
+  int hits = 0, misses = 0, from_within = 0, touches = 0;
+  for (const Numbers numbers : bench::all_numbers_and_ends) {
+    Random random(tests::seed() + static_cast<int>(numbers));
+    for (int i = 0; i < tests::cases(600, 60000); ++i) {
+      INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
+      const Case<S, N> c = draw<S, N>(random, numbers, i % 2 == 0);
+      if (!finite(c.ray) || !finite(c.capsule) || c.ray.direction.isZero(0) || empty(c.ray.range)) continue;
+      const oracle::LineInCapsule<N> truth = oracle::line_in_capsule(c.ray, c.capsule);
+      const Interval<double> range = cast<double>(c.ray.range);
+      const auto part = intersect(c.ray, c.capsule);
+      REQUIRE(part.has_value() == (c.capsule.radius >= 0 && truth.meets(range)));
+      REQUIRE(first_hit(c.ray, c.capsule) == (part ? std::optional(part->lo) : std::nullopt));
+      REQUIRE(intersects(c.ray, c.capsule) == part.has_value());
+      Record<ray_capsule::Event> record;
+      REQUIRE(intersect(c.ray, c.capsule, record) == part);
+      (part ? hits : misses) += 1;
+      if (!part) continue;
+      REQUIRE((range.lo <= part->lo && part->lo <= part->hi && part->hi <= range.hi));
+      for (const bool last : {false, true}) {
+        const S end = last ? c.ray.range.hi : c.ray.range.lo, t = last ? part->hi : part->lo;
+        const bool within = std::isfinite(end) && truth.holds(Rational(end));
+        REQUIRE((within ? t == end : truth.is_within(t, last, 0.6)));
+        from_within += within;
+      }
+      touches += part->lo == part->hi && range.lo < range.hi;
+      for (const ray_capsule::Event& event : record.events)
+        if (const auto* passage = std::get_if<ray_capsule::Passage>(&event))
+          ++entered[static_cast<std::size_t>(passage->through)];
+    }
+  }
+  for (const int often : entered) CHECK(often > 100);
+  for (const int often : {hits, misses, from_within}) CHECK(often > 500);
+  CHECK(touches > 40);
+}
+
+TEMPLATE_TEST_CASE_SIG("segment and capsule: both ends as given, as rational arithmetic says", "[ray_capsule]",
+                       FLOATS_AND_DIMENSIONS) {
+  using namespace tests::ray_capsule_pairs;
+  int hits = 0, misses = 0;
+  for (const Numbers numbers : bench::all_numbers_and_ends) {
+    Random random(tests::seed() + 50 + static_cast<int>(numbers));
+    for (int i = 0; i < tests::cases(300, 30000); ++i) {
+      INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
+      const Capsule<S, N> capsule = bench::capsule<S, N>(random, numbers);
+      const Segment<S, N> segment = {bench::vector<S, N>(random, numbers),
+                                     random.one_in(4) ? capsule.q : bench::vector<S, N>(random, numbers)};
+      if (segment.p == segment.q) continue;
+      const oracle::LineInCapsule<N> truth = oracle::line_in_capsule(segment, capsule);
+      const auto part = intersect(segment, capsule);
+      REQUIRE(part.has_value() == (capsule.radius >= 0 && truth.meets({0, 1})));
+      REQUIRE(intersects(segment, capsule) == part.has_value());
+      REQUIRE(intersects(Capsule<S, N>{segment.p, segment.q, S(0)}, capsule) == part.has_value());
+      REQUIRE(first_hit(segment, capsule) == (part ? std::optional(part->lo) : std::nullopt));
+      (part ? hits : misses) += 1;
+      if (!part) continue;
+      REQUIRE((truth.holds(0) ? part->lo == 0 : truth.is_within(part->lo, false, 0.6)));
+      REQUIRE((truth.holds(1) ? part->hi == 1 : truth.is_within(part->hi, true, 0.6)));
+    }
+  }
+  for (const int often : {hits, misses}) CHECK(often > 300);
 }
 
 }  // namespace ray_capsule_test

@@ -75,12 +75,18 @@ const std::vector<KindSpec>& specs() {
       {"obb_obb", 3, 3, {{"a", obb}, {"b", obb}}},
       {"kdop_kdop", 2, 3, {{"normals", normals}, {"a", slabs}, {"b", slabs}}},
       {"ray_obb", 3, 3, {{"origin", point}, {"dir", direction}, {"", obb}}},
+      {"ray_capsule", 2, 3, {{"origin", point}, {"dir", direction}, {"p", point}, {"q", point}, {"r", length}}},
+      {"ray_outline", 2, 2, {{"origin", point}, {"dir", direction}, {"rings", rings}}},
+      {"line_triangle", 3, 3, {{"origin", point}, {"dir", direction}, {"tri", polygon}}},
       {"segment_segment", 2, 2, {{"a", segment}, {"b", segment}}},
       {"polygon_polygon", 2, 2, {{"a", rings}, {"b", rings}}},
       {"segment_polygon", 2, 2, {{"segment", segment}, {"rings", rings}}},
       {"point_box", 2, 3, {{"point", point}, {"lo", point}, {"hi", point}}},
       {"point_sphere", 2, 3, {{"point", point}, {"center", point}, {"radius", length}}},
       {"point_obb", 3, 3, {{"point", point}, {"", obb}}},
+      {"point_capsule", 2, 3, {{"point", point}, {"p", point}, {"q", point}, {"r", length}}},
+      {"point_line", 2, 3, {{"point", point}, {"origin", point}, {"dir", direction}}},
+      {"point_plane", 2, 3, {{"point", point}, {"normal", direction}, {"d", length}}},
       {"plane_sphere", 3, 3, {{"normal", direction}, {"d", length}, {"center", point}, {"radius", length}}},
       {"plane_box", 3, 3, {{"normal", direction}, {"d", length}, {"lo", point}, {"hi", point}}},
       {"triangle_box", 3, 3, {{"tri", polygon}, {"lo", point}, {"hi", point}}},
@@ -112,7 +118,8 @@ Json field(Source& source, Form form, int n, const char* kind) {
     case Form::normals:
       return points(source, slab_count, n);
     case Form::polygon:
-      return points(source, kind == std::string("triangle_box") ? 3 : source.below(7), n);
+      return points(
+          source, kind == std::string("triangle_box") || kind == std::string("line_triangle") ? 3 : source.below(7), n);
     case Form::rings: {
       Json rings = Json::array();
       for (int i = source.below(3); i >= 0; --i) rings.push_back(points(source, source.below(9), n));
