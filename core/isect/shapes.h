@@ -12,11 +12,14 @@
 
 namespace isect {
 
+/// The scalars for which error bounds are proved; isect/numbers/counted.h adds those that count their operations.
+template <class S>
+inline constexpr bool has_bounds = std::is_same_v<S, float> || std::is_same_v<S, double>;
+
 /// Fails to compile for a scalar S that is neither float nor double.
 template <class S>
 constexpr bool is_scalar() {
-  static_assert(std::is_same_v<S, float> || std::is_same_v<S, double>,
-                "isect: a scalar is float or double; no error bound is proved for any other");
+  static_assert(has_bounds<S>, "isect: a scalar is float or double; no error bound is proved for any other");
   return true;
 }
 

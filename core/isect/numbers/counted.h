@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include <isect/shapes.h>
+
 namespace isect {
 
 struct Tally {
@@ -38,6 +40,9 @@ struct Counted {
   friend bool operator>=(const Counted& x, const Counted& y) { return y <= x; }
   friend bool operator==(const Counted& x, const Counted& y) { return ++tally().compare, x.value == y.value; }
 };
+
+template <class S>
+inline constexpr bool has_bounds<Counted<S>> = has_bounds<S>;
 
 /// Asked at the doors of algorithms, and no step of theirs: not counted.
 template <class S, int N, int M>
