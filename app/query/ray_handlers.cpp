@@ -184,12 +184,6 @@ Json ray_capsule(Job& job) {
 }
 
 template <class S>
-Segment<S, 2> segment(const Field& field) {
-  const auto [p, q] = field.list_of<2>();
-  return {vector<S, 2>(p), vector<S, 2>(q)};
-}
-
-template <class S>
 Json segment_segment(Job& job) {
   const Segment<S, 2> a = segment<S>(job.fields["a"]), b = segment<S>(job.fields["b"]);
   if (job.variant == "parametric") {
