@@ -17,6 +17,7 @@ set(tested_by
   index_pair=all_pairs
   inequalities=half_spaces
   instruction_set=batch
+  mesh_surface=mesh_mesh
   obb_obb_axes=obb_obb
   obb_obb_first_pass=obb_obb
   obb_obb_methods=obb_obb

@@ -1,0 +1,104 @@
+#pragma once
+// The solid that a closed mesh bounds, against a ball, a capsule, a box, an oriented box or a hull.
+//
+// Where no triangle has a point inside the convex body, the body's inside lies wholly in the solid or wholly out of it,
+// and any point of it tells which. Where one has, the solid's inside and the body's meet, and the body is not held. The
+// solid is held where all corners of its triangles are. Source: as in isect/point_mesh.h.
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include <isect/mesh_mesh.h>
+#include <isect/point_aabb.h>
+#include <isect/point_capsule.h>
+#include <isect/point_obb.h>
+#include <isect/point_sphere.h>
+#include <isect/sphere_triangle.h>
+#include <isect/triangle_aabb.h>
+
+namespace isect {
+
+namespace mesh_convex::detail {
+
+using mesh_surface::Corners;
+using mesh_surface::Point3;
+using mesh_surface::Surface;
+
+/// How the solid (A) lies to a body (B) that has a volume. `reach` of a triangle is -1 where it has a point inside the
+/// body, 0 where it touches it, else 1; `in` tells where a point lies; the mean of `inner` lies inside the body.
+template <class S, class Reach, class In>
+Relation relation(const TriangleMesh<S>& mesh, const Reach& reach, const In& in, const std::vector<Point3>& inner) {
+  const Surface surface(mesh);
+  int least = 1;
+  for (std::size_t i = 0; i < surface.triangles.size() && least >= 0; ++i)
+    least = std::min(least, reach(surface.triangles[i]));
+  const bool holds = least >= 0 && mesh_surface::locate(inner, surface) == Location::in;
+  const bool held = std::ranges::all_of(surface.triangles, [&](const Corners& x) {
+    return std::ranges::all_of(x.vertices, [&](const Point3& v) { return in(v) != Location::out; });
+  });
+  if (held) return holds ? Relation::equal : Relation::a_inside_b;
+  if (holds) return Relation::b_inside_a;
+  return least < 0 ? Relation::overlapping : least == 0 ? Relation::touching : Relation::disjoint;
+}
+template <class S>
+Relation relation(const TriangleMesh<S>& mesh, const HalfSpaces& body, const std::vector<Point3>& inner) {
+  return relation(
+      mesh, [&](const Corners& x) { return -triangle_half_spaces::detail::common(x, body.faces, NoTrace()); },
+      [&](const Point3& p) { return isect::locate(p, body); }, inner);
+}
+
+}  // namespace mesh_convex::detail
+
+// How a solid (A) that a mesh bounds (see bounds_solid) lies to a convex body (B). Exact. The body has a volume, or is
+// a ball of radius 0; any other without one, or an empty mesh, NaN or an infinite coordinate: disjoint.
+
+template <class S>
+Relation relate(const TriangleMesh<S>& mesh, const Sphere<S, 3>& sphere) {
+  if (mesh.triangles.empty() || !finite(sphere) || !(sphere.radius >= 0)) return Relation::disjoint;
+  if (sphere.radius == 0)
+    return locate(sphere.center, mesh) == Location::out ? Relation::disjoint : Relation::b_inside_a;
+  const Sphere<double, 3> ball = cast<double>(sphere);
+  const auto reach = [&](const mesh_surface::Corners& x) {
+    return sphere_triangle::detail::compare(ball.center, ball.radius, x, NoTrace());
+  };
+  return mesh_convex::detail::relation(mesh, reach, [&](const Point<double, 3>& p) { return locate(p, ball); },
+                                       {ball.center});
+}
+
+template <class S>
+Relation relate(const TriangleMesh<S>& mesh, const Capsule<S, 3>& capsule) {
+  if (mesh.triangles.empty() || !finite(capsule) || !(capsule.radius > 0)) return Relation::disjoint;
+  const Capsule<double, 3> wide = cast<double>(capsule);
+  const auto reach = [&](const mesh_surface::Corners& x) {
+    return sphere_triangle::detail::compare(wide, x, NoTrace());
+  };
+  return mesh_convex::detail::relation(mesh, reach, [&](const Point<double, 3>& p) { return locate(p, wide); },
+                                       {wide.p});
+}
+
+template <class S>
+Relation relate(const TriangleMesh<S>& mesh, const Aabb<S, 3>& box) {
+  if (mesh.triangles.empty() || !finite(box) || !(box.lo.array() < box.hi.array()).all()) return Relation::disjoint;
+  const Aabb<double, 3> wide = cast<double>(box);
+  const auto reach = [&](const mesh_surface::Corners& x) { return triangle_aabb::detail::outer(x, wide, NoTrace()); };
+  return mesh_convex::detail::relation(mesh, reach, [&](const Point<double, 3>& p) { return locate(p, wide); },
+                                       {wide.lo, wide.hi});
+}
+
+template <class S>
+Relation relate(const TriangleMesh<S>& mesh, const Obb<S, 3>& box) {
+  const HalfSpaces body = half_spaces_of(box);
+  if (mesh.triangles.empty() || !half_spaces::detail::has_interior(body.faces, NoTrace())) return Relation::disjoint;
+  return mesh_convex::detail::relation(mesh, body, {box.center.template cast<double>()});
+}
+
+template <class S>
+Relation relate(const TriangleMesh<S>& mesh, const Hull3<S>& hull) {
+  if (mesh.triangles.empty() || hull.dimension < 3) return Relation::disjoint;
+  std::vector<Point<double, 3>> inner;
+  for (const Point<S, 3>& v : hull.vertices) inner.push_back(v.template cast<double>());
+  return mesh_convex::detail::relation(mesh, half_spaces_of(hull), inner);
+}
+
+}  // namespace isect

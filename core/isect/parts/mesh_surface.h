@@ -1,0 +1,152 @@
+#pragma once
+// The surface of a solid: the triangles of a closed mesh, which of them meet at an edge, and on which side of each the
+// solid lies. What isect/mesh_mesh.h and isect/mesh_convex.h ask of it.
+//
+// The solid is what the even-odd rule says, so the mesh may be turned inside out, in part, too. Triangles at an edge of
+// two lie to the solid alike, or, where they run along the edge in the same direction, the other way round. So one ray
+// a connected part of the surface settles all of its triangles.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <isect/bvh_pairs.h>
+#include <isect/orient.h>
+#include <isect/triangle_mesh.h>
+
+namespace isect::mesh_surface {
+
+using Point3 = Point<double, 3>;
+using Corners = Triangle<double, 3>;
+
+/// The mean of some points: n times the way from it to x, nowhere rounded.
+template <Filtered W>
+Components<W, 3> from_mean(std::span<const Point3> points, const Point3& x) {
+  Components<W, 3> sum = difference<W>(x, points[0]);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Components<W, 3> way = difference<W>(x, points[i]);
+    for (std::size_t k = 0; k < 3; ++k) sum[k] = sum[k] + way[k];
+  }
+  return sum;
+}
+
+/// How the ray from the points' mean along `direction` lies to a triangle.
+enum class Pierced {
+  no,
+  yes,
+  at_origin,  ///< the mean lies in the triangle
+  unclear     ///< the ray's line meets an edge or lies in the triangle's plane
+};
+
+/// As ray_triangle.h has it, by the signs of volumes.
+inline Pierced pierced(std::span<const Point3> points, const Vector<double, 3>& direction, const Corners& x) {
+  const auto to = [&]<class W>(std::size_t i) { return from_mean<W>(points, x.vertices[i % 3]); };
+  bool positive = false, negative = false, zero = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int side = sign_of_long([&]<class W>() -> W {
+      return dot(exactly<W>(direction), cross(to.template operator()<W>(i), to.template operator()<W>(i + 1)));
+    });
+    (side > 0 ? positive : side < 0 ? negative : zero) = true;
+  }
+  if (positive && negative) return Pierced::no;
+  const int height = sign_of_long([&]<class W>() -> W {
+    return dot(to.template operator()<W>(0), cross(to.template operator()<W>(1), to.template operator()<W>(2)));
+  });
+  if (!positive && !negative) return height == 0 ? Pierced::unclear : Pierced::no;  // in its plane, or parallel to it
+  if (height == 0) return Pierced::at_origin;
+  if ((height > 0) != positive) return Pierced::no;  // behind
+  return zero ? Pierced::unclear : Pierced::yes;
+}
+
+/// The triangles of a mesh.
+struct Surface {
+  /// Side `side` of a triangle, from that corner to the next.
+  struct Side {
+    int triangle, side;
+  };
+
+  std::vector<Corners> triangles;
+  std::vector<Aabb<double, 3>> boxes;
+  Bvh<double, 3> tree;
+  std::vector<std::array<int, 3>> places;  ///< a number for each corner, equal where two corners are equal
+  std::vector<std::array<int, 3>> edges;   ///< the edge that each side is
+  std::vector<std::vector<Side>> at_edge;  ///< the sides that an edge is
+
+  template <class S>
+  explicit Surface(const TriangleMesh<S>& mesh) {
+    const std::vector<int> place = numbered(mesh.vertices);
+    std::vector<std::array<int, 4>> sides;  // both ends, the smaller first; triangle, side
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+      triangles.push_back(cast<double>(triangle(mesh, t)));
+      const auto& [a, b, c] = triangles.back().vertices;
+      boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
+      places.push_back({});
+      for (std::size_t i = 0; i < 3; ++i) places.back()[i] = place[mesh.triangles[t][i]];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [lo, hi] = std::minmax(places.back()[i], places.back()[(i + 1) % 3]);
+        sides.push_back({lo, hi, t, static_cast<int>(i)});
+      }
+    }
+    tree = build_bvh(boxes);
+    std::ranges::sort(sides);
+    edges.resize(triangles.size());
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      const auto& [lo, hi, t, side] = sides[i];
+      if (i == 0 || lo != sides[i - 1][0] || hi != sides[i - 1][1]) at_edge.emplace_back();
+      edges[t][side] = static_cast<int>(at_edge.size()) - 1;
+      at_edge.back().push_back({t, side});
+    }
+  }
+
+  const Point3& corner(int t, int i) const { return triangles[t].vertices[static_cast<std::size_t>(i % 3)]; }
+  bool first_at_edge(int t, int side) const {
+    const Side& first = at_edge[edges[t][side]].front();
+    return first.triangle == t && first.side == side;
+  }
+
+ private:
+  /// A number for each point, the same for equal ones.
+  template <class S>
+  static std::vector<int> numbered(const std::vector<Point<S, 3>>& points) {
+    std::vector<int> order(points.size()), number(points.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto less = [&](int i, int j) {
+      return std::lexicographical_compare(points[i].begin(), points[i].end(), points[j].begin(), points[j].end());
+    };
+    std::ranges::sort(order, less);
+    for (std::size_t i = 1; i < order.size(); ++i)
+      number[order[i]] = number[order[i - 1]] + (points[order[i]] == points[order[i - 1]] ? 0 : 1);
+    return number;
+  }
+};
+
+/// No plane holds more than two of them, whatever point it passes through: all but finitely many meet no edge.
+inline Vector<double, 3> direction(int k) { return {1, double(k), double(k) * k}; }
+
+/// Where the mean of some points lies, by the ray of that direction, whose components are positive; nothing where that
+/// says nothing. The triangle `except` does not count.
+inline std::optional<Location> located(std::span<const Point3> points, const Vector<double, 3>& direction,
+                                       const Surface& surface, int except = -1) {
+  Point3 least = points[0];
+  for (const Point3& p : points) least = least.cwiseMin(p);
+  bool inside = false;
+  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+    if (t == except || (surface.boxes[t].hi.array() < least.array()).any()) continue;  // behind
+    const Pierced found = pierced(points, direction, surface.triangles[t]);
+    if (found == Pierced::at_origin) return Location::on;
+    if (found == Pierced::unclear) return {};
+    inside ^= found == Pierced::yes;
+  }
+  return inside ? Location::in : Location::out;
+}
+inline Location locate(std::span<const Point3> points, const Surface& surface) {
+  for (int k = 3;; ++k)
+    if (const std::optional<Location> found = located(points, direction(k), surface)) return *found;
+}
+
+}  // namespace isect::mesh_surface
