@@ -1,5 +1,5 @@
 #pragma once
-// A ray through a hierarchy of boxes: the closest hit, or any.
+// A ray through a hierarchy of boxes: the closest hit, any, or all.
 //
 // Of two children the nearer one is visited first. Once a hit at t is known, nodes that the ray enters beyond t are
 // pruned unseen. A box test that rounds the wrong way would lose hits, so this one never says no to a box that the
@@ -10,6 +10,7 @@
 #include <cmath>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include <isect/bvh.h>
 #include <isect/ray_aabb.h>
@@ -200,6 +201,21 @@ bool any_hit(const Bvh<S, N>& bvh, const Ray<S, N>& ray, const Hit& hit, Trace&&
     }
   }
   return false;
+}
+
+/// All hits of the ray among the primitives, each its first, by rising t, and by index among those with one t. hit and
+/// the doors are closest_hit's.
+template <class S, int N, class Hit, class Trace = NoTrace>
+std::vector<BvhHit<S>> all_hits(const Bvh<S, N>& bvh, const Ray<S, N>& ray, const Hit& hit, Trace&& trace = {}) {
+  std::vector<BvhHit<S>> hits;
+  const auto collect = [&](int primitive) -> std::optional<S> {
+    if (const std::optional<S> t = hit(primitive)) hits.push_back({*t, primitive});
+    return {};  // and go on
+  };
+  any_hit(bvh, ray, collect, trace);
+  std::ranges::sort(
+      hits, [](const BvhHit<S>& x, const BvhHit<S>& y) { return x.t != y.t ? x.t < y.t : x.primitive < y.primitive; });
+  return hits;
 }
 
 }  // namespace isect

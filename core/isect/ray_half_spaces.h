@@ -100,4 +100,26 @@ std::optional<Interval<S>> intersect(const Segment<S, N>& segment, const HalfSpa
   return ray_half_spaces::detail::clip<S>(p, direction, {S(0), S(1)}, solid, trace);
 }
 
+/// Whether a ray, or a segment with both ends as given, has a point in the solid. Exact.
+template <class S, int N>
+bool intersects(const Ray<S, N>& ray, const HalfSpaces& solid) {
+  return intersect(ray, solid).has_value();
+}
+template <class S, int N>
+bool intersects(const Segment<S, N>& segment, const HalfSpaces& solid) {
+  return intersect(segment, solid).has_value();
+}
+
+/// The least t in the solid: the first of what `intersect` finds.
+template <class S, int N>
+std::optional<S> first_hit(const Ray<S, N>& ray, const HalfSpaces& solid) {
+  const std::optional<Interval<S>> part = intersect(ray, solid);
+  return part ? std::optional<S>(part->lo) : std::nullopt;
+}
+template <class S, int N>
+std::optional<S> first_hit(const Segment<S, N>& segment, const HalfSpaces& solid) {
+  const std::optional<Interval<S>> part = intersect(segment, solid);
+  return part ? std::optional<S>(part->lo) : std::nullopt;
+}
+
 }  // namespace isect

@@ -250,4 +250,11 @@ bool intersects(const Ray<S, N>& ray, const Obb<S, N>& box, Trace&& trace = {}) 
   return intersect(ray, box, trace).has_value();
 }
 
+/// The least t of the range at which the ray is in the box.
+template <class S, int N>
+std::optional<S> first_hit(const Ray<S, N>& ray, const Obb<S, N>& box) {
+  const std::optional<Interval<S>> part = intersect(ray, box);
+  return part ? std::optional<S>(part->lo) : std::nullopt;
+}
+
 }  // namespace isect

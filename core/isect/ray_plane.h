@@ -129,4 +129,28 @@ RayPlane<S> intersect(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace&& tr
   return with_values_first<S>([&](auto& pass) { return ray_plane::detail::meet(ray, plane, pass); }, trace);
 }
 
+/// Whether ray and plane have a common point: what `intersect` says, by the signs of a height and a heading, and at an
+/// end of the range. Nothing is divided.
+template <class S, int N, class Trace = NoTrace>
+bool intersects(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace&& trace = {}) {
+  if (!finite(ray) || !finite(plane) || plane.normal.isZero(0) || !ray_range::has_points(ray.range)) return false;
+  const Ray<double, N>& wide = in_doubles(ray);
+  const Plane<double, N>& wall = in_doubles(plane);
+  return in_doubles_first(
+      [&](auto& pass) {
+        const auto t = [&]<class W>() -> Ratio<W> { return ray_plane::detail::parameter<W>(wide, wall); };
+        const int heading = sign_of([&]<class W>() -> W { return t.template operator()<W>().den; }, pass);
+        if (heading == 0) return sign_of([&]<class W>() -> W { return t.template operator()<W>().num; }, pass) == 0;
+        return ray_range::holds(wide.range, t, heading, pass);
+      },
+      trace);
+}
+
+/// The least t of the ray's range at which it meets the plane: its lower end where it lies in there.
+template <class S, int N>
+std::optional<S> first_hit(const Ray<S, N>& ray, const Plane<S, N>& plane) {
+  const RayPlane<S> answer = intersect(ray, plane);
+  return answer.coplanar && answer.meets ? ray.range.lo : answer.t;
+}
+
 }  // namespace isect

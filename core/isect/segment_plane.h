@@ -64,4 +64,23 @@ RayPlane<S> intersect(const Segment<S, N>& segment, const Plane<S, N>& plane, Tr
       trace);
 }
 
+/// Whether the segment has a point in the plane: by the signs of its ends' heights alone.
+template <class S, int N, class Trace = NoTrace>
+bool intersects(const Segment<S, N>& segment, const Plane<S, N>& plane, Trace&& trace = {}) {
+  if (!finite(segment) || !finite(plane) || plane.normal.isZero(0)) return false;
+  const Plane<double, N>& wall = in_doubles(plane);
+  const auto height = [&](const Point<S, N>& x) {
+    return sign_of([&]<class W>() -> W { return plane_sphere::detail::height<W, N>(wall, x.template cast<double>()); },
+                   trace);
+  };
+  return height(segment.p) * height(segment.q) <= 0;
+}
+
+/// The least t of [0, 1] at which the segment is in the plane: 0 where it lies in there.
+template <class S, int N>
+std::optional<S> first_hit(const Segment<S, N>& segment, const Plane<S, N>& plane) {
+  const RayPlane<S> answer = intersect(segment, plane);
+  return answer.coplanar ? S(0) : answer.t;
+}
+
 }  // namespace isect

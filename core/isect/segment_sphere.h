@@ -82,4 +82,17 @@ RaySphere<S> intersect(const Segment<S, N>& segment, const Sphere<S, N>& sphere,
       trace);
 }
 
+/// Whether the segment has a point in the ball: by signs alone. Exact.
+template <class S, int N, class Trace = NoTrace>
+bool intersects(const Segment<S, N>& segment, const Sphere<S, N>& sphere, Trace&& trace = {}) {
+  return intersects(segment, Capsule<S, N>{sphere.center, sphere.center, sphere.radius}, trace);
+}
+
+/// The least t of [0, 1] at which the segment is in the ball.
+template <class S, int N>
+std::optional<S> first_hit(const Segment<S, N>& segment, const Sphere<S, N>& sphere) {
+  const RaySphere<S> answer = intersect(segment, sphere);
+  return answer.solid ? std::optional<S>(answer.solid->lo) : std::nullopt;
+}
+
 }  // namespace isect

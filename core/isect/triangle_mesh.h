@@ -94,4 +94,16 @@ bool any_hit(const Bvh<S, 3>& bvh, const TriangleMesh<S>& mesh, const Ray<S, 3>&
   return any_hit(bvh, ray, hit, trace);
 }
 
+/// All triangles of the mesh that the ray meets, by rising t, and by index among those with one t: where its rounded t
+/// are the same, at an edge, say. Else as closest_hit.
+template <class S, class Trace = NoTrace>
+std::vector<BvhHit<S>> all_hits(const Bvh<S, 3>& bvh, const TriangleMesh<S>& mesh, const Ray<S, 3>& ray,
+                                Trace&& trace = {}) {
+  const auto hit = [&](int index) -> std::optional<S> {
+    const Triangle<S, 3> x = triangle(mesh, index);
+    return finite(ray) && finite(x) ? triangle_mesh::detail::first_t(ray, x, 0) : std::nullopt;
+  };
+  return all_hits(bvh, ray, hit, trace);
+}
+
 }  // namespace isect

@@ -358,6 +358,8 @@ TEST_CASE("the part of a ray in a solid is that of its clipping", "[half_spaces]
     const Segment<double, 3> segment = {draw.vector(6), draw.vector(6)};
     const auto truth = oracle::part(oracle::rational(segment.p), oracle::rational(segment.q), s.sides);
     const auto found = intersect(segment, s.core);
+    REQUIRE(intersects(segment, s.core) == found.has_value());
+    REQUIRE(first_hit(segment, s.core) == (found ? std::optional<double>(found->lo) : std::nullopt));
     CAPTURE(round, draw.whole);
     REQUIRE(found.has_value() == truth.has_value());
     if (!found) return;

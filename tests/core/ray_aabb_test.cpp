@@ -189,6 +189,7 @@ TEMPLATE_TEST_CASE_SIG("ray and box: every answer is that of rational arithmetic
       const Case<S, N> c = draw<S, N>(random, numbers);
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const std::optional<Interval<S>> t = intersect(c.ray, c.box);
+      REQUIRE(first_hit(c.ray, c.box) == (t ? std::optional<S>(t->lo) : std::nullopt));
       const auto expected = empty(c.ray.range) ? std::nullopt : oracle::ray_aabb(c.ray, c.box);
       REQUIRE(t.has_value() == expected.has_value());
       const bool may = may_intersect(c.ray, c.box);
@@ -241,6 +242,7 @@ TEMPLATE_TEST_CASE_SIG("ray and box: listening, mirroring, swapping axes, scalin
       const Case<S, N> c = draw<S, N>(random, numbers);
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const std::optional<Interval<S>> t = intersect(c.ray, c.box);
+      REQUIRE(first_hit(c.ray, c.box) == (t ? std::optional<S>(t->lo) : std::nullopt));
 
       Record<ray_aabb::Event> record;
       REQUIRE(intersect(c.ray, c.box, record) == t);

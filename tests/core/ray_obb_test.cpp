@@ -162,6 +162,7 @@ TEMPLATE_TEST_CASE_SIG("ray and OBB: every answer is that of rational arithmetic
       const Case<S, N> c = draw<S, N>(random, numbers);
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const std::optional<Interval<S>> t = intersect(c.ray, c.box);
+      REQUIRE(first_hit(c.ray, c.box) == (t ? std::optional<S>(t->lo) : std::nullopt));
       const auto expected = oracle::ray_obb(c.ray, c.box);
       REQUIRE(t.has_value() == expected.has_value());
       hits += t.has_value(), misses += !t;
@@ -230,6 +231,7 @@ TEMPLATE_TEST_CASE_SIG("ray and OBB: listening, mirroring, swapping axes, scalin
       const Case<S, N> c = draw<S, N>(random, numbers);
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const std::optional<Interval<S>> t = intersect(c.ray, c.box);
+      REQUIRE(first_hit(c.ray, c.box) == (t ? std::optional<S>(t->lo) : std::nullopt));
 
       Record<ray_obb::Event> record;
       REQUIRE(intersect(c.ray, c.box, record) == t);

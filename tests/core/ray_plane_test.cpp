@@ -181,6 +181,8 @@ TEMPLATE_TEST_CASE_SIG("ray and plane: every answer is that of rational arithmet
       if (c.plane.normal == Vector<S, N>::Zero()) continue;
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const RayPlane<S> r = intersect(c.ray, c.plane);
+      REQUIRE(intersects(c.ray, c.plane) == r.meets);
+      REQUIRE(first_hit(c.ray, c.plane) == (r.meets && r.coplanar ? c.ray.range.lo : r.t));
       const oracle::RayPlane t = oracle::ray_plane(c.ray, c.plane);
       REQUIRE(r.parallel == t.parallel);
       REQUIRE(r.coplanar == t.coplanar);
@@ -208,6 +210,8 @@ TEMPLATE_TEST_CASE_SIG("listening, mirroring, swapping axes and scaling change n
       const Case<S, N> c = draw<S, N>(random, numbers);
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const RayPlane<S> r = intersect(c.ray, c.plane);
+      REQUIRE(intersects(c.ray, c.plane) == r.meets);
+      REQUIRE(first_hit(c.ray, c.plane) == (r.meets && r.coplanar ? c.ray.range.lo : r.t));
 
       Record<ray_plane::Event<S>> record;
       REQUIRE(identical(intersect(c.ray, c.plane, record), r));

@@ -62,6 +62,8 @@ TEMPLATE_TEST_CASE_SIG("segment and plane: every answer is that of rational arit
       const Rational p = height(segment.p), q = height(segment.q);
       const RayPlane<S> found = intersect(segment, plane);
       REQUIRE(found.parallel == (p == q));
+      REQUIRE(intersects(segment, plane) == found.meets);
+      REQUIRE(first_hit(segment, plane) == (found.coplanar ? S(0) : found.t));
       REQUIRE(found.coplanar == (p == 0 && q == 0));
       REQUIRE(found.meets == (std::min(p, q) <= 0 && 0 <= std::max(p, q)));
       REQUIRE(found.line.has_value() == (p != q));

@@ -113,11 +113,16 @@ TEMPLATE_TEST_CASE("the closest hit on a mesh is the true one", "[triangle_mesh]
       const auto closest = closest_hit(bvh, mesh, ray);
       REQUIRE(closest == brute_force(mesh, ray));
       REQUIRE(any_hit(bvh, mesh, ray) == closest.has_value());
+      const std::vector<BvhHit<S>> all = all_hits(bvh, mesh, ray);
+      REQUIRE(all.empty() == !closest);
+      if (closest) REQUIRE(all.front() == *closest);
+      REQUIRE(std::ranges::is_sorted(all, {}, &BvhHit<S>::t));
 
       std::optional<Rational> least;
       int at_least = 0;
       for (int k = 0; k < static_cast<int>(mesh.triangles.size()); ++k) {
         const auto t = truth(ray, triangle(mesh, k));
+        REQUIRE(std::ranges::count(all, k, &BvhHit<S>::primitive) == (t ? 1 : 0));
         if (!t || (least && *t > *least)) continue;
         at_least = least && *t == *least ? at_least + 1 : 1;
         least = *t;
