@@ -13,6 +13,7 @@
 #include <isect/triangle_aabb.h>
 #include "app/query/events.h"
 #include "app/query/handlers.h"
+#include "app/query/results.h"
 
 namespace isect::query {
 
@@ -50,15 +51,6 @@ template <> struct EventNames<triangle_aabb::Axis> : Named<"Axis", "kind i j"> {
 
 namespace {
 
-/// Whether on every axis each begins before the other ends, as the suites that this answers to ask: of flat boxes, too,
-/// unless both are flat along one axis.
-template <class S, int N>
-bool share_more_than_a_face(const Aabb<S, N>& a, const Aabb<S, N>& b) {
-  return intersects(a, b) && (a.lo.array() < b.hi.array()).all() && (b.lo.array() < a.hi.array()).all();
-}
-
-bool contains_b(Relation r) { return r == Relation::equal || r == Relation::b_inside_a; }
-
 template <class S>
 Json box_box(Job& job) {
   return in_dimension(job.fields["alo"], [&]<int N>() -> Json {
@@ -67,28 +59,19 @@ Json box_box(Job& job) {
     if (job.variant == "by_axis")
       return {{"intersects", run<Event>(job, [&](auto&& trace) { return aabb_aabb::by_axis(a, b, trace); })}};
 
-    const Relation r = run<Event>(job, [&](auto&& trace) { return relate(a, b, trace); });
-    const Json result = {{"intersects", r != Relation::disjoint},
-                         {"interiors_intersect", share_more_than_a_face(a, b)},
-                         {"a_contains_b", contains_b(r)},
-                         {"b_contains_a", contains_b(reversed(r))},
-                         {"relation", name(r)}};
-    return telling_empty(telling_empty(result, a, "a"), b, "b");
+    return two_boxes(run<Event>(job, [&](auto&& trace) { return relate(a, b, trace); }), a, b);
   });
 }
 
-/// The relation with both kinds of tangency told apart.
+/// Whether one contains the other and touches its surface.
 template <class S, int N>
-std::string tangency(Relation r, const Sphere<S, N>& a, const Sphere<S, N>& b) {
-  if (r == Relation::touching) return "touch_outer";
-  const bool contains = r == Relation::a_inside_b || r == Relation::b_inside_a;
+bool touch_within(Relation r, const Sphere<S, N>& a, const Sphere<S, N>& b) {
+  if (r != Relation::a_inside_b && r != Relation::b_inside_a) return false;
   sphere_sphere::Decision signs = {};
   relate(a, b, [&](const auto& event) {
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(event)>, sphere_sphere::Decision>) signs = event;
   });
-  if (!contains || signs.inner != 0) return name(r);
-  if (a.radius == 0 || b.radius == 0) return "touch_inner";
-  return "touch_inner_" + name(r);
+  return signs.inner == 0;
 }
 
 template <class S>
@@ -101,7 +84,7 @@ Json sphere_sphere(Job& job) {
           {"intersects", run<Event>(job, [&](auto&& trace) { return sphere_sphere::squared_distance(a, b, trace); })}};
     }
     const Relation r = run<sphere_sphere::Event>(job, [&](auto&& trace) { return relate(a, b, trace); });
-    return {{"intersects", r != Relation::disjoint}, {"relation", tangency(r, a, b)}};
+    return two_balls(r, touch_within(r, a, b), a, b);
   });
 }
 
@@ -114,12 +97,7 @@ Json sphere_box(Job& job) {
     if (job.variant == "accumulate")
       return {{"intersects", run<Event>(job, [&](auto&& trace) { return sphere_aabb::accumulate(ball, b, trace); })}};
 
-    const Relation r = run<Event>(job, [&](auto&& trace) { return relate(ball, b, trace); });
-    return telling_empty({{"intersects", r != Relation::disjoint},
-                          {"relation", r == Relation::a_inside_b   ? "box_contains_sphere"
-                                       : r == Relation::b_inside_a ? "sphere_contains_box"
-                                                                   : name(r)}},
-                         b, "box");
+    return related(run<Event>(job, [&](auto&& trace) { return relate(ball, b, trace); }), "sphere", "box", b);
   });
 }
 
@@ -135,11 +113,8 @@ Json sphere_capsule(Job& job) {
       return {
           {"intersects", run<Event>(job, [&](auto&& trace) { return sphere_capsule::by_pythagoras(ball, c, trace); })}};
 
-    const Relation r = run<sphere_capsule::Event>(job, [&](auto&& trace) { return relate(ball, c, trace); });
-    return {{"intersects", r != Relation::disjoint},
-            {"relation", r == Relation::a_inside_b   ? "capsule_contains_sphere"
-                         : r == Relation::b_inside_a ? "sphere_contains_capsule"
-                                                     : name(r)}};
+    return related(run<sphere_capsule::Event>(job, [&](auto&& trace) { return relate(ball, c, trace); }), "sphere",
+                   "capsule");
   });
 }
 
@@ -152,8 +127,7 @@ Json capsule_capsule(Job& job) {
       using Event = capsule_capsule::MethodEvent<S, N>;
       return {{"intersects", run<Event>(job, [&](auto&& trace) { return capsule_capsule::clamped(a, b, trace); })}};
     }
-    const Relation r = run<capsule_capsule::Event>(job, [&](auto&& trace) { return relate(a, b, trace); });
-    return {{"intersects", r != Relation::disjoint}, {"relation", name(r)}};
+    return related(run<capsule_capsule::Event>(job, [&](auto&& trace) { return relate(a, b, trace); }));
   });
 }
 
@@ -162,9 +136,7 @@ Json obb_obb(Job& job) {
   for (const char* box : {"a", "b"}) job.fields[box].only(obb_fields);
   return in_dimension(job.fields["a"]["c"], [&]<int N>() -> Json {
     const Obb<S, N> a = obb<S, N>(job.fields["a"]), b = obb<S, N>(job.fields["b"]);
-    const Relation r = run<obb_obb::Event<N>>(job, [&](auto&& trace) { return relate(a, b, trace); });
-    return telling_empty(telling_empty({{"intersects", r != Relation::disjoint}, {"relation", name(r)}}, a, "a"), b,
-                         "b");
+    return two_obbs(run<obb_obb::Event<N>>(job, [&](auto&& trace) { return relate(a, b, trace); }), a, b);
   });
 }
 
@@ -186,8 +158,7 @@ Json triangle_box(Job& job) {
   return in_dimension(corners[0], [&]<int N>() -> Json {
     const Triangle<S, N> t = {{vector<S, N>(corners[0]), vector<S, N>(corners[1]), vector<S, N>(corners[2])}};
     const Aabb<S, N> b = box<S, N>(job.fields);
-    const Relation r = run<triangle_aabb::Event<N>>(job, [&](auto&& trace) { return relate(t, b, trace); });
-    return telling_empty({{"intersects", r != Relation::disjoint}, {"relation", name(r)}}, b, "box");
+    return related(run<triangle_aabb::Event<N>>(job, [&](auto&& trace) { return relate(t, b, trace); }), "a", "b", b);
   });
 }
 

@@ -13,6 +13,7 @@
 #include <isect/point_sphere.h>
 #include "app/query/events.h"
 #include "app/query/handlers.h"
+#include "app/query/results.h"
 
 namespace isect::query {
 
@@ -54,8 +55,7 @@ Json interval_interval(Job& job) {
   if (job.variant == "ends")
     return {{"intersects", run<Event>(job, [&](auto&& trace) { return interval_interval::ends(a, b, trace); })}};
 
-  const Relation r = run<Event>(job, [&](auto&& trace) { return relate(a, b, trace); });
-  return {{"intersects", r != Relation::disjoint}, {"relation", name(r)}};
+  return related(run<Event>(job, [&](auto&& trace) { return relate(a, b, trace); }));
 }
 
 template <class S>
@@ -64,7 +64,7 @@ Json point_obb(Job& job) {
     const Point<S, N> point = vector<S, N>(job.fields["point"]);
     const Obb<S, N> b = obb<S, N>(job.fields);
     const Location where = run<point_obb::Event>(job, [&](auto&& trace) { return locate(point, b, trace); });
-    return telling_empty({{"location", name(where)}}, b, "box");
+    return telling_empty(located(where), b, "box");
   });
 }
 
@@ -85,7 +85,7 @@ Json point_box(Job& job) {
   return in_dimension(job.fields["point"], [&]<int N>() -> Json {
     const Point<S, N> point = vector<S, N>(job.fields["point"]);
     const Aabb<S, N> b = box<S, N>(job.fields);
-    return {{"location", name(run<point_aabb::Event<S>>(job, [&](auto&& trace) { return locate(point, b, trace); }))}};
+    return located(run<point_aabb::Event<S>>(job, [&](auto&& trace) { return locate(point, b, trace); }));
   });
 }
 
@@ -94,8 +94,7 @@ Json point_sphere(Job& job) {
   return in_dimension(job.fields["point"], [&]<int N>() -> Json {
     const Point<S, N> point = vector<S, N>(job.fields["point"]);
     const Sphere<S, N> ball = sphere<S, N>(job.fields);
-    return {
-        {"location", name(run<point_sphere::Event>(job, [&](auto&& trace) { return locate(point, ball, trace); }))}};
+    return located(run<point_sphere::Event>(job, [&](auto&& trace) { return locate(point, ball, trace); }));
   });
 }
 
@@ -104,7 +103,7 @@ Json point_capsule(Job& job) {
   return in_dimension(job.fields["point"], [&]<int N>() -> Json {
     const Point<S, N> point = vector<S, N>(job.fields["point"]);
     const Capsule<S, N> c = capsule<S, N>(job.fields);
-    return {{"location", name(run<point_capsule::Event>(job, [&](auto&& trace) { return locate(point, c, trace); }))}};
+    return located(run<point_capsule::Event>(job, [&](auto&& trace) { return locate(point, c, trace); }));
   });
 }
 
@@ -132,8 +131,7 @@ Json plane_sphere(Job& job) {
   return in_dimension(job.fields["normal"], [&]<int N>() -> Json {
     const Plane<S, N> p = plane<S, N>(job.fields);
     const Sphere<S, N> ball = sphere<S, N>(job.fields);
-    const Relation r = run<plane_sphere::Event>(job, [&](auto&& trace) { return relate(p, ball, trace); });
-    return {{"intersects", r != Relation::disjoint}, {"relation", name(r)}};
+    return related(run<plane_sphere::Event>(job, [&](auto&& trace) { return relate(p, ball, trace); }));
   });
 }
 
@@ -142,8 +140,7 @@ Json plane_box(Job& job) {
   return in_dimension(job.fields["normal"], [&]<int N>() -> Json {
     const Plane<S, N> p = plane<S, N>(job.fields);
     const Aabb<S, N> b = box<S, N>(job.fields);
-    const Relation r = run<plane_aabb::Event<S, N>>(job, [&](auto&& trace) { return relate(p, b, trace); });
-    return {{"intersects", r != Relation::disjoint}, {"relation", name(r)}};
+    return related(run<plane_aabb::Event<S, N>>(job, [&](auto&& trace) { return relate(p, b, trace); }));
   });
 }
 

@@ -11,6 +11,7 @@
 #include <isect/trapezoid_map.h>
 #include "app/query/events.h"
 #include "app/query/handlers.h"
+#include "app/query/results.h"
 
 namespace isect::query {
 
@@ -105,25 +106,20 @@ Json pip(Job& job) {
     return by_map<trapezoid_map::Event>(job, p, point, [](const auto& of) { return make_trapezoid_map(of); });
 
   const Winding w = run<point_polygon::Event>(job, [&](auto&& trace) { return winding(point, p, trace); });
-  const Json times = w.nonzero == Location::on ? Json(nullptr) : Json(w.winding);
-  if (job.variant == "crossings") return {{"evenodd", name(w.even_odd)}};
-  if (job.variant == "winding") return {{"nonzero", name(w.nonzero)}, {"winding", times}};
-  return {{"evenodd", name(w.even_odd)}, {"nonzero", name(w.nonzero)}, {"winding", times}};
+  Json result = wound(w);
+  if (job.variant == "crossings") return {{"evenodd", result["evenodd"]}};
+  if (job.variant == "winding") result.erase("evenodd");
+  return result;
 }
 
 template <class S>
 Json polygon_polygon(Job& job) {
-  const Relation r = relate(polygon<S>(job.fields["a"]), polygon<S>(job.fields["b"]));
-  return {{"intersects", r != Relation::disjoint}, {"relation", name(r)}};
+  return related(relate(polygon<S>(job.fields["a"]), polygon<S>(job.fields["b"])));
 }
 
 template <class S>
 Json segment_polygon(Job& job) {
-  const Relation r = relate(segment<S>(job.fields["segment"]), polygon<S>(job.fields["rings"]));
-  return {{"intersects", r != Relation::disjoint},
-          {"relation", r == Relation::a_inside_b   ? "polygon_contains_segment"
-                       : r == Relation::b_inside_a ? "segment_contains_polygon"
-                                                   : name(r)}};
+  return related(relate(segment<S>(job.fields["segment"]), polygon<S>(job.fields["rings"])), "segment", "polygon");
 }
 
 template <class S>

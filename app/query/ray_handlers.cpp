@@ -13,6 +13,7 @@
 #include <isect/segment_segment.h>
 #include "app/query/events.h"
 #include "app/query/handlers.h"
+#include "app/query/results.h"
 
 namespace isect::query {
 
@@ -72,9 +73,6 @@ template <class S> struct EventNames<segment_segment::Parameters<S>> : Named<"Pa
 template <> struct Names<ray_sphere::AmongRoots> {
   static constexpr const char* of[] = {"before", "entry", "between", "exit", "after"};
 };
-template <> struct Names<segment_segment::Meeting> {
-  static constexpr const char* of[] = {"disjoint", "touch", "cross", "overlap"};
-};
 template <> struct EventNames<ray_polygon::Decision> : Named<"Decision", "axis heading side"> {};
 template <class S> struct EventNames<ray_polygon::Hit<S>> : Named<"Hit", "t"> {};
 template <class S> struct EventNames<ray_polygon::Normal<S>> : Named<"Normal", "n"> {};
@@ -108,45 +106,22 @@ Json ray_sphere(Job& job) {
     const Sphere<S, N> ball = sphere<S, N>(job.fields);
     if (job.variant != "exact" && job.variant != "robust") return ray_sphere_by(job, r, ball);
 
-    const RaySphere<S> shared = run<ray_sphere::Event>(job, [&](auto&& trace) { return intersect(r, ball, trace); });
-    const bool meets = shared.line_roots > 0;
-    return {{"line_roots", shared.line_roots},
-            {"t0", meets ? number(shared.roots.lo) : nullptr},
-            {"t1", meets ? number(shared.roots.hi) : nullptr},
-            {"ray_hit", shared.solid.has_value()},
-            {"origin", name(shared.origin)},
-            {"t_first_surface", number(shared.surface)},
-            {"t_enter_solid", shared.solid ? number(shared.solid->lo) : nullptr}};
+    return line_and_ball(run<ray_sphere::Event>(job, [&](auto&& trace) { return intersect(r, ball, trace); }));
   });
 }
 
 template <class S>
 Json ray_plane(Job& job) {
   return in_dimension(job.fields["origin"], [&]<int N>() -> Json {
-    Ray<S, N> r = ray<S, N>(job.fields);
+    const Ray<S, N> r = ray<S, N>(job.fields);
     const Plane<S, N> p = plane<S, N>(job.fields);
     if (job.variant == "textbook") {
       const auto t =
           run<ray_plane::TextbookEvent<S>>(job, [&](auto&& trace) { return ray_plane::textbook(r, p, trace); });
       return {{"ray_hit", t.has_value()}, {"t", number(t)}};
     }
-    const RayPlane<S> shared = run<ray_plane::Event<S>>(job, [&](auto&& trace) { return intersect(r, p, trace); });
-    r.range = {S(0), S(1)};
-    return {{"parallel", shared.parallel},
-            {"coplanar", shared.coplanar},
-            {"line_hit", shared.line.has_value() || shared.coplanar},
-            {"t", number(shared.line)},
-            {"ray_hit", shared.meets},
-            {"segment_hit_0_1", intersect(r, p).meets}};
+    return ray_and_plane(run<ray_plane::Event<S>>(job, [&](auto&& trace) { return intersect(r, p, trace); }), r, p);
   });
-}
-
-/// The stretch of a ray inside a solid.
-template <class S>
-Json stretch(const std::optional<Interval<S>>& inside) {
-  return {{"hit", inside.has_value()},
-          {"t_in", inside ? number(inside->lo) : nullptr},
-          {"t_out", inside ? number(inside->hi) : nullptr}};
 }
 
 template <class S>
@@ -191,12 +166,7 @@ Json segment_segment(Job& job) {
         job, [&](auto&& trace) { return segment_segment::parametric(a, b, trace); });
     return {{"point", point ? numbers<S, 2>(*point) : nullptr}};
   }
-  const SegmentSegment<S> shared =
-      run<segment_segment::Event>(job, [&](auto&& trace) { return intersect(a, b, trace); });
-  Json result = {{"relation", Names<segment_segment::Meeting>::of[static_cast<int>(shared.relation)]}};
-  result["point"] = shared.point ? numbers<S, 2>(*shared.point) : nullptr;
-  if (shared.shared) result["shared"] = {numbers<S, 2>(shared.shared->p), numbers<S, 2>(shared.shared->q)};
-  return result;
+  return two_segments(run<segment_segment::Event>(job, [&](auto&& trace) { return intersect(a, b, trace); }));
 }
 
 template <class S>
@@ -208,18 +178,8 @@ Json ray_polygon(Job& job) {
         job, [&](auto&& trace) { return ray_polygon::projected(r, outline, trace); });
     return {{"hit", t.has_value()}, {"t", number(t)}};
   }
-  const RayPolygon<S> shared =
-      run<ray_polygon::Event<S>>(job, [&](auto&& trace) { return intersect(r, outline, FillRule::even_odd, trace); });
-  return {{"parallel", !shared.line},
-          {"coplanar", shared.coplanar},
-          {"hit", shared.flat || shared.coplanar ? Json(nullptr) : Json(shared.t.has_value())},
-          {"t", number(shared.line)},
-          {"plane_point_location", shared.line ? name(shared.location) : nullptr}};
-}
-
-template <class S>
-Json first_t(const std::optional<S>& t) {
-  return {{"hit", t.has_value()}, {"t", number(t)}};
+  return line_and_polygon(
+      run<ray_polygon::Event<S>>(job, [&](auto&& trace) { return intersect(r, outline, FillRule::even_odd, trace); }));
 }
 
 template <class S>

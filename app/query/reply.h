@@ -10,6 +10,7 @@
 #include <isect/conventions.h>
 #include <isect/obb_obb.h>
 #include <isect/shapes.h>
+#include "app/query/relation_words.h"
 #include "app/query/request.h"
 
 namespace isect::query {
@@ -62,24 +63,6 @@ Json telling_empty(Json result, const Box& box, const char* name) {
 }
 
 inline Json name(Location l) { return l == Location::in ? "in" : l == Location::on ? "on" : "out"; }
-
-/// disjoint, equal, b_contains_a, a_contains_b, touch, overlap
-inline std::string name(Relation r) {
-  switch (r) {
-    case Relation::disjoint:
-      return "disjoint";
-    case Relation::equal:
-      return "equal";
-    case Relation::a_inside_b:
-      return "b_contains_a";
-    case Relation::b_inside_a:
-      return "a_contains_b";
-    case Relation::touching:
-      return "touch";
-    default:
-      return "overlap";
-  }
-}
 
 /// One case on its way: what was asked, and the trace if it was asked for.
 struct Job {

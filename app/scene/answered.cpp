@@ -37,11 +37,11 @@ bool surely_less(double x, double y) {
 }
 
 /// The sign of x's t less y's, exactly.
-int order(const Context& c, const Object& ray, const Hit& x, const Hit& y) {
+int order(const Context& c, std::size_t ray, const Hit& x, const Hit& y) {
   if (surely_less(x.t, y.t)) return -1;
   if (surely_less(y.t, x.t)) return 1;
   for (const Hit* hit : {&x, &y})
-    if (!hit->place) hit->place = first_place(c.setting, ray, c.object(hit->object)).value();
+    if (!hit->place) hit->place = first_place(c.shaped(ray), c.shaped(hit->object)).value();
   return compare(*x.place, *y.place);
 }
 
@@ -49,7 +49,7 @@ int order(const Context& c, const Object& ray, const Hit& x, const Hit& y) {
 std::optional<Hit> thin_hit(const Context& c, std::size_t ray, std::size_t i) {
   const Type type = c.object(i).type;
   if (!(type == Type::point || type == Type::cloud || type == Type::plane || runs_along_a_line(type))) return {};
-  const std::optional<Place> place = first_place(c.setting, c.object(ray), c.object(i));
+  const std::optional<Place> place = first_place(c.shaped(ray), c.shaped(i));
   if (!place) return {};
   return Hit{i, nearest(*place), place};
 }
@@ -64,18 +64,17 @@ struct Hits {
 Hits hits_of(const Context& c, std::size_t ray, const std::vector<std::size_t>& objects) {
   Hits hits;
   for (const std::size_t i : objects) {
-    const Answer answer = ask(c.setting, c.object(ray), c.object(i));
-    if (answer.open)
+    const Told told = ask(c.shaped(ray), c.shaped(i));
+    if (told.open)
       hits.open.push_back(i);
-    else if (answer.first_hit)
-      hits.in_order.push_back({i, *answer.first_hit});
+    else if (told.answer.t)
+      hits.in_order.push_back({i, *told.answer.t});
     else if (const std::optional<Hit> hit = thin_hit(c, ray, i))
       hits.in_order.push_back(*hit);
-    else if (c.object(ray).type == Type::line && answer.verdict.kind != viz::Verdict::Kind::no)
+    else if (c.object(ray).type == Type::line && told.verdict.kind != viz::Verdict::Kind::no)
       hits.endless.push_back(i);
   }
-  std::ranges::stable_sort(hits.in_order,
-                           [&](const Hit& x, const Hit& y) { return order(c, c.object(ray), x, y) < 0; });
+  std::ranges::stable_sort(hits.in_order, [&](const Hit& x, const Hit& y) { return order(c, ray, x, y) < 0; });
   return hits;
 }
 Hits hits_of(const Context& c, std::size_t ray) {
@@ -104,7 +103,7 @@ viz::Verdict first_of(const Context& c, std::size_t ray, const Hits& found) {
   if (hits.empty()) return {viz::Verdict::Kind::no, c.name(ray) + " meets none of them"};
   const std::string first = c.name(hits[0].object);
   std::string names = first, last;
-  for (std::size_t i = 1; i < hits.size() && order(c, c.object(ray), hits[0], hits[i]) == 0; ++i) {
+  for (std::size_t i = 1; i < hits.size() && order(c, ray, hits[0], hits[i]) == 0; ++i) {
     if (!last.empty()) names += ", " + last;
     last = c.name(hits[i].object);
   }
@@ -128,20 +127,19 @@ std::string slug_of(std::string text) {
 
 Answered answered(const Context& c, const PairAsked& asked) {
   const Object &a = c.object(asked.a), &b = c.object(asked.b);
-  Answer answer = ask(c.setting, a, b);
+  Told told = ask(c.shaped(asked.a), c.shaped(asked.b));
   Answered out = {slug_of(a.name + "-" + b.name), fmt::format("{} and {}", c.name(asked.a), c.name(asked.b)),
-                  (answer.open ? "" : "Decided exactly for these numbers: ") + answer.verdict.text + ".",
-                  answer.verdict};
-  if (!answer.note.empty()) out.caption += "\n" + answer.note;
+                  (told.open ? "" : "Decided exactly for these numbers: ") + told.verdict.text + ".", told.verdict};
+  if (!told.note.empty()) out.caption += "\n" + told.note;
   for (const std::size_t i : {asked.a, asked.b})
     if (c.object(i).type == Type::frustum)
       out.caption += "\nThe planes of " + c.name(i) + " are those of its angle, rounded.";
-  out.formula = answer.formula, out.values = answer.values, out.items = std::move(answer.marks);
-  if (out.items.empty()) out.items = contact(c.setting, a, b, answer.result);
+  out.formula = told.formula, out.values = told.values, out.items = std::move(told.marks);
+  if (out.items.empty()) out.items = contact(c.setting, a, b, told.answer);
   out.lit = {asked.a, asked.b};
-  out.json = {{"ask", {a.name, b.name}}, {"verdict", viz::plain(answer.verdict.text)}};
-  if (!answer.query.is_null()) out.json["query"] = answer.query;
-  out.json["result"] = answer.result;
+  out.json = {{"ask", {a.name, b.name}}, {"verdict", viz::plain(told.verdict.text)}};
+  if (!told.query.is_null()) out.json["query"] = std::move(told.query);
+  out.json["result"] = std::move(told.result);
   return out;
 }
 
@@ -159,8 +157,8 @@ Answered answered(const Context& c, const FirstHitAsked& asked) {
     if (std::isfinite(hit.t)) out.values.push_back({"*t* of " + c.name(hit.object), hit.t, "t", viz::Role::hit, true});
     out.lit.push_back(hit.object);
     out.json["hits"].push_back({{"object", c.object(hit.object).name}, {"t", query::number(hit.t)}});
-    Answer answer = ask(c.setting, c.object(asked.ray), c.object(hit.object));
-    if (!answer.marks.empty()) out.items.push_back(answer.marks.front());
+    const Told told = ask(c.shaped(asked.ray), c.shaped(hit.object));
+    if (!told.marks.empty()) out.items.push_back(told.marks.front());
   }
   out.caption = hits.empty() && found.endless.empty() ? "Each object was asked; none is met."
                 : hits.empty()                        ? "Each object was asked."

@@ -1,10 +1,12 @@
 #pragma once
 // A question of a scene with its exact answer, ready to become a step, a row of the summary and JSON.
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "app/scene/file.h"
+#include "app/scene/shapes.h"
 
 namespace isect::program::scene {
 
@@ -13,8 +15,10 @@ struct Context {
   const File& file;
   Setting setting;
   Room room;
+  mutable std::map<std::size_t, Shaped> shapes = {};  ///< of the objects asked about so far
 
   const Object& object(std::size_t i) const { return file.objects[i]; }
+  const Shaped& shaped(std::size_t i) const { return shapes.try_emplace(i, setting, object(i)).first->second; }
   std::string name(std::size_t i) const;  ///< as markup
 };
 

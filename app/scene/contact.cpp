@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
-#include <string>
 
 #include "app/scene/shapes.h"
 
@@ -87,10 +86,8 @@ std::vector<viz::Item> shared(const Setting& s, const Object& a, const Object& b
 
 }  // namespace
 
-std::vector<viz::Item> contact(const Setting& s, const Object& a, const Object& b, const Json& result) {
-  const auto relation = result.find("relation");
-  if (relation == result.end() || !relation->is_string()) return {};
-  if (!relation->get<std::string>().starts_with("touch")) return {};
+std::vector<viz::Item> contact(const Setting& s, const Object& a, const Object& b, const Answer& answer) {
+  if (!answer.relation || (answer.relation != Relation::touching && !answer.tangent)) return {};
   if (a.type == Type::box && b.type == Type::box) return shared(s, a, b);
   const std::optional<Rounded> one = rounded(s, a), other = rounded(s, b);
   if (!one || !other) return {};

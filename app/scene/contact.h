@@ -3,13 +3,15 @@
 
 #include <vector>
 
+#include <isect/answer.h>
+
 #include "app/scene/objects.h"
 
 namespace isect::program::scene {
 
-/// The mark of a contact, if `result`, of `isect query`, says that the objects touch: what two boxes share, a point,
+/// The mark of a contact, if the answer says that the objects touch: what two boxes share, a point,
 /// an edge or a face; of other balls, capsules, boxes, oriented boxes, segments and points a point of it, rounded. None
 /// for other types.
-std::vector<viz::Item> contact(const Setting&, const Object& a, const Object& b, const Json& result);
+std::vector<viz::Item> contact(const Setting&, const Object& a, const Object& b, const Answer&);
 
 }  // namespace isect::program::scene

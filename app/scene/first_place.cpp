@@ -2,9 +2,6 @@
 
 #include <isect/first_place.h>
 
-#include "app/scene/pairs.h"
-#include "app/scene/shapes.h"
-
 namespace isect::program::scene {
 
 namespace {
@@ -25,55 +22,50 @@ std::optional<Place> first_of_all(const Line& line, const Shapes& shapes) {
 }
 
 template <class Line>
-std::optional<Place> place_of(const Setting& s, const Line& line, const Object& o) {
+std::optional<Place> place_of(const Line& line, const Shaped& o) {
   const auto first = [&](const auto& shape) { return isect::first_place(line, shape); };
-  switch (o.type) {
+  switch (o.type()) {
     case Type::plane:
-      return first(Plane<double, 3>{s.point(o, "normal"), s.number(o, "d")});
+      return first(o.as<Plane, 3>());
     case Type::sphere:
-      return first(sphere_of<3>(s, o));
+      return first(o.as<Sphere, 3>());
     case Type::capsule:
-      return first(capsule_in_space(s, o));
+      return first(o.as<Capsule, 3>());
     case Type::point:
-      return first(s.point(o, "at"));
+      return first(o.setting.point(o.object, "at"));
     case Type::cloud:
-      return first_of_all(line, s.points(o));
+      return first_of_all(line, o.points());
     case Type::ray:
     case Type::line:
-      return first(ray_in_space(s, o));
+      return first(o.as<Ray, 3>());
     case Type::segment:
-      return first(segment_of(s, o));
+      return first(o.as<Segment, 3>());
     case Type::box:
     case Type::obb:
     case Type::kdop:
     case Type::frustum:
     case Type::hull:
-      return first(faces_of(s, o));
+      return first(o.faces());
     case Type::mesh: {
-      const TriangleMesh<double> mesh = mesh_of(o);
-      std::vector<Triangle<double, 3>> triangles;
+      const TriangleMesh<double>& mesh = o.mesh().mesh;
+      Triangles triangles;
       for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) triangles.push_back(triangle(mesh, i));
       return first_of_all(line, triangles);
     }
     case Type::triangle:
-    case Type::polygon: {
-      if (s.flat) {
-        Polygon<double, 2> polygon;
-        for (const std::vector<viz::Vec3>& ring : s.rings(o)) polygon.rings.push_back(points_of<2>(ring));
-        return isect::first_place(in_the_plane(line), polygon);
-      }
-      if (o.type == Type::triangle) return first(triangle_of(s, o));
-      if (is_bent(s, o)) return first_of_all(line, surface_of(s, o));
-      return first(Polygon<double, 3>{{points_of<3>(s.rings(o).front())}});
-    }
+    case Type::polygon:
+      if (o.flat()) return isect::first_place(in_the_plane(line), o.outline());
+      if (o.type() == Type::triangle) return first(o.as<Triangle, 3>());
+      if (o.off_plane() > 0) return first_of_all(line, o.surface());
+      return first(Polygon<double, 3>{{o.ring()}});
   }
   return {};
 }
 
 }  // namespace
 
-std::optional<Place> first_place(const Setting& s, const Object& along, const Object& o) {
-  return along.type == Type::segment ? place_of(s, segment_of(s, along), o) : place_of(s, ray_in_space(s, along), o);
+std::optional<Place> first_place(const Shaped& along, const Shaped& o) {
+  return along.type() == Type::segment ? place_of(along.as<Segment, 3>(), o) : place_of(along.as<Ray, 3>(), o);
 }
 
 }  // namespace isect::program::scene

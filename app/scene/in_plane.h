@@ -1,16 +1,9 @@
 #pragma once
 // A polygon's plane: how to see it, and what lies off it.
 
-#include <vector>
-
-#include <isect/point_polygon.h>
 #include <isect/shapes.h>
 
 namespace isect::program::scene {
-
-/// Where a corner of the k-DOP lies among outlines and their holes, by the even-odd rule: `out` if it has none. Exact,
-/// though no double may be that corner. All is finite.
-Location locate_corner(const Kdop<double, 2>&, const std::vector<Ring<double, 2>>& outlines);
 
 /// The axes that are left of a projection along the largest |n_i|, and whether the outline runs clockwise there.
 struct Projection {

@@ -4,16 +4,12 @@
 
 #include <algorithm>
 
-#include <isect/bvh_pairs.h>
-#include <isect/line_triangle.h>
+#include <isect/ask.h>
 #include <isect/orient.h>
-#include <isect/ray_polygon.h>
-#include <isect/sphere_triangle.h>
 
 #include "app/query/reply.h"
 #include "app/scene/in_plane.h"
 #include "app/scene/pairs.h"
-#include "app/scene/shapes.h"
 #include "app/scene/triangulated.h"
 #include "viz/rich_text.h"
 
@@ -22,51 +18,29 @@ namespace isect::program::scene {
 namespace {
 
 using viz::Vec3;
-using Triangles = std::vector<Triangle<double, 3>>;
-
-Ring<double, 3> outline_in_space(const Setting& s, const Object& o) { return points_of<3>(s.rings(o).front()); }
 
 /// Corners off one plane are told.
-void tell_surface(const Setting& s, const Object& o, Answer& out) {
-  if (o.type != Type::polygon) return;
-  const double off = off_plane(outline_in_space(s, o));
+void tell_bent(const Shaped& o, Told& out) {
+  const double off = o.off_plane();
   if (off == 0) return;
   out.result["off_plane"] = std::max(off, out.result.value("off_plane", 0.0));
   out.note += fmt::format(
       "{}The corners of {} lie up to {} off one plane: what is tested are the triangles that its outline is cut into.",
-      out.note.empty() ? "" : " ", shown_name(o.name), viz::shown(off));
-}
-template <void (*tell)(const Setting&, const Object&, const Object&, Answer&)>
-void tell_it(const Setting& s, const Object& a, const Object& b, Answer& out) {
-  tell(s, a, b, out);
-  tell_surface(s, a, out);
-  tell_surface(s, b, out);
+      out.note.empty() ? "" : " ", shown_name(o.object.name), viz::shown(off));
 }
 
-bool some_meets(const Triangles& triangles, const auto& meets) { return std::ranges::any_of(triangles, meets); }
-
-bool meet(const Setting& s, const Triangles& triangles, const Object& b) {
-  switch (b.type) {
-    case Type::sphere:
-      return some_meets(triangles, [ball = sphere_of<3>(s, b)](const auto& t) { return intersects(ball, t); });
-    case Type::capsule:
-      return some_meets(triangles, [c = capsule_in_space(s, b)](const auto& t) { return intersects(c, t); });
-    case Type::triangle:
-    case Type::polygon: {
-      const Triangles others = surface_of(s, b);
-      return some_meets(triangles, [&](const auto& t) {
-        return some_meets(others, [&](const auto& other) { return intersects(t, other); });
-      });
-    }
-    default:
-      return some_meets(triangles, [faces = faces_of(s, b)](const auto& t) { return intersects(t, faces); });
-  }
+bool meet(const Triangles& triangles, const Shaped& b) {
+  const auto meets = [&](const Triangle<double, 3>& t) {
+    if (b.type() != Type::triangle && b.type() != Type::polygon) return by_core(t, b).meet;
+    return std::ranges::any_of(b.surface(), [&](const auto& other) { return intersects(t, other); });
+  };
+  return std::ranges::any_of(triangles, meets);
 }
 
 /// A convex outline all in one plane, or a triangle, as half-spaces; nothing of another outline.
-std::optional<HalfSpaces> plate(const Setting& s, const Object& o) {
-  if (o.type == Type::triangle) return triangle_half_spaces::detail::solid_of(triangle_of(s, o), 3, NoTrace());
-  const Ring<double, 3> outline = outline_in_space(s, o);
+std::optional<HalfSpaces> plate(const Shaped& o) {
+  if (o.type() == Type::triangle) return triangle_half_spaces::detail::solid_of(o.as<Triangle, 3>(), 3, NoTrace());
+  const Ring<double, 3>& outline = o.ring();
   const Projection along = projection(outline);
   const auto seen = [&](const Vec3& v) { return Point<double, 2>(v[along.x], v[along.y]); };
   Ring<double, 2> shadow;
@@ -96,89 +70,79 @@ Relation to_solid(const Triangles& triangles, const HalfSpaces& solid) {
 }
 
 /// How they lie, where the exact test is at hand; else whether they meet.
-Json polygon_result(const Setting& s, const Object& a, const Object& b) {
-  const Triangles triangles = surface_of(s, a);
-  const bool round = b.type == Type::sphere || b.type == Type::capsule;
-  if (round && capsule_in_space(s, b).radius > 0) return as_relation(relate_surface(triangles, capsule_in_space(s, b)));
-
-  const std::optional<HalfSpaces> flat = plate(s, a);
+void polygon_and(const Shaped& a, const Shaped& b, Told& out) {
+  const Triangles& triangles = a.surface();
+  const bool round = b.type() == Type::sphere || b.type() == Type::capsule;
+  const std::optional<HalfSpaces> flat = plate(a);
   std::optional<HalfSpaces> other;
   if (round) {
-    const Capsule<double, 3> segment = capsule_in_space(s, b);
-    other = half_spaces_of(Segment<double, 3>{segment.p, segment.q});
-  } else if (b.type == Type::triangle || b.type == Type::polygon) {
-    if (b.type == Type::polygon) static_cast<void>(surface_of(s, b));  // refuses one without an area
-    other = plate(s, b);
+    const Capsule<double, 3> capsule = capsule_in_space(b.setting, b.object);
+    if (capsule.radius > 0) return give(relate_surface(triangles, capsule), out);
+    other = half_spaces_of(Segment<double, 3>{capsule.p, capsule.q});
+  } else if (b.type() == Type::triangle || b.type() == Type::polygon) {
+    if (b.type() == Type::polygon) static_cast<void>(b.surface());  // refuses one without an area
+    other = plate(b);
   } else {
-    other = faces_of(s, b);
+    other = b.faces();
   }
-  if (other && flat) return as_relation(relate(*flat, *other));
+  if (other && flat) return give(relate(*flat, *other), out);
   if (other && half_spaces::detail::has_interior(other->faces, NoTrace()))
-    return as_relation(to_solid(triangles, *other));
-  return {{"meet", meet(s, triangles, b)}};
+    return give(to_solid(triangles, *other), out);
+  out.answer.meet = meet(triangles, b);
+  out.result = {{"meet", out.answer.meet}};
 }
 
 /// How many triangles of the mesh have a point in the polygon.
-Json mesh_and_polygon(const Setting& s, const Object& a, const Object& b) {
-  const TriangleMesh<double> mesh = mesh_of(a);
-  const Triangles triangles = surface_of(s, b);
-  std::vector<Aabb<double, 3>> around;
-  for (const Triangle<double, 3>& t : triangles)
-    around.push_back({t.vertices[0].cwiseMin(t.vertices[1]).cwiseMin(t.vertices[2]),
-                      t.vertices[0].cwiseMax(t.vertices[1]).cwiseMax(t.vertices[2])});
-  const std::vector<Aabb<double, 3>> around_mesh = boxes(mesh);
-  std::vector<char> met(mesh.triangles.size(), 0);
-  for (const auto& [i, j] : overlapping_pairs(build_bvh(around_mesh), around_mesh, build_bvh(around), around))
-    if (!met[static_cast<std::size_t>(i)])
-      met[static_cast<std::size_t>(i)] = intersects(triangle(mesh, i), triangles[static_cast<std::size_t>(j)]);
-  return {{"triangles_met", std::ranges::count(met, 1)}};
+void mesh_and_polygon(const Shaped& a, const Shaped& b, Told& out) {
+  TriangleMesh<double> surface;
+  for (const Triangle<double, 3>& t : b.surface()) {
+    const int first = static_cast<int>(surface.vertices.size());
+    surface.vertices.insert(surface.vertices.end(), t.vertices.begin(), t.vertices.end());
+    surface.triangles.push_back({first, first + 1, first + 2});
+  }
+  out.answer = isect::ask(a.mesh().mesh, surface);
+  out.result = {{"triangles_met", *out.answer.triangles}};
 }
 
 bool holds(const Triangles& triangles, const Vec3& p) {
-  return some_meets(triangles, [&](const auto& t) { return intersects(Sphere<double, 3>{p, 0}, t); });
+  return std::ranges::any_of(triangles, [&](const auto& t) { return isect::ask(p, t).meet; });
 }
-Json point_and_polygon(const Setting& s, const Object& a, const Object& b) {
-  return {{"on", holds(surface_of(s, b), s.point(a, "at"))}};
+void point_and_polygon(const Shaped& a, const Shaped& b, Told& out) {
+  out.answer.meet = holds(b.surface(), a.setting.point(a.object, "at"));
+  out.result = {{"on", out.answer.meet}};
 }
-Json cloud_and_polygon(const Setting& s, const Object& a, const Object& b) {
-  Json result = {{"on", Json::array()}, {"out", Json::array()}};
-  const Triangles triangles = surface_of(s, b);
-  const std::vector<Vec3> points = s.points(a);
-  for (std::size_t i = 0; i < points.size(); ++i) result[holds(triangles, points[i]) ? "on" : "out"].push_back(i);
-  return result;
+void cloud_and_polygon(const Shaped& a, const Shaped& b, Told& out) {
+  std::vector<Location> where;
+  for (const Vec3& p : a.points()) where.push_back(holds(b.surface(), p) ? Location::on : Location::out);
+  tell_cloud_on(a, b, where, out);
+}
+
+template <void (*asked)(const Shaped&, const Shaped&, Told&)>
+void bent_or_not(const Shaped& a, const Shaped& b, Told& out) {
+  asked(a, b, out);
+  tell_bent(a, out);
+  tell_bent(b, out);
 }
 
 }  // namespace
 
-std::vector<Triangle<double, 3>> surface_of(const Setting& s, const Object& o) {
-  if (o.type == Type::triangle) return {triangle_of(s, o)};
-  const Ring<double, 3> outline = outline_in_space(s, o);
-  if (outline.size() > most_corners) throw NotDecided(fmt::format("{} has more than {} corners", o.name, most_corners));
-  Triangles all = triangulated(outline);
-  if (all.empty()) refuse_outline(o);
+Triangles surface_of(const Shaped& o) {
+  if (o.type() == Type::triangle) return {o.as<Triangle, 3>()};
+  if (o.ring().size() > most_corners)
+    throw NotDecided(fmt::format("{} has more than {} corners", o.object.name, most_corners));
+  Triangles all = triangulated(o.ring());
+  if (all.empty()) refuse_outline(o.object);
   return all;
 }
 
-bool is_bent(const Setting& s, const Object& polygon) { return off_plane(outline_in_space(s, polygon)) > 0; }
-
-Answer along_surface(const Setting& s, const Object& a, const Object& polygon) {
-  const Triangles triangles = surface_of(s, polygon);
-  const auto first = [&](const auto& along) {
-    std::optional<double> least;
-    for (const Triangle<double, 3>& x : triangles)
-      if (const std::optional<double> t = first_hit(along, x); t && (!least || *t < *least)) least = t;
-    return least;
-  };
-  const std::optional<double> t = a.type == Type::segment ? first(segment_of(s, a)) : first(ray_in_space(s, a));
-  Answer out;
-  out.result = {{"hit", t.has_value()}};
-  if (t) {
-    out.result["t"] = query::number(*t);
-    add_hit(s, a, out, "*t*", out.result["t"], viz::Mark::disc);
+void along_surface(const Shaped& a, const Shaped& polygon, Told& out) {
+  std::optional<double> least;
+  for (const Triangle<double, 3>& x : polygon.surface()) {
+    const std::optional<double> t = a.ray() ? first_hit(*a.ray(), x) : first_hit(a.as<Segment, 3>(), x);
+    if (t && (!least || *t < *least)) least = t;
   }
-  meets(a, polygon, out, t.has_value());
-  tell_surface(s, polygon, out);
-  return out;
+  tell_first(least, out);
+  tell_bent(polygon, out);
 }
 
 Relation relate_surface(const std::vector<Triangle<double, 3>>& triangles, const Capsule<double, 3>& round) {
@@ -197,11 +161,11 @@ Relation relate_surface(const std::vector<Triangle<double, 3>>& triangles, const
 std::vector<Pair> pairs_of_polygons() {
   using enum Type;
   const auto in = Pair::In::space;
-  std::vector<Pair> table = {{point, polygon, nullptr, in, point_and_polygon, tell_it<tell_on>},
-                             {cloud, polygon, nullptr, in, cloud_and_polygon, tell_it<tell_cloud_on>},
-                             {mesh, polygon, nullptr, in, mesh_and_polygon, tell_it<tell_mesh>}};
+  std::vector<Pair> table = {{point, polygon, nullptr, in, bent_or_not<point_and_polygon>},
+                             {cloud, polygon, nullptr, in, bent_or_not<cloud_and_polygon>},
+                             {mesh, polygon, nullptr, in, bent_or_not<mesh_and_polygon>}};
   for (const Type other : {sphere, box, obb, capsule, triangle, polygon, kdop, hull, frustum})
-    table.push_back({polygon, other, nullptr, in, polygon_result, tell_it<relate>});
+    table.push_back({polygon, other, nullptr, in, bent_or_not<polygon_and>});
   return table;
 }
 

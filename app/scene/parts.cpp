@@ -47,7 +47,7 @@ std::optional<Interval<double>> part_of_line(const Setting& s, const Object& o, 
 /// Whether no more than a point of the line is left, which has some: rounded, both its ends may be one number.
 bool leaves_one_point(const Setting& s, const Object& o, const Object& box) {
   const bool segment = o.type == Type::segment;
-  const Vec3 from = origin_of(s, o), lo = s.point(box, "lo"), hi = s.point(box, "hi");
+  const Vec3 from = s.point(o, segment ? "from" : "origin"), lo = s.point(box, "lo"), hi = s.point(box, "hi");
   Ratio<Exact> first = {Exact(0.0), Exact(0.0)}, last = first;  // den 0: none yet
   const auto take = [](Ratio<Exact>& end, const Ratio<Exact>& t, int side) {
     if (end.den.sign() == 0 || (t.num * end.den - end.num * t.den).sign() * side > 0) end = t;
@@ -79,7 +79,7 @@ std::vector<std::vector<Vec3>> part_of_outline(const Setting& s, const Object& o
   const std::vector<std::vector<Vec3>> rings =
       o.type == Type::hull ? std::vector<std::vector<Vec3>>{outline_of(s, o)} : s.rings(o);
   std::vector<std::vector<Vec3>> all;
-  if (rings.size() > 1 && ask(s, o, box).verdict.kind == Verdict::Kind::no) return all;
+  if (rings.size() > 1 && ask(Shaped(s, o), Shaped(s, box)).verdict.kind == Verdict::Kind::no) return all;
   for (const std::vector<Vec3>& ring : rings) {
     std::vector<Vec3> kept;
     for (const Point<double, N>& p : clip(points_of<N>(ring), box_of<N>(s, box))) {

@@ -1,30 +1,33 @@
 #pragma once
-// What may be asked of two objects: the exact answer of `isect query`, in words and as marks in the picture.
+// What may be asked of two objects: the core's exact answer, also as `isect query` writes it, in words and as marks in
+// the picture.
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include <isect/answer.h>
+
 #include "app/scene/objects.h"
+#include "app/scene/shapes.h"
 
 namespace isect::program::scene {
 
-struct Answer {
+struct Told {
+  Answer answer = {};            ///< of the first object to the second; of a cloud nothing
   Json query = {}, result = {};  ///< as `isect query` has them; no query where it has no kind for the pair
-  viz::Verdict verdict;
+  viz::Verdict verdict = {};
   std::string formula = {}, note = {};  ///< markup, may be empty; `note`: what more is to be said of the input
   std::vector<viz::Value> values = {};
-  std::vector<viz::Item> marks = {};     ///< where they meet
-  std::optional<double> first_hit = {};  ///< of a ray, a line or a segment: the parameter of its first point there
-  bool open = false;                     ///< no test decides this pair; `verdict` says why
+  std::vector<viz::Item> marks = {};  ///< where they meet
+  bool open = false;                  ///< no test decides this pair; `verdict` says why
 };
 
-/// The test would be of other numbers than these: why, in words.
+/// No test decides the pair: why, in words.
 struct NotDecided : viz::BadInput {
   using BadInput::BadInput;
 };
 
 /// Of any two objects, in either order. Throws viz::BadInput where the core refuses the input, naming the objects.
-Answer ask(const Setting&, const Object& a, const Object& b);
+Told ask(const Shaped& a, const Shaped& b);
 
 }  // namespace isect::program::scene

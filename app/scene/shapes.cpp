@@ -9,6 +9,10 @@
 
 #include <isect/convex_hull.h>
 #include <isect/kdop_polytope.h>
+#include <isect/point_mesh.h>
+
+#include "app/scene/in_plane.h"
+#include "app/scene/pairs.h"
 
 namespace isect::program::scene {
 
@@ -106,6 +110,145 @@ std::vector<Vec3> outline_of(const Setting& s, const Object& o) {
   } catch (const std::invalid_argument&) {
     has_none(o, "its normals do not span the plane, so it has no end");
   }
+}
+
+Segment<double, 3> segment_of(const Setting& s, const Object& o) { return {s.point(o, "from"), s.point(o, "to")}; }
+
+std::optional<Ray<double, 3>> ray_in_space(const Setting& s, const Object& o) {
+  if (o.type == Type::segment) {
+    const Vec3 from = s.point(o, "from"), to = s.point(o, "to"), dir = to - from;
+    for (int i = 0; i < 3; ++i) {
+      const double back = dir[i] + from[i], error = (to[i] - back) + ((back - dir[i]) - from[i]);
+      if (back != to[i] || error != 0) return {};
+    }
+    return Ray<double, 3>{from, dir, {0, 1}};
+  }
+  Ray<double, 3> ray = {s.point(o, "origin"), s.point(o, "dir")};
+  if (o.type == Type::line) ray.range = infinite<double>;
+  if (s.has(o, "tmin")) ray.range.lo = s.number(o, "tmin");
+  if (s.has(o, "tmax")) ray.range.hi = s.number(o, "tmax");
+  return ray;
+}
+
+namespace {
+
+template <int N>
+AnyShape<double, N> shape_of(const Shaped& x) {
+  const Setting& s = x.setting;
+  const Object& o = x.object;
+  const auto at = [&](const char* field) { return point_of<N>(s.point(o, field)); };
+  switch (o.type) {
+    case Type::point:
+      return at("at");
+    case Type::segment:
+      return Segment<double, N>{at("from"), at("to")};
+    case Type::ray:
+    case Type::line:
+      return Ray<double, N>{at("origin"), at("dir"), x.ray()->range};
+    case Type::plane:
+      return Plane<double, N>{at("normal"), s.number(o, "d")};
+    case Type::sphere:
+      return sphere_of<N>(s, o);
+    case Type::capsule:
+      return Capsule<double, N>{at("p"), at("q"), s.number(o, "r")};
+    case Type::box:
+      return box_of<N>(s, o);
+    case Type::obb:
+      return obb_of<N>(s, o);
+    case Type::triangle: {
+      const std::vector<Point<double, N>> p = points_of<N>(s.rings(o).front());
+      return Triangle<double, N>{{p[0], p[1], p[2]}};
+    }
+    case Type::kdop:
+    case Type::frustum:
+    case Type::hull:
+      return x.faces();
+    case Type::mesh:
+      if constexpr (N == 3) return x.mesh().mesh;
+      break;
+    case Type::polygon:
+      if constexpr (N == 2) return x.outline();
+      break;
+    case Type::cloud:
+      break;
+  }
+  throw std::logic_error("the core has no such shape");
+}
+
+Polygon<double, 2> outline_in_plane(const Setting& s, const Object& o) {
+  if (o.type == Type::segment) return {{{point_of<2>(s.point(o, "from")), point_of<2>(s.point(o, "to"))}}};
+  if (o.type == Type::hull) return {{convex_hull(points_of<2>(s.points(o)))}};
+  if (o.type == Type::box) {
+    const Vec3 lo = s.point(o, "lo"), hi = s.point(o, "hi");
+    return {{{{lo.x(), lo.y()}, {hi.x(), lo.y()}, {hi.x(), hi.y()}, {lo.x(), hi.y()}}}};
+  }
+  Polygon<double, 2> polygon;
+  for (const std::vector<Vec3>& ring : s.rings(o)) polygon.rings.push_back(points_of<2>(ring));
+  return polygon;
+}
+
+}  // namespace
+
+struct Shaped::Made {
+  std::optional<AnyShape<double, 2>> in_plane = {};
+  std::optional<AnyShape<double, 3>> in_space = {};
+  std::optional<HalfSpaces> faces = {};
+  std::optional<Hull3<double>> hull = {};
+  std::optional<Polygon<double, 2>> outline = {};
+  std::optional<Ring<double, 3>> ring = {};
+  std::optional<Triangles> surface = {};
+  std::optional<double> off_plane = {};
+  std::optional<std::optional<Ray<double, 3>>> ray = {};
+  std::optional<std::vector<Vec3>> points = {};
+  std::optional<Mesh> mesh = {};
+};
+
+template <class X, class Make>
+const X& Shaped::kept(std::optional<X> Made::*one, const Make& make) const {
+  if (!made_) made_ = std::make_shared<Made>();
+  std::optional<X>& x = (*made_).*one;
+  if (!x) x = make();
+  return *x;
+}
+
+template <>
+const AnyShape<double, 2>& Shaped::shape<2>() const {
+  return kept(&Made::in_plane, [&] { return shape_of<2>(*this); });
+}
+template <>
+const AnyShape<double, 3>& Shaped::shape<3>() const {
+  return kept(&Made::in_space, [&] { return shape_of<3>(*this); });
+}
+const HalfSpaces& Shaped::faces() const {
+  return kept(&Made::faces, [&] { return faces_of(setting, object); });
+}
+const Hull3<double>& Shaped::hull() const {
+  return kept(&Made::hull, [&] { return hull_of(setting, object); });
+}
+const Polygon<double, 2>& Shaped::outline() const {
+  return kept(&Made::outline, [&] { return outline_in_plane(setting, object); });
+}
+const Ring<double, 3>& Shaped::ring() const {
+  return kept(&Made::ring, [&] { return points_of<3>(setting.rings(object).front()); });
+}
+const Triangles& Shaped::surface() const {
+  return kept(&Made::surface, [&] { return surface_of(*this); });
+}
+double Shaped::off_plane() const {
+  return kept(&Made::off_plane, [&] { return type() == Type::polygon ? scene::off_plane(ring()) : 0.0; });
+}
+const std::optional<Ray<double, 3>>& Shaped::ray() const {
+  return kept(&Made::ray, [&] { return ray_in_space(setting, object); });
+}
+const std::vector<Vec3>& Shaped::points() const {
+  return kept(&Made::points, [&] { return setting.points(object); });
+}
+const Shaped::Mesh& Shaped::mesh() const {
+  return kept(&Made::mesh, [&] {
+    const TriangleMesh<double> mesh = mesh_of(object);
+    const std::vector<Aabb<double, 3>> around = isect::boxes(mesh);
+    return Mesh{mesh, around, build_bvh(around), point_mesh::closed(mesh)};
+  });
 }
 
 }  // namespace isect::program::scene

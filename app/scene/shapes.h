@@ -1,10 +1,12 @@
 #pragma once
 // The objects of a scene as the core's shapes.
 
-#include <isect/convex_hull_3d.h>
-#include <isect/half_spaces.h>
-#include <isect/shapes.h>
-#include <isect/triangle_mesh.h>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <isect/any_shape.h>
+#include <isect/bvh.h>
 
 #include "app/scene/objects.h"
 #include "viz/solids.h"
@@ -67,5 +69,66 @@ HalfSpaces faces_of(const Setting&, const Object&);
 viz::Solid solid_of(const Setting&, const Object&);
 /// The same in the plane: its corners, counter-clockwise.
 std::vector<viz::Vec3> outline_of(const Setting&, const Object&);
+
+/// A ray or a line, or a segment as a ray: none where its ends do not differ by a vector of floating-point numbers, as
+/// the ray would be another segment.
+std::optional<Ray<double, 3>> ray_in_space(const Setting&, const Object&);
+/// A segment with both ends as given.
+Segment<double, 3> segment_of(const Setting&, const Object&);
+
+using Triangles = std::vector<Triangle<double, 3>>;
+
+/// An object as shapes of the core, each made when it is first asked for, and then kept.
+class Shaped {
+ public:
+  Shaped(const Setting& s, const Object& o) : setting(s), object(o) {}
+
+  Setting setting;
+  const Object& object;
+  Type type() const { return object.type; }
+  bool flat() const { return setting.flat; }
+
+  /// In N dimensions. k-DOPs, frusta and hulls are half-spaces, segments have both ends as given. What is made of
+  /// several outlines or of points has none.
+  template <int N>
+  const AnyShape<double, N>& shape() const;
+  template <template <class, int> class X, int N>
+  const X<double, N>& as() const {
+    return std::get<X<double, N>>(shape<N>());
+  }
+
+  /// See faces_of.
+  const HalfSpaces& faces() const;
+  const Hull3<double>& hull() const;
+  /// A triangle, a polygon, a box or a hull in the plane; a segment as a ring that has no inside.
+  const Polygon<double, 2>& outline() const;
+  /// A triangle or a polygon in space: its first outline.
+  const Ring<double, 3>& ring() const;
+  /// The same as triangles: see surface_of.
+  const Triangles& surface() const;
+  /// How far the corners of a polygon in space lie off one plane, see app/scene/in_plane.h; 0 of a triangle.
+  double off_plane() const;
+  const std::optional<Ray<double, 3>>& ray() const;
+  const std::vector<viz::Vec3>& points() const;
+
+  struct Mesh {
+    TriangleMesh<double> mesh;
+    std::vector<Aabb<double, 3>> boxes;
+    Bvh<double, 3> hierarchy;
+    bool closed;
+  };
+  const Mesh& mesh() const;
+
+ private:
+  struct Made;
+  template <class X, class Make>
+  const X& kept(std::optional<X> Made::*, const Make&) const;
+
+  mutable std::shared_ptr<Made> made_;
+};
+template <>
+const AnyShape<double, 2>& Shaped::shape<2>() const;
+template <>
+const AnyShape<double, 3>& Shaped::shape<3>() const;
 
 }  // namespace isect::program::scene

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/query/relation_words.h"
 #include "tests/cases/case_file.h"
 
 namespace isect::cases {
@@ -73,10 +74,7 @@ inline Json both(Json a, const Json& b) {
 }
 
 inline Json word(Location l) { return l == Location::in ? "in" : l == Location::on ? "on" : "out"; }
-inline std::string word(Relation r) {
-  constexpr const char* words[] = {"disjoint", "equal", "b_contains_a", "a_contains_b", "touch", "overlap"};
-  return words[static_cast<int>(r)];
-}
+inline std::string word(Relation r) { return query::name(r); }
 inline Json related(Relation r) { return {{"intersects", r != Relation::disjoint}, {"relation", word(r)}}; }
 
 /// The double nearest to x; infinite beyond the largest.

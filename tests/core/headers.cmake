@@ -3,6 +3,9 @@
 #   cmake -D ROOT=... -P headers.cmake
 cmake_minimum_required(VERSION 3.22)
 set(tested_by
+  any_shape=answer
+  ask=answer
+  ask_pairs=answer
   batch_aabb=batch
   batch_point_polygon=batch
   batch_ray_sphere=batch

@@ -8,6 +8,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "app/query/relation_words.h"
+
 namespace isect::proof {
 
 namespace {
@@ -227,8 +229,9 @@ std::string wrong_in_result(const Json& result, bool of_query, const Named& a, c
   const auto bounded = [](const Thing& t) { return t.kind == Kind::body || t.kind == Kind::region; };
   const bool bodies = bounded(a.thing) && bounded(b.thing) &&
                       (!of_query || a.thing.type == b.thing.type);  // else a query has an order of its own
-  if (bodies && relation.ends_with("a_contains_b") && !contains(a.thing, b.thing)) return "relation " + relation;
-  if (bodies && relation.ends_with("b_contains_a") && !contains(b.thing, a.thing)) return "relation " + relation;
+  const auto says = [&](Relation r) { return bodies && relation.ends_with(query::name(r)); };
+  if (says(Relation::b_inside_a) && !contains(a.thing, b.thing)) return "relation " + relation;
+  if (says(Relation::a_inside_b) && !contains(b.thing, a.thing)) return "relation " + relation;
   const Named *line = &a, *other = &b;
   if (line->thing.kind != Kind::line) std::swap(line, other);
   if (line->thing.kind != Kind::line || other->thing.kind == Kind::line) return "";

@@ -1,0 +1,188 @@
+// Pairs that a query asks, too: the result is written as it writes its own.
+
+#include <fmt/format.h>
+
+#include <isect/ask.h>
+#include <isect/ray_polygon.h>
+#include <isect/segment_polygon.h>
+
+#include "app/query/results.h"
+#include "app/scene/pairs.h"
+#include "app/scene/triangulated.h"
+#include "viz/rich_text.h"
+
+namespace isect::program::scene {
+
+namespace {
+
+using viz::Role;
+using viz::Verdict;
+
+/// Calls what.operator()<N>() with the dimension of the scene.
+void in_dimension(const Shaped& a, const auto& what) {
+  a.flat() ? what.template operator()<2>() : what.template operator()<3>();
+}
+
+// How two sets lie.
+
+void related(const Shaped& a, const Shaped& b, Told& out) {
+  out.answer = by_core(a, b);
+  const bool of_ball = a.type() == Type::sphere;
+  out.result = query::related(*out.answer.relation, of_ball ? "sphere" : "a", of_ball ? spec(b.type()).name : "b");
+}
+
+void two_balls(const Shaped& a, const Shaped& b, Told& out) {
+  out.answer = by_core(a, b);
+  out.result = query::two_balls(*out.answer.relation, out.answer.tangent, a.as<Sphere, 3>(), b.as<Sphere, 3>());
+}
+
+void two_boxes(const Shaped& a, const Shaped& b, Told& out) {
+  out.answer = by_core(a, b);
+  in_dimension(a,
+               [&]<int N>() { out.result = query::two_boxes(*out.answer.relation, a.as<Aabb, N>(), b.as<Aabb, N>()); });
+}
+
+void two_segments(const Shaped& a, const Shaped& b, Told& out) {
+  using segment_segment::Meeting;
+  out.answer = by_core(a, b);
+  const SegmentSegment<double> shared = intersect(a.as<Segment, 2>(), b.as<Segment, 2>());
+  out.result = query::two_segments(shared);
+  if (shared.point) {
+    const Point<double, 2>& at = *shared.point;
+    const viz::Mark mark = shared.relation == Meeting::cross ? viz::Mark::disc : viz::Mark::diamond;
+    out.marks.push_back(viz::Dot{viz::Vec3(at.x(), at.y(), 0), mark, Role::hit});
+    out.formula = fmt::format("at ({}, {})", viz::shown(at.x()), viz::shown(at.y()));
+  }
+  static constexpr Verdict::Kind kinds[] = {Verdict::Kind::no, Verdict::Kind::on, Verdict::Kind::yes,
+                                            Verdict::Kind::yes};
+  static constexpr const char* words[] = {"are disjoint", "touch", "cross", "share a stretch"};
+  const auto meeting = static_cast<std::size_t>(shared.relation);
+  out.verdict = {kinds[meeting],
+                 fmt::format("{} and {} {}", shown_name(a.object.name), shown_name(b.object.name), words[meeting])};
+}
+
+// Points.
+
+void same_point(const Shaped& a, const Shaped& b, Told& out) {
+  out.answer = by_core(a, b);
+  out.result = {{"equal", out.answer.meet}};
+}
+
+void point_in_outline(const Shaped& a, const Shaped& b, Told& out) {
+  const Winding w = winding(point_of<2>(a.setting.point(a.object, "at")), b.outline());
+  out.answer = answer(w.even_odd);
+  out.result = query::wound(w);
+  if (w.even_odd != w.nonzero) out.formula = "by the even-odd rule";
+}
+
+// What runs along a line. A segment that is no ray is asked with both ends as given, and no query asks the same.
+
+template <int N>
+void along(const Shaped& a, Told& out, const auto& asked) {
+  if (const auto& ray = a.ray())
+    return asked(Ray<double, N>{point_of<N>(ray->origin), point_of<N>(ray->direction), ray->range});
+  asked(a.as<Segment, N>());
+  out.query = {};
+}
+
+void line_and_ball(const Shaped& a, const Shaped& b, Told& out) {
+  in_dimension(a, [&]<int N>() {
+    along<N>(a, out, [&](const auto& line) {
+      const RaySphere<double> shared = intersect(line, b.as<Sphere, N>());
+      out.answer = answer(shared);
+      out.result = query::line_and_ball(shared);
+    });
+  });
+  if (a.ray()) return;
+  out.result.erase("origin");
+  out.result.erase("t_first_surface");
+}
+
+template <template <class, int> class Box>
+void line_and_box(const Shaped& a, const Shaped& b, Told& out) {
+  if (!a.ray()) {
+    out.query = {};
+    return tell_part(by_core(a, b).part, out);
+  }
+  in_dimension(
+      a, [&]<int N>() { along<N>(a, out, [&](const auto& line) { out.answer = isect::ask(line, b.as<Box, N>()); }); });
+  out.result = query::stretch(out.answer.part);
+}
+
+void line_and_plane(const Shaped& a, const Shaped& b, Told& out) {
+  in_dimension(a, [&]<int N>() {
+    along<N>(a, out, [&](const auto& line) {
+      const Plane<double, N>& plane = b.as<Plane, N>();
+      const RayPlane<double> shared = intersect(line, plane);
+      out.answer = answer(shared);
+      if constexpr (requires { line.range; })
+        out.result = query::ray_and_plane(shared, line, plane);
+      else
+        out.result = query::line_and_plane(shared);
+    });
+  });
+}
+
+/// A triangle or a polygon in space.
+template <class Line>
+void line_and_outline(const Line& line, const Shaped& b, Told& out) {
+  const Ring<double, 3>& ring = b.ring();
+  const RayPolygon<double> shared = intersect(line, ring);
+  out.answer = answer(shared.t);
+  out.result = query::line_and_polygon(shared);
+  if (shared.flat) {
+    if (b.type() != Type::triangle) refuse_outline(b.object);
+    out.answer = answer(first_hit(line, b.as<Triangle, 3>()));
+    out.result["hit_without_area"] = out.answer.meet;
+    return;
+  }
+  if (ring.size() <= most_corners && !is_simple(ring))
+    out.note = shown_name(b.object.name) + " crosses or touches itself: what is inside is told by the even-odd rule.";
+  if (shared.coplanar) {
+    out.answer = answer(first_hit(line, Polygon<double, 3>{{ring}}));
+    out.answer.coplanar = true;
+    out.result["hit_in_plane"] = out.answer.meet;
+  } else if (shared.line) {
+    out.answer.location = shared.location;
+  }
+}
+void line_and_outline(const Shaped& a, const Shaped& b, Told& out) {
+  if (b.off_plane() > 0) {
+    out.query = {};
+    return along_surface(a, b, out);
+  }
+  along<3>(a, out, [&](const auto& line) { line_and_outline(line, b, out); });
+}
+
+}  // namespace
+
+std::vector<Pair> pairs_of_queries() {
+  using enum Type;
+  using In = Pair::In;
+  std::vector<Pair> table = {{sphere, sphere, "sphere_sphere", In::both, two_balls},
+                             {box, box, "box_box", In::both, two_boxes},
+                             {sphere, box, "sphere_box", In::both, related},
+                             {sphere, capsule, "sphere_capsule", In::both, related},
+                             {capsule, capsule, "capsule_capsule", In::both, related},
+                             {obb, obb, "obb_obb", In::both, related},
+                             {plane, sphere, "plane_sphere", In::both, related},
+                             {plane, box, "plane_box", In::both, related},
+                             {triangle, box, "triangle_box", In::both, related},
+                             {segment, segment, "segment_segment", In::plane, two_segments},
+                             {point, point, "point_point", In::both, same_point},
+                             {point, sphere, "point_sphere", In::both, locate},
+                             {point, box, "point_box", In::both, locate},
+                             {point, obb, "point_obb", In::both, locate}};
+  for (const Type outline : {triangle, polygon}) table.push_back({point, outline, "pip", In::plane, point_in_outline});
+  for (const Type line : {ray, Type::line, segment}) {
+    table.push_back({line, sphere, "ray_sphere", In::both, line_and_ball});
+    table.push_back({line, box, "ray_box", In::both, line_and_box<Aabb>});
+    table.push_back({line, obb, "ray_obb", In::both, line_and_box<Obb>});
+    table.push_back({line, plane, "ray_plane", In::both, line_and_plane});
+    for (const Type outline : {triangle, polygon})
+      table.push_back({line, outline, "ray_polygon", In::space, line_and_outline});
+  }
+  return table;
+}
+
+}  // namespace isect::program::scene

@@ -1,0 +1,364 @@
+#pragma once
+// Any two shapes, in either order, with one word:
+//
+//   const Answer answer = ask(ball, box);
+//   for (const AnyShape<double, 3>& shape : shapes) if (ask(ray, shape).meet) ...
+//
+// The table of pairs is the core's own set of overloads: what `relate`, `locate`, `intersect`, `first_hit` or `beside`
+// takes in this order, or in the other, is asked so. A convex solid that has no test of its own with B is the common
+// part of its half-spaces, a triangle in the plane a polygon of one ring. What then is left stands in
+// isect/parts/ask_pairs.h and below.
+//
+// This header includes every test of two shapes, and compiles most of them where it asks an AnyShape: a minute. Include
+// the pair's own header where the types are known, and this one in a single source file where they are not.
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <isect/aabb_aabb.h>
+#include <isect/answer.h>
+#include <isect/any_shape.h>
+#include <isect/bvh_pairs.h>
+#include <isect/capsule_capsule.h>
+#include <isect/capsule_half_spaces.h>
+#include <isect/half_spaces.h>
+#include <isect/line_line.h>
+#include <isect/line_triangle.h>
+#include <isect/obb_obb.h>
+#include <isect/parts/ask_pairs.h>
+#include <isect/plane_aabb.h>
+#include <isect/plane_sphere.h>
+#include <isect/point_aabb.h>
+#include <isect/point_capsule.h>
+#include <isect/point_kdop.h>
+#include <isect/point_line.h>
+#include <isect/point_mesh.h>
+#include <isect/point_obb.h>
+#include <isect/point_plane.h>
+#include <isect/point_point.h>
+#include <isect/point_polygon.h>
+#include <isect/point_sphere.h>
+#include <isect/polygon_polygon.h>
+#include <isect/ray_aabb.h>
+#include <isect/ray_capsule.h>
+#include <isect/ray_half_spaces.h>
+#include <isect/ray_obb.h>
+#include <isect/ray_outline.h>
+#include <isect/ray_plane.h>
+#include <isect/ray_sphere.h>
+#include <isect/segment_plane.h>
+#include <isect/segment_segment.h>
+#include <isect/segment_sphere.h>
+#include <isect/sphere_aabb.h>
+#include <isect/sphere_capsule.h>
+#include <isect/sphere_half_spaces.h>
+#include <isect/sphere_sphere.h>
+#include <isect/sphere_triangle.h>
+#include <isect/triangle_aabb.h>
+#include <isect/triangle_half_spaces.h>
+#include <isect/triangle_mesh.h>
+
+namespace isect {
+
+// What each test answers, as an Answer.
+
+template <class S>
+Answer answer(const std::optional<Interval<S>>& part) {
+  if (!part) return {};
+  return {.meet = true, .t = part->lo, .part = cast<double>(*part)};
+}
+template <class S>
+Answer answer(const RaySphere<S>& shared) {
+  Answer out = answer(shared.solid);
+  out.tangent = shared.line_roots == 1;
+  return out;
+}
+template <class S>
+Answer answer(const RayPlane<S>& shared) {
+  return {.meet = shared.meets, .t = shared.t, .parallel = shared.parallel, .coplanar = shared.coplanar};
+}
+inline Answer answer(const line_line::Result& r) {
+  using line_line::Meeting;
+  return {.meet = r.meets(),
+          .t = r.t,
+          .one_point = r.meeting == Meeting::point,
+          .parallel = r.meeting == Meeting::parallel,
+          .coplanar = r.meeting != Meeting::skew};
+}
+/// Of a point and a line: it is left or right of it, in line with it, or on it.
+inline Answer answer(Beside where) {
+  return {.meet = where == Beside::on, .side = where == Beside::left ? 1 : where == Beside::right ? -1 : 0};
+}
+/// Of a plane and corners.
+inline Answer answer(const Sides& count) {
+  const bool cut = count.behind > 0 && count.before > 0, apart = count.on == 0 && !cut;
+  Answer out = answer(cut ? Relation::overlapping : apart ? Relation::disjoint : Relation::touching);
+  out.side = cut ? 0 : (count.before > 0) - (count.behind > 0);
+  out.coplanar = count.on > 0 && count.behind + count.before == 0;
+  return out;
+}
+/// Of a line and what it meets first at t.
+template <class S>
+Answer answer(const std::optional<S>& t) {
+  return {.meet = t.has_value(), .t = t};
+}
+
+namespace ask_pairs {
+
+namespace detail {
+
+template <class X>
+inline constexpr bool is_line = false;
+template <class S, int N>
+inline constexpr bool is_line<Segment<S, N>> = true;
+template <class S, int N>
+inline constexpr bool is_line<Ray<S, N>> = true;
+
+template <class X>
+inline constexpr bool is_plane_triangle = false;
+template <class S>
+inline constexpr bool is_plane_triangle<Triangle<S, 2>> = true;
+
+template <class X>
+inline constexpr bool is_solid = false;
+template <class S, int N>
+inline constexpr bool is_solid<Aabb<S, N>> = true;
+template <class S, int N>
+inline constexpr bool is_solid<Obb<S, N>> = true;
+template <class S, int N>
+inline constexpr bool is_solid<Kdop<S, N>> = true;
+template <class S>
+inline constexpr bool is_solid<Frustum<S>> = true;
+template <class S>
+inline constexpr bool is_solid<Hull3<S>> = true;
+
+template <class S, int N>
+Ray<double, 3> in_space(const Ray<S, N>& x) {
+  return {half_spaces::detail::in_space<S, N>(x.origin), half_spaces::detail::in_space<S, N>(x.direction),
+          cast<double>(x.range)};
+}
+template <class S, int N>
+Segment<double, 3> in_space(const Segment<S, N>& x) {
+  return {half_spaces::detail::in_space<S, N>(x.p), half_spaces::detail::in_space<S, N>(x.q)};
+}
+
+template <class S>
+Polygon<S, 2> polygon(const Triangle<S, 2>& x) {
+  return {{{x.vertices[0], x.vertices[1], x.vertices[2]}}};
+}
+template <class S>
+Polygon<S, 2> polygon(const Aabb<S, 2>& x) {
+  if (empty(x)) return {};
+  return {{{x.lo, {x.hi[0], x.lo[1]}, x.hi, {x.lo[0], x.hi[1]}}}};
+}
+
+}  // namespace detail
+
+/// The pair in this order has no test.
+struct Untested {};
+
+// Tests that say more than their overload, or have none. Others are found in `in_order`.
+
+template <class S, int N>
+Answer in_order(const Point<S, N>& a, const Point<S, N>& b) {
+  return answer(equal(a, b) ? Location::on : Location::out);
+}
+template <class S, int N>
+Answer in_order(const Point<S, N>& a, const Plane<S, N>& b) {
+  if (!finite(a) || !exists(b)) return {};
+  const int where = side(b, a);
+  return {.meet = where == 0, .side = where, .coplanar = where == 0};
+}
+template <class S>
+Answer in_order(const Point<S, 3>& a, const Triangle<S, 3>& b) {
+  return answer(intersects(Sphere<S, 3>{a, S(0)}, b) ? Location::on : Location::out);
+}
+template <class S>
+Answer in_order(const Point<S, 3>& a, const TriangleMesh<S>& b) {
+  if (point_mesh::closed(b)) return answer(locate(a, b));
+  for (int i = 0; i < static_cast<int>(b.triangles.size()); ++i)
+    if (intersects(Sphere<S, 3>{a, S(0)}, triangle(b, i))) return answer(Location::on);
+  return {};  // nothing is inside
+}
+template <class S>
+Answer in_order(const Segment<S, 2>& a, const Segment<S, 2>& b) {
+  const SegmentSegment<S> shared = intersect(a, b);
+  if (!shared) return {};
+  return {.meet = true, .t = first_hit(a, Polygon<S, 2>{{{b.p, b.q}}}), .one_point = shared.point.has_value()};
+}
+template <class S, int N>
+Answer in_order(const Plane<S, N>& a, const Plane<S, N>& b) {
+  Answer out = answer(planes(a, b));
+  out.parallel = exists(a) && exists(b) && out.relation != Relation::overlapping,
+  out.coplanar = out.meet && out.parallel;
+  return out;
+}
+template <class S, int N>
+Answer in_order(const Plane<S, N>& a, const Capsule<S, N>& b) {
+  return answer(plane_and_capsule(a, b));
+}
+template <class S, int N>
+Answer in_order(const Plane<S, N>& a, const Triangle<S, N>& b) {
+  return answer(corners<S, N>(a, b.vertices));
+}
+template <class S>
+Answer in_order(const Plane<S, 2>& a, const Polygon<S, 2>& b) {
+  Ring<S, 2> all;
+  for (const Ring<S, 2>& ring : b.rings) all.insert(all.end(), ring.begin(), ring.end());
+  return answer(corners<S, 2>(a, all));
+}
+template <class S>
+Answer in_order(const Plane<S, 3>& a, const TriangleMesh<S>& b) {
+  std::vector<Point<S, 3>> all;
+  for (const std::array<int, 3>& triangle : b.triangles)
+    for (const int i : triangle) all.push_back(b.vertices[static_cast<std::size_t>(i)]);
+  return answer(corners<S, 3>(a, all));
+}
+/// Both tangencies, from without and from within, are told.
+template <class S, int N>
+Answer in_order(const Sphere<S, N>& a, const Sphere<S, N>& b) {
+  Answer out = answer(relate(a, b));
+  out.tangent = out.relation == Relation::touching;
+  if (out.relation == Relation::a_inside_b || out.relation == Relation::b_inside_a)
+    relate(a, b, [&](const auto& event) {
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(event)>, sphere_sphere::Decision>)
+        out.tangent = event.inner == 0;
+    });
+  return out;
+}
+template <class S>
+Answer in_order(const Triangle<S, 3>& a, const Triangle<S, 3>& b) {
+  if (!finite(a) || !finite(b)) return answer(Relation::disjoint);
+  const auto solid = [](const Triangle<S, 3>& x) {
+    return triangle_half_spaces::detail::solid_of(cast<double>(x), 3, NoTrace());
+  };
+  return answer(relate(solid(a), solid(b)));
+}
+template <class S>
+Answer in_order(const Polygon<S, 2>& a, const Sphere<S, 2>& b) {
+  return {.meet = meets(a, Capsule<S, 2>{b.center, b.center, b.radius})};
+}
+template <class S>
+Answer in_order(const Polygon<S, 2>& a, const Capsule<S, 2>& b) {
+  return {.meet = meets(a, b)};
+}
+template <class S>
+Answer in_order(const Polygon<S, 2>& a, const HalfSpaces& b) {
+  return {.meet = meets(a, b)};
+}
+template <class S>
+Answer in_order(const Triangle<S, 2>& a, const Triangle<S, 2>& b) {
+  return answer(outlines(detail::polygon(a), detail::polygon(b)));
+}
+template <class S>
+Answer in_order(const Polygon<S, 2>& a, const Triangle<S, 2>& b) {
+  return answer(outlines(a, detail::polygon(b)));
+}
+template <class S>
+Answer in_order(const Polygon<S, 2>& a, const Aabb<S, 2>& b) {
+  return answer(outlines(a, detail::polygon(b)));
+}
+
+// Meshes: how many triangles have a point in the other, of two meshes A's.
+
+template <class S>
+Answer in_order(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
+  const std::vector<Aabb<S, 3>> around_a = boxes(a), around_b = boxes(b);
+  std::vector<char> met(a.triangles.size(), 0);
+  for (const auto& [i, j] : overlapping_pairs(build_bvh(around_a), around_a, build_bvh(around_b), around_b)) {
+    char& one = met[static_cast<std::size_t>(i)];
+    if (!one) one = intersects(triangle(a, i), triangle(b, j));
+  }
+  int count = 0;
+  for (const char one : met) count += one;
+  return {.meet = count > 0, .triangles = count};
+}
+template <class S, class B>
+requires(
+    detail::is_line<B> || requires(Triangle<S, 3> x, B b) { intersects(x, b); } ||
+    requires(Triangle<S, 3> x, B b) { intersects(b, x); }) Answer in_order(const TriangleMesh<S>& a, const B& b) {
+  int count = 0;
+  std::optional<double> first;
+  const std::optional<Aabb<double, 3>> near = around(b);
+  for (int i = 0; i < static_cast<int>(a.triangles.size()); ++i) {
+    const Triangle<S, 3> x = triangle(a, i);
+    if (near && !intersects(*around(x), *near)) continue;
+    if constexpr (detail::is_line<B>) {
+      const std::optional<S> t = first_hit(b, x);
+      if (t && (!first || *t < *first)) first = t;
+      count += t.has_value();
+    } else if constexpr (requires { intersects(x, b); }) {
+      count += intersects(x, b);
+    } else {
+      count += intersects(b, x);
+    }
+  }
+  return {.meet = count > 0, .t = first, .triangles = count};
+}
+
+/// What the core has for A and B in this order.
+template <class A, class B>
+auto in_order(const A& a, const B& b) {
+  if constexpr (detail::is_line<A> && detail::is_line<B>) {
+    return answer(intersect(line_line::Straight(detail::in_space(a)), line_line::Straight(detail::in_space(b))));
+  } else if constexpr (requires { relate(a, b); }) {
+    Answer out = answer(relate(a, b));
+    if constexpr (requires { first_hit(a, b); })
+      if (out.meet) out.t = first_hit(a, b);
+    return out;
+  } else if constexpr (requires { answer(locate(a, b)); }) {
+    return answer(locate(a, b));
+  } else if constexpr (requires { answer(intersect(a, b)); }) {
+    return answer(intersect(a, b));
+  } else if constexpr (requires { answer(first_hit(a, b)); }) {
+    return answer(first_hit(a, b));
+  } else if constexpr (requires { answer(beside(a, b)); }) {
+    return answer(beside(a, b));
+  } else {
+    return Untested();
+  }
+}
+
+template <class A, class B>
+inline constexpr bool has_test = !std::is_same_v<decltype(in_order(std::declval<A>(), std::declval<B>())), Untested>;
+
+}  // namespace ask_pairs
+
+/// What is to be said of A and B, in either order: the answer of the core's own test of them, or of what they count as.
+/// Every verdict is exact; empty shapes, NaN and infinite coordinates meet nothing.
+template <class A, class B>
+Answer ask(const A& a, const B& b) {
+  if constexpr (ask_pairs::has_test<A, B>)
+    return ask_pairs::in_order(a, b);
+  else if constexpr (ask_pairs::has_test<B, A>)
+    return reversed(ask_pairs::in_order(b, a));
+  else if constexpr (ask_pairs::detail::is_solid<A>)
+    return ask(half_spaces_of(a), b);
+  else if constexpr (ask_pairs::detail::is_solid<B>)
+    return ask(a, half_spaces_of(b));
+  else if constexpr (ask_pairs::detail::is_plane_triangle<A>)
+    return ask(ask_pairs::detail::polygon(a), b);
+  else
+    return ask(a, ask_pairs::detail::polygon(b));
+}
+
+/// The same of shapes whose types are known when the program runs.
+template <class... A, class... B>
+Answer ask(const std::variant<A...>& a, const std::variant<B...>& b) {
+  return std::visit([](const auto& x, const auto& y) { return ask(x, y); }, a, b);
+}
+template <class A, class... B>
+Answer ask(const A& a, const std::variant<B...>& b) {
+  return std::visit([&](const auto& y) { return ask(a, y); }, b);
+}
+template <class... A, class B>
+Answer ask(const std::variant<A...>& a, const B& b) {
+  return std::visit([&](const auto& x) { return ask(x, b); }, a);
+}
+
+}  // namespace isect

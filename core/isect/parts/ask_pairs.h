@@ -1,0 +1,186 @@
+#pragma once
+// Pairs that isect/ask.h asks and no other header does: a plane and a plane, a capsule or corners; in the plane
+// outlines of which one has no area, and a polygon of any form and what is convex.
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <isect/capsule_capsule.h>
+#include <isect/convex_hull.h>
+#include <isect/plane_sphere.h>
+#include <isect/point_plane.h>
+#include <isect/point_polygon.h>
+#include <isect/polygon_polygon.h>
+#include <isect/segment_segment.h>
+#include <isect/sphere_half_spaces.h>
+#include <isect/triangle_half_spaces.h>
+
+namespace isect::ask_pairs {
+
+/// Whether its numbers make a plane.
+template <class S, int N>
+bool exists(const Plane<S, N>& x) {
+  return finite(x) && !x.normal.isZero(0);
+}
+
+/// How two planes lie: equal, disjoint and parallel, or overlapping, where they have a line in common, in the plane a
+/// point. Exact. What is no plane: disjoint.
+template <class S, int N>
+Relation planes(const Plane<S, N>& a, const Plane<S, N>& b) {
+  if (!exists(a) || !exists(b)) return Relation::disjoint;
+  const auto row = [&]<class W>(const Plane<S, N>& x) -> Components<W, N + 1> {
+    Components<W, N + 1> all;
+    for (int i = 0; i < N; ++i) all[static_cast<std::size_t>(i)] = W(x.normal[i]);
+    all[N] = W(x.d);
+    return all;
+  };
+  bool parallel = true, equal = true;
+  for (std::size_t i = 0; i < N && parallel; ++i)
+    for (std::size_t j = i + 1; j <= N; ++j) {
+      const bool dependent = sign_of([&]<class W>() -> W {
+                               const auto m = row.template operator()<W>(a), n = row.template operator()<W>(b);
+                               return m[i] * n[j] - m[j] * n[i];
+                             }) == 0;
+      (j < N ? parallel : equal) &= dependent;
+    }
+  return !parallel ? Relation::overlapping : equal ? Relation::equal : Relation::disjoint;
+}
+
+/// How the plane (A) and the capsule lie: as the plane and the balls around its ends, unless it parts these. Exact.
+template <class S, int N>
+Relation plane_and_capsule(const Plane<S, N>& plane, const Capsule<S, N>& capsule) {
+  const Relation p = relate(plane, Sphere<S, N>{capsule.p, capsule.radius}),
+                 q = relate(plane, Sphere<S, N>{capsule.q, capsule.radius});
+  if (empty(capsule) || !finite(capsule)) return Relation::disjoint;
+  const bool cut =
+      p == Relation::overlapping || q == Relation::overlapping || side(plane, capsule.p) * side(plane, capsule.q) < 0;
+  if (cut) return Relation::overlapping;
+  return p == Relation::touching || q == Relation::touching ? Relation::touching : Relation::disjoint;
+}
+
+/// So many of the corners lie behind the plane, in it and before it; none of what is not finite.
+template <class S, int N>
+Sides corners(const Plane<S, N>& plane, std::span<const Point<S, N>> points) {
+  bool all_finite = exists(plane);
+  for (const Point<S, N>& p : points) all_finite &= finite(p);
+  return all_finite ? sides<S, N>(plane, points) : Sides();
+}
+
+/// Where a corner of a convex solid in the plane lies among outlines, by the even-odd rule, though no double may be
+/// that corner; `out` if it has none. Exact.
+template <class S>
+Location locate_corner(const HalfSpaces& solid, const Polygon<S, 2>& polygon) {
+  const std::vector<half_spaces::Face> faces = sphere_half_spaces::detail::with_corners(solid);
+  Location where = Location::out;
+  const auto found = [&](const auto& corner, const auto& scale) {
+    const int turned = sign_of_long(scale);
+    bool inside = false, on = false;
+    const auto pass = [&](const Point<S, 2>& p, const Point<S, 2>& q) {  // the ray from the corner to larger x
+      const auto from_corner = [&]<class W>(const Point<S, 2>& v) -> Components<W, 2> {
+        const Components<W, 3> x = corner.template operator()<W>();
+        const W k = scale.template operator()<W>();
+        return {W(v[0]) * k - x[0], W(v[1]) * k - x[1]};
+      };
+      const auto turn = [&]<class W>() -> W {
+        const Components<W, 2> a = from_corner.template operator()<W>(p), b = from_corner.template operator()<W>(q);
+        return a[0] * b[1] - a[1] * b[0];
+      };
+      const auto facing = [&]<class W>() -> W {
+        return dot(from_corner.template operator()<W>(p), from_corner.template operator()<W>(q));
+      };
+      const auto height = [&](const Point<S, 2>& v) {
+        return turned * sign_of_long([&]<class W>() -> W { return from_corner.template operator()<W>(v)[1]; });
+      };
+      const int side = sign_of_long(turn), low = height(p), high = height(q);
+      if (side == 0 && sign_of_long(facing) <= 0) on = true;
+      if ((low <= 0 && high > 0 && side > 0) || (low > 0 && high <= 0 && side < 0)) inside = !inside;
+    };
+    for (const Ring<S, 2>& ring : polygon.rings)
+      for (std::size_t i = 0; i < ring.size(); ++i) pass(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+    where = on ? Location::on : inside ? Location::in : Location::out;
+    return false;  // one corner is enough
+  };
+  inequalities::all_corners(half_spaces::detail::count(faces), half_spaces::detail::text_of(faces), found, NoTrace());
+  return where;
+}
+
+/// Whether a polygon of any form has a point in common with a convex shape: an edge of it has, or all of the shape lies
+/// within. `edge_meets` is asked of edges, `some_point` tells where a point of the shape lies. Exact.
+template <class S, class Meets, class Locate>
+bool meets(const Polygon<S, 2>& polygon, const Meets& edge_meets, const Locate& some_point) {
+  for (const Ring<S, 2>& ring : polygon.rings)
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      if (edge_meets(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0])) return true;
+  return some_point() != Location::out;
+}
+/// With a ball as a capsule whose ends coincide.
+template <class S>
+bool meets(const Polygon<S, 2>& polygon, const Capsule<S, 2>& capsule) {
+  if (!polygon_polygon::detail::all_finite(polygon) || empty(capsule) || !finite(capsule)) return false;
+  const auto edge_meets = [&](const Point<S, 2>& p, const Point<S, 2>& q) {
+    return intersects(capsule, Capsule<S, 2>{p, q, S(0)});
+  };
+  return meets(polygon, edge_meets, [&] { return locate(capsule.p, polygon); });
+}
+template <class S>
+bool meets(const Polygon<S, 2>& polygon, const HalfSpaces& solid) {
+  if (!polygon_polygon::detail::all_finite(polygon)) return false;
+  const auto edge_meets = [&](const Point<S, 2>& p, const Point<S, 2>& q) {
+    return intersects(Triangle<S, 2>{{p, q, q}}, solid);
+  };
+  return meets(polygon, edge_meets, [&] { return locate_corner(solid, polygon); });
+}
+
+/// How two outlines lie, by the even-odd rule. What is one ring without an area is a segment or a point, with its
+/// interior within the line that it spans. Exact.
+template <class S>
+Relation outlines(const Polygon<S, 2>& a, const Polygon<S, 2>& b) {
+  const auto thin = [](const Polygon<S, 2>& x) -> std::optional<Segment<S, 2>> {
+    if (x.rings.size() != 1 || !polygon_polygon::detail::all_finite(x)) return {};
+    const Ring<S, 2> hull = convex_hull(x.rings.front());
+    if (hull.size() != 1 && hull.size() != 2) return {};
+    return Segment<S, 2>{hull.front(), hull.back()};
+  };
+  const std::optional<Segment<S, 2>> p = thin(a), q = thin(b);
+  if (!p && !q) return relate(a, b);
+  if (!p) return reversed(relate(*q, a));
+  const Relation r = relate(*p, b);
+  if (!q || r != Relation::touching) return r;
+  const segment_segment::Meeting met = intersect(*p, *q).relation;
+  const bool within = met == segment_segment::Meeting::cross || met == segment_segment::Meeting::overlap;
+  return within ? Relation::overlapping : r;
+}
+
+/// A box that holds the shape, where one is quickly found.
+template <class X>
+std::optional<Aabb<double, 3>> around(const X&) {
+  return {};
+}
+template <class S>
+std::optional<Aabb<double, 3>> around(const Triangle<S, 3>& x) {
+  const auto& [p, q, r] = x.vertices;
+  return cast<double>(Aabb<S, 3>{p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r)});
+}
+template <class S>
+std::optional<Aabb<double, 3>> around(const Aabb<S, 3>& x) {
+  return cast<double>(x);
+}
+template <class S>
+std::optional<Aabb<double, 3>> around(const Capsule<S, 3>& x) {
+  constexpr double all = std::numeric_limits<double>::infinity();
+  const Capsule<double, 3> wide = cast<double>(x);
+  Aabb<double, 3> box = {wide.p.cwiseMin(wide.q), wide.p.cwiseMax(wide.q)};
+  for (int i = 0; i < 3; ++i)  // rounded outwards
+    box.lo[i] = std::nextafter(box.lo[i] - wide.radius, -all), box.hi[i] = std::nextafter(box.hi[i] + wide.radius, all);
+  return finite(box) ? std::optional(box) : std::nullopt;
+}
+template <class S>
+std::optional<Aabb<double, 3>> around(const Sphere<S, 3>& x) {
+  return around(Capsule<S, 3>{x.center, x.center, x.radius});
+}
+
+}  // namespace isect::ask_pairs
