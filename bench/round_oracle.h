@@ -38,4 +38,9 @@ RoundSolid round_solid(const Cone<S>& c) {
   return {rational(c.apex), rational(c.base) - rational(c.apex), 0, c.radius, true};
 }
 
+template <class Solid>
+concept Round = requires(const Solid& solid) {
+  round_solid(solid);
+};
+
 }  // namespace isect::oracle

@@ -10,7 +10,7 @@
 namespace isect::oracle {
 
 /// What is empty, NaN or infinite, and a plane without a normal, is disjoint from all.
-template <class S, class Solid>
+template <class S, Round Solid>
 Relation relation(const Plane<S, 3>& plane, const Solid& shape) {
   const RoundSolid solid = round_solid(shape);
   if (!solid.exists || !finite(plane) || plane.normal.isZero(0)) return Relation::disjoint;

@@ -5,7 +5,7 @@
 
 namespace isect::oracle {
 
-template <class S, class Solid>
+template <class S, Round Solid>
 Location locate(const Point<S, 3>& point, const Solid& solid) {
   return finite(point) ? round_solid(solid).locate(rational(point)) : Location::out;
 }

@@ -27,18 +27,18 @@ inline LineInConvex line_in(const Coordinates<3>& o, const Coordinates<3>& u, co
   return {holds, {}};
 }
 
-template <class S, class Solid>
+template <class S, Round Solid>
 LineInConvex line_in(const Ray<S, 3>& ray, const Solid& solid) {
   return line_in(rational(ray.origin), rational(ray.direction), round_solid(solid));
 }
 /// Of a segment with both ends as given.
-template <class S, class Solid>
+template <class S, Round Solid>
 LineInConvex line_in(const Segment<S, 3>& segment, const Solid& solid) {
   return line_in(rational(segment.p), rational(segment.q) - rational(segment.p), round_solid(solid));
 }
 
 /// Whether the range of a ray that is finite meets the solid.
-template <class S, class Solid>
+template <class S, Round Solid>
 bool meets(const Ray<S, 3>& ray, const Solid& solid) {
   if (!(ray.range.lo <= ray.range.hi) || ray.range.lo == infinite<S>.hi || ray.range.hi == infinite<S>.lo) return false;
   if (!finite(ray)) return false;

@@ -105,7 +105,7 @@ class BallAndRoundSolid {
 };
 
 /// What is empty, NaN or infinite is disjoint from all.
-template <class S, class Solid>
+template <class S, Round Solid>
 Relation relation(const Sphere<S, 3>& ball, const Solid& shape) {
   const RoundSolid solid = round_solid(shape);
   if (!solid.exists || !finite(ball) || empty(ball)) return Relation::disjoint;
