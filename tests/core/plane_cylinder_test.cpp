@@ -1,6 +1,9 @@
 #include <isect/plane_cylinder.h>
 
 #include <isect/plane_cylinder_methods.h>
+#include "bench/plane_cylinder/families.h"
+#include "bench/plane_cylinder/oracle.h"
+#include "tests/catch.h"
 #include "tests/core/plane_round_pairs.h"
 
 namespace plane_cylinder_test {

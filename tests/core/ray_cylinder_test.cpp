@@ -1,6 +1,9 @@
 #include <isect/ray_cylinder.h>
 
 #include <isect/ray_cylinder_methods.h>
+#include "bench/ray_cylinder/families.h"
+#include "bench/ray_cylinder/oracle.h"
+#include "tests/catch.h"
 #include "tests/core/ray_round_pairs.h"
 
 namespace ray_cylinder_test {

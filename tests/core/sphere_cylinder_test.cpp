@@ -1,6 +1,9 @@
 #include <isect/sphere_cylinder.h>
 
 #include <isect/sphere_cylinder_methods.h>
+#include "bench/sphere_cylinder/families.h"
+#include "bench/sphere_cylinder/oracle.h"
+#include "tests/catch.h"
 #include "tests/core/sphere_round_pairs.h"
 
 namespace sphere_cylinder_test {
