@@ -32,6 +32,14 @@ template <class S, int N>
 std::string full_precision(const Capsule<S, N>& x) {
   return text("p", x.p, "q", x.q, "radius", x.radius);
 }
+template <class S>
+std::string full_precision(const Cylinder<S>& x) {
+  return text("p", x.p, "q", x.q, "radius", x.radius);
+}
+template <class S>
+std::string full_precision(const Cone<S>& x) {
+  return text("apex", x.apex, "base", x.base, "radius", x.radius);
+}
 template <class S, int N>
 std::string full_precision(const Aabb<S, N>& x) {
   return text("lo", x.lo, "hi", x.hi);

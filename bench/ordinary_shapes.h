@@ -33,6 +33,16 @@ Capsule<S, 3> ordinary_capsule(Random& random) {
   return {p.cast<S>(), q.cast<S>(), static_cast<S>(random.uniform(0.1, 0.5))};
 }
 template <class S>
+Cylinder<S> ordinary_cylinder(Random& random) {
+  const Capsule<S, 3> c = ordinary_capsule<S>(random);
+  return {c.p, c.q, c.radius};
+}
+template <class S>
+Cone<S> ordinary_cone(Random& random) {
+  const Capsule<S, 3> c = ordinary_capsule<S>(random);
+  return {c.p, c.q, 2 * c.radius};
+}
+template <class S>
 Ray<S, 3> ordinary_ray(Random& random) {
   const Point<double, 3> from = 3 * random.heading<3>(), towards = random.in_box<3>(1);
   return {from.cast<S>(), (towards - from).cast<S>()};

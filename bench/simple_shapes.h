@@ -1,6 +1,6 @@
 #pragma once
-// Random intervals, boxes, balls and capsules from any family of numbers: flat and empty ones now and then, or made to
-// meet.
+// Random intervals, boxes, balls, capsules, cylinders and cones from any family of numbers: flat and empty ones now and
+// then, or made to meet.
 
 #include <algorithm>
 
@@ -39,6 +39,22 @@ template <class S, int N>
 Capsule<S, N> capsule(Random& random, Numbers numbers) {
   const Sphere<S, N> end = ball<S, N>(random, numbers);
   return {end.center, random.one_in(20) ? end.center : vector<S, N>(random, numbers), end.radius};
+}
+
+/// Along a coordinate axis at times; empty, as both ends are one point, once in a while.
+template <class S>
+Cylinder<S> cylinder(Random& random, Numbers numbers) {
+  const Capsule<S, 3> c = capsule<S, 3>(random, numbers);
+  Cylinder<S> result = {c.p, c.q, c.radius};
+  if (random.one_in(3))
+    for (int i = 0, kept = random.below(3); i < 3; ++i)
+      if (i != kept) result.q[i] = result.p[i];
+  return result;
+}
+template <class S>
+Cone<S> cone(Random& random, Numbers numbers) {
+  const Cylinder<S> c = cylinder<S>(random, numbers);
+  return {c.p, c.q, c.radius};
 }
 
 }  // namespace isect::bench

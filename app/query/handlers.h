@@ -23,6 +23,7 @@ struct Handler {
 const std::vector<Handler>& point_handlers();    ///< points, intervals, planes against things
 const std::vector<Handler>& pair_handlers();     ///< boxes, spheres, capsules, k-DOPs, triangles
 const std::vector<Handler>& ray_handlers();      ///< rays and segments
+const std::vector<Handler>& round_handlers();    ///< cylinders and cones
 const std::vector<Handler>& polygon_handlers();  ///< polygons, hulls, fits
 
 }  // namespace isect::query

@@ -21,7 +21,8 @@ struct Known {
 
 std::vector<Known> known_kinds() {
   std::vector<Known> all;
-  for (const auto* table : {&point_handlers(), &pair_handlers(), &ray_handlers(), &polygon_handlers()})
+  for (const auto* table :
+       {&point_handlers(), &pair_handlers(), &ray_handlers(), &round_handlers(), &polygon_handlers()})
     for (const Handler& handler : *table) {
       std::vector<std::string> fields;
       std::istringstream inputs(handler.inputs);

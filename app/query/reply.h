@@ -53,11 +53,20 @@ template <class S, int N>
 bool has_no_point(const Obb<S, N>& box) {
   return !obb_obb::detail::exists(box, NoTrace());
 }
-/// Says which of the boxes has no point, where one has none: lo is above hi on some axis, a half is negative, or the
-/// axes lie in one plane, in the plane on one line, so that there is no such box.
-template <class Box>
-Json telling_empty(Json result, const Box& box, const char* name) {
-  if (has_no_point(box))
+template <class S>
+bool has_no_point(const Cylinder<S>& cylinder) {
+  return empty(cylinder);
+}
+template <class S>
+bool has_no_point(const Cone<S>& cone) {
+  return empty(cone);
+}
+/// Says which of the shapes has no point, where one has none: of a box lo is above hi on some axis, a half is
+/// negative, or the axes lie in one plane, in the plane on one line, so that there is no such box; of a cylinder or a
+/// cone the radius is negative, or there is no axis.
+template <class Shape>
+Json telling_empty(Json result, const Shape& shape, const char* name) {
+  if (has_no_point(shape))
     result["empty"] = result.contains("empty") ? result["empty"].get<std::string>() + " and " + name : name;
   return result;
 }

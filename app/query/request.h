@@ -180,6 +180,22 @@ Capsule<S, N> capsule(const Field& request) {
   request["r"].need_points(empty(c), "the capsule is empty: its radius is below 0");
   return c;
 }
+/// p, q, r
+template <class S>
+Cylinder<S> cylinder(const Field& request) {
+  const Cylinder<S> c = {vector<S, 3>(request["p"]), vector<S, 3>(request["q"]), request["r"].number<S>()};
+  request["r"].need_points(!(c.radius >= 0), "the cylinder is empty: its radius is below 0");
+  request["q"].need_points(empty(c), "there is no such cylinder: its axis has no length");
+  return c;
+}
+/// apex, base, r
+template <class S>
+Cone<S> cone(const Field& request) {
+  const Cone<S> c = {vector<S, 3>(request["apex"]), vector<S, 3>(request["base"]), request["r"].number<S>()};
+  request["r"].need_points(!(c.radius >= 0), "the cone is empty: its radius is below 0");
+  request["base"].need_points(empty(c), "there is no such cone: its axis has no length");
+  return c;
+}
 /// c, u: N rows, e
 template <class S, int N>
 Obb<S, N> obb(const Field& request) {

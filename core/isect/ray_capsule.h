@@ -64,16 +64,6 @@ using Event = std::variant<Between, End, Passage, Fallback>;
 
 namespace detail {
 
-/// The point at t, seen from c.
-template <Filtered W, int N, bool ends>
-Components<W, N> seen_from(const Point<double, N>& c, const Straight<N, ends>& line, double t) {
-  Components<W, N> x = difference<W, N>(line.origin, c);
-  if (t == 0) return x;
-  const Components<W, N> d = line.template along<W>();
-  for (int i = 0; i < N; ++i) x[i] = x[i] + W(t) * d[i];
-  return x;
-}
-
 /// The sign of |x|^2 - r^2.
 template <class Text, class Trace>
 int beyond(double r, const Text& x, Trace&& trace) {

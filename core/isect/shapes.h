@@ -102,6 +102,24 @@ struct Capsule {
   S radius;
 };
 
+/// The points within `radius` of the line through p and q and between the planes across it through p and q; in space.
+/// Empty when radius < 0, or when p equals q, through which there is no one line; a segment when the radius is 0.
+template <class S>
+struct Cylinder {
+  static_assert(is_scalar<S>());
+  Point<S, 3> p, q;
+  S radius;
+};
+
+/// The convex hull of `apex` and of the disc around `base`, across the line through both; in space. Empty when
+/// radius < 0, or when apex equals base, through which there is no one line; a segment when the radius is 0.
+template <class S>
+struct Cone {
+  static_assert(is_scalar<S>());
+  Point<S, 3> apex, base;
+  S radius;
+};
+
 /// The axis-aligned box lo_i <= x_i <= hi_i; empty when lo_i > hi_i for some i. Source: the note, N06.
 template <class S, int N>
 struct Aabb {
@@ -185,6 +203,14 @@ template <class S, int N>
 bool finite(const Capsule<S, N>& x) {
   return finite(x.p) && finite(x.q) && std::isfinite(x.radius);
 }
+template <class S>
+bool finite(const Cylinder<S>& x) {
+  return finite(x.p) && finite(x.q) && std::isfinite(x.radius);
+}
+template <class S>
+bool finite(const Cone<S>& x) {
+  return finite(x.apex) && finite(x.base) && std::isfinite(x.radius);
+}
 template <class S, int N>
 bool finite(const Aabb<S, N>& x) {
   return finite(x.lo) && finite(x.hi);
@@ -239,6 +265,14 @@ template <class S, int N>
 bool empty(const Capsule<S, N>& x) {
   return !(x.radius >= 0);
 }
+template <class S>
+bool empty(const Cylinder<S>& x) {
+  return !(x.radius >= 0) || x.p == x.q;
+}
+template <class S>
+bool empty(const Cone<S>& x) {
+  return !(x.radius >= 0) || x.apex == x.base;
+}
 template <class S, int N>
 bool empty(const Aabb<S, N>& x) {
   return !(x.lo.array() <= x.hi.array()).all();
@@ -281,6 +315,14 @@ template <class T, class S, int N>
 Capsule<T, N> cast(const Capsule<S, N>& x) {
   return {x.p.template cast<T>(), x.q.template cast<T>(), static_cast<T>(x.radius)};
 }
+template <class T, class S>
+Cylinder<T> cast(const Cylinder<S>& x) {
+  return {x.p.template cast<T>(), x.q.template cast<T>(), static_cast<T>(x.radius)};
+}
+template <class T, class S>
+Cone<T> cast(const Cone<S>& x) {
+  return {x.apex.template cast<T>(), x.base.template cast<T>(), static_cast<T>(x.radius)};
+}
 template <class T, class S, int N>
 Aabb<T, N> cast(const Aabb<S, N>& x) {
   return {x.lo.template cast<T>(), x.hi.template cast<T>()};
@@ -297,6 +339,13 @@ Triangle<T, N> cast(const Triangle<S, N>& x) {
 /// The shape in doubles: itself, not a copy, if it is in doubles already.
 template <template <class, int> class Shape, class S, int N>
 decltype(auto) in_doubles(const Shape<S, N>& x) {
+  if constexpr (std::is_same_v<S, double>)
+    return (x);
+  else
+    return cast<double>(x);
+}
+template <template <class> class Shape, class S>
+decltype(auto) in_doubles(const Shape<S>& x) {
   if constexpr (std::is_same_v<S, double>)
     return (x);
   else

@@ -60,7 +60,7 @@ Case ray_and_capsule(const Ray<S, N>& ray, const Capsule<S, N>& capsule) {
     if (!oracle::at_most(d2, Rational(capsule.radius))) return {in, none, is_f32<S>};
     return {in, {{"hit", true}, {"t_in", json(ray.range.lo)}, {"t_out", json(ray.range.hi)}}, is_f32<S>};
   }
-  const oracle::LineInCapsule<N> line = oracle::line_in_capsule(ray, capsule);
+  const oracle::LineInConvex line = oracle::line_in_capsule(ray, capsule);
   if (!line.meets(cast<double>(ray.range))) return {in, none, is_f32<S>};
   const auto end = [&](bool last) -> double {
     const double t = last ? ray.range.hi : ray.range.lo;

@@ -63,6 +63,14 @@ template <class S, int N>
 Json fields(const Capsule<S, N>& capsule) {
   return {{"p", json<S, N>(capsule.p)}, {"q", json<S, N>(capsule.q)}, {"r", json(capsule.radius)}};
 }
+template <class S>
+Json fields(const Cylinder<S>& cylinder) {
+  return {{"p", json<S, 3>(cylinder.p)}, {"q", json<S, 3>(cylinder.q)}, {"r", json(cylinder.radius)}};
+}
+template <class S>
+Json fields(const Cone<S>& cone) {
+  return {{"apex", json<S, 3>(cone.apex)}, {"base", json<S, 3>(cone.base)}, {"r", json(cone.radius)}};
+}
 template <class S, int N>
 Json fields(const Plane<S, N>& plane) {
   return {{"normal", json<S, N>(plane.normal)}, {"d", json(plane.d)}};

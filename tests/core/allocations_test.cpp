@@ -6,12 +6,18 @@
 #include <isect/obb_obb.h>
 #include <isect/orient.h>
 #include <isect/plane_aabb.h>
+#include <isect/plane_cone.h>
+#include <isect/plane_cylinder.h>
 #include <isect/plane_sphere.h>
+#include <isect/point_cone.h>
+#include <isect/point_cylinder.h>
 #include <isect/point_obb.h>
 #include <isect/point_point.h>
 #include <isect/point_polygon.h>
 #include <isect/point_sphere.h>
 #include <isect/ray_aabb.h>
+#include <isect/ray_cone.h>
+#include <isect/ray_cylinder.h>
 #include <isect/ray_obb.h>
 #include <isect/ray_plane.h>
 #include <isect/ray_polygon.h>
@@ -20,6 +26,8 @@
 #include <isect/segment_segment.h>
 #include <isect/sphere_aabb.h>
 #include <isect/sphere_capsule.h>
+#include <isect/sphere_cone.h>
+#include <isect/sphere_cylinder.h>
 #include <isect/sphere_sphere.h>
 #include <isect/triangle_aabb.h>
 
@@ -31,9 +39,12 @@
 #include "bench/capsule_capsule/families.h"
 #include "bench/obb_obb/families.h"
 #include "bench/orient2d/families.h"
+#include "bench/plane_cylinder/families.h"
+#include "bench/point_cylinder/families.h"
 #include "bench/point_polygon/families.h"
 #include "bench/random.h"
 #include "bench/ray_aabb/families.h"
+#include "bench/ray_cylinder/families.h"
 #include "bench/ray_obb/families.h"
 #include "bench/ray_plane/families.h"
 #include "bench/ray_polygon/families.h"
@@ -41,6 +52,7 @@
 #include "bench/ray_triangle/families.h"
 #include "bench/sphere_aabb/families.h"
 #include "bench/sphere_capsule/families.h"
+#include "bench/sphere_cylinder/families.h"
 #include "bench/sphere_sphere/families.h"
 #include "bench/triangle_aabb/families.h"
 #include "tests/catch.h"
@@ -204,6 +216,16 @@ TEMPLATE_TEST_CASE("no verdict in a hard family asks for memory", "[allocations]
   ask_families(bench::ray_triangle_draws<S>, [](const auto& c) { return bool(intersect(c.a, c.b)); });
   ask_families(bench::ray_aabb_draws<S>, [](const auto& c) { return bool(intersect(c.a, c.b)); });
   ask_families(bench::ray_obb_draws<S>, [](const auto& c) { return bool(intersect(c.a, c.b)); });
+  const auto located = [](const auto& c) { return locate(c.a, c.b); };
+  const auto hit = [](const auto& c) { return bool(intersect(c.a, c.b)); };
+  ask_families(bench::point_cylinder_draws<S>, located);
+  ask_families(bench::point_cone_draws<S>, located);
+  ask_families(bench::plane_cylinder_draws<S>, related);
+  ask_families(bench::plane_cone_draws<S>, related);
+  ask_families(bench::ray_cylinder_draws<S>, hit);
+  ask_families(bench::ray_cone_draws<S>, hit);
+  ask_families(bench::sphere_cylinder_draws<S>, related);
+  ask_families(bench::sphere_cone_draws<S>, related);
   std::vector<bench::PolygonFamily<S>> polygons;
   for (const char* name : {"ordinary", "near-edge", "on-vertex", "horizontal", "degenerate", "bow-tie", "far 1e8",
                            "near-horizontal", "near-vertical", "coincident"})

@@ -35,8 +35,7 @@ bool is(const Place& place, const Rational& truth) {
 }
 
 /// Whether it lies among doubles as where a line enters the capsule does.
-template <int N>
-bool enters(const Place& place, const oracle::LineInCapsule<N>& truth, double near) {
+bool enters(const Place& place, const oracle::LineInConvex& truth, double near) {
   for (int steps = -2; steps <= 2; ++steps) {
     const double t = bench::moved(near, steps);
     if (std::isfinite(t) && (compare(place, place_at(t)) <= 0) != truth.entered(Rational(t))) return false;
@@ -141,7 +140,7 @@ TEST_CASE("where a line enters a ball or a capsule is among doubles where ration
       Case<double, 3> c = draw<double, 3>(random, numbers, i % 2 == 0);
       if (!finite(c.ray) || !finite(c.capsule) || c.ray.direction.isZero(0)) continue;
       if (i % 3 == 0) c.capsule.q = c.capsule.p;
-      const oracle::LineInCapsule<3> truth = oracle::line_in_capsule(c.ray, c.capsule);
+      const oracle::LineInConvex truth = oracle::line_in_capsule(c.ray, c.capsule);
       const auto place = first_place(c.ray, c.capsule);
       const auto hit = first_hit(c.ray, c.capsule);
       const bool begins = hit && std::isfinite(c.ray.range.lo) && truth.holds(Rational(c.ray.range.lo));

@@ -29,7 +29,7 @@ COLUMNS = ["oracle", "families", "suite", "query", "cases", "free", "fuzz", "sce
 BEGIN, END = "<!-- matrix: written by tests/core/matrix.py -->\n", "<!-- end of the matrix -->\n"
 
 QUESTIONS = "relate intersects intersect first_hit all_hits may_intersect locate side cull clip".split()
-SHAPES = ("Point Segment Straight Ray Plane Sphere Aabb Obb Kdop Capsule Triangle Polygon Ring ConvexPolygon HalfSpaces Hull3 "
+SHAPES = ("Point Segment Straight Ray Plane Sphere Aabb Obb Kdop Capsule Cylinder Cone Triangle Polygon Ring ConvexPolygon HalfSpaces Hull3 "
           "Frustum TriangleMesh Interval").split()
 SIGNATURE = re.compile(r"\b(%s)\(const ([\w:]+)(?:<([^>]*)>)?& ?\w*,\s*(?:const )?([\w:]+)(?:<([^>]*)>)?& ?\w*" % "|".join(QUESTIONS))
 

@@ -44,6 +44,14 @@ struct Motion {
     return {(*this)(x.p), (*this)(x.q), (*this)(x.radius)};
   }
   template <class S>
+  Cylinder<S> operator()(const Cylinder<S>& x) const {
+    return {(*this)(x.p), (*this)(x.q), (*this)(x.radius)};
+  }
+  template <class S>
+  Cone<S> operator()(const Cone<S>& x) const {
+    return {(*this)(x.apex), (*this)(x.base), (*this)(x.radius)};
+  }
+  template <class S>
   Plane<S, N> operator()(const Plane<S, N>& x) const {
     return {turned(x.normal), (*this)(x.d)};
   }

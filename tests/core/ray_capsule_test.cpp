@@ -267,7 +267,7 @@ TEMPLATE_TEST_CASE_SIG("ray and capsule: where the line enters and leaves is wha
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const Case<S, N> c = draw<S, N>(random, numbers, i % 2 == 0);
       if (!finite(c.ray) || !finite(c.capsule) || c.ray.direction.isZero(0) || empty(c.ray.range)) continue;
-      const oracle::LineInCapsule<N> truth = oracle::line_in_capsule(c.ray, c.capsule);
+      const oracle::LineInConvex truth = oracle::line_in_capsule(c.ray, c.capsule);
       const Interval<double> range = cast<double>(c.ray.range);
       const auto part = intersect(c.ray, c.capsule);
       REQUIRE(part.has_value() == (c.capsule.radius >= 0 && truth.meets(range)));
@@ -307,7 +307,7 @@ TEMPLATE_TEST_CASE_SIG("segment and capsule: both ends as given, as rational ari
       const Segment<S, N> segment = {bench::vector<S, N>(random, numbers),
                                      random.one_in(4) ? capsule.q : bench::vector<S, N>(random, numbers)};
       if (segment.p == segment.q) continue;
-      const oracle::LineInCapsule<N> truth = oracle::line_in_capsule(segment, capsule);
+      const oracle::LineInConvex truth = oracle::line_in_capsule(segment, capsule);
       const auto part = intersect(segment, capsule);
       REQUIRE(part.has_value() == (capsule.radius >= 0 && truth.meets({0, 1})));
       REQUIRE(intersects(segment, capsule) == part.has_value());

@@ -104,7 +104,7 @@ TEMPLATE_TEST_CASE_SIG("segment and sphere: every answer is that of rational ari
       const auto [segment, ball] = draw<S, N>(random, numbers);
       if (!finite(ball) || !finite(segment) || ball.radius < 0 || segment.p == segment.q) continue;
       const Capsule<S, N> capsule = {ball.center, ball.center, ball.radius};
-      const oracle::LineInCapsule<N> truth = oracle::line_in_capsule(segment, capsule);
+      const oracle::LineInConvex truth = oracle::line_in_capsule(segment, capsule);
       const RaySphere<S> found = intersect(segment, ball);
       REQUIRE(intersects(segment, ball) == found.solid.has_value());
       REQUIRE(first_hit(segment, ball) == (found.solid ? std::optional<S>(found.solid->lo) : std::nullopt));

@@ -109,6 +109,29 @@ TEMPLATE_TEST_CASE_SIG("a capsule is empty below radius 0, and finite where each
   }
 }
 
+TEMPLATE_TEST_CASE("a cylinder and a cone are empty below radius 0 or without an axis, and finite where each number is",
+                   "[shapes]", float, double) {
+  using S = TestType;
+  const auto ask = [](const Point<S, 3>& p, const Point<S, 3>& q, S radius, bool has_none, bool is_finite) {
+    const Cylinder<S> cylinder = {p, q, radius};
+    const Cone<S> cone = {p, q, radius};
+    CHECK((empty(cylinder) == has_none && empty(cone) == has_none));
+    CHECK((finite(cylinder) == is_finite && finite(cone) == is_finite));
+    if (!is_finite) return;
+    CHECK((cast<float>(cylinder).q == q.template cast<float>() && cast<float>(cone).base == q.template cast<float>()));
+    CHECK((cast<double>(cylinder).p == p.template cast<double>() && cast<double>(cone).radius == double(radius)));
+  };
+  const Point<S, 3> p = {0, 1, 2}, q = {0, 1, S(2.1)};
+  ask(p, q, 0, false, true);
+  ask(p, q, S(-0.0), false, true);
+  ask(p, q, -std::numeric_limits<S>::denorm_min(), true, true);
+  ask(p, p, 1, true, true);
+  ask({0, 0, 0}, {0, S(-0.0), 0}, 1, true, true);
+  ask(p, q, S(not_a_number), true, false);
+  ask(p, {0, 1, S(inf)}, 1, false, false);
+  ask({0, S(not_a_number), 0}, q, 1, false, false);
+}
+
 TEST_CASE("a capsule in another scalar is that of its ends and its radius", "[shapes]") {
   const Capsule<double, 3> c = {{1, 2, 3}, {4, 5, 1.1}, 0.1};
   const Capsule<float, 3> rounded = cast<float>(c);

@@ -1,5 +1,5 @@
 // Compiled by zero_cost_trace.cmake, with and without the core's trace lines: the calls of some headers, named by
-// INTERSECT, METHODS, RELATE, CAPSULES, RAYS or POLYGONS. LISTEN adds a listener.
+// INTERSECT, METHODS, RELATE, CAPSULES, ROUND, RAYS or POLYGONS. LISTEN adds a listener.
 
 #if defined(INTERSECT)
 #include <isect/ray_sphere.h>
@@ -23,6 +23,15 @@
 #elif defined(CAPSULES)
 #include <isect/capsule_capsule.h>
 #include <isect/sphere_capsule.h>
+#elif defined(ROUND)
+#include <isect/plane_cone.h>
+#include <isect/plane_cylinder.h>
+#include <isect/point_cone.h>
+#include <isect/point_cylinder.h>
+#include <isect/ray_cone.h>
+#include <isect/ray_cylinder.h>
+#include <isect/sphere_cone.h>
+#include <isect/sphere_cylinder.h>
 #elif defined(RAYS)
 #include <isect/ray_aabb.h>
 #include <isect/ray_obb.h>
@@ -105,6 +114,17 @@ Relation call(const Ball& a, const Pill& b) { return relate(a, b HEAR(sphere_cap
 bool call_meets(const Ball& a, const Pill& b) { return intersects(a, b HEAR(sphere_capsule::Event)); }
 Relation call(const Pill& a, const Pill& b) { return relate(a, b HEAR(capsule_capsule::Event)); }
 bool call_meets(const Pill& a, const Pill& b) { return intersects(a, b HEAR(capsule_capsule::Event)); }
+#elif defined(ROUND)
+using Drum = Cylinder<double>;
+using Cap = Cone<double>;
+Location call(const Point<double, 3>& a, const Drum& b) { return locate(a, b HEAR(point_cylinder::Event)); }
+Location call(const Point<double, 3>& a, const Cap& b) { return locate(a, b HEAR(point_cone::Event)); }
+Relation call(const Plane<double, 3>& a, const Drum& b) { return relate(a, b HEAR(plane_cylinder::Event)); }
+Relation call(const Plane<double, 3>& a, const Cap& b) { return relate(a, b HEAR(plane_cone::Event)); }
+Relation call(const Ball& a, const Drum& b) { return relate(a, b HEAR(sphere_cylinder::Event)); }
+Relation call(const Ball& a, const Cap& b) { return relate(a, b HEAR(sphere_cone::Event)); }
+std::optional<Interval<double>> call(const Line& a, const Drum& b) { return intersect(a, b HEAR(ray_cylinder::Event)); }
+std::optional<Interval<double>> call(const Line& a, const Cap& b) { return intersect(a, b HEAR(ray_cone::Event)); }
 #elif defined(RAYS)
 std::optional<Interval<double>> call(const Line& a, const Box& b) { return intersect(a, b HEAR(ray_aabb::Event)); }
 std::optional<Interval<double>> call(const Line& a, const Obb<double, 3>& b) { return intersect(a, b HEAR(ray_obb::Event)); }

@@ -89,6 +89,14 @@ const std::vector<KindSpec>& specs() {
       {"point_plane", 2, 3, {{"point", point}, {"normal", direction}, {"d", length}}},
       {"plane_sphere", 3, 3, {{"normal", direction}, {"d", length}, {"center", point}, {"radius", length}}},
       {"plane_box", 3, 3, {{"normal", direction}, {"d", length}, {"lo", point}, {"hi", point}}},
+      {"point_cylinder", 3, 3, {{"point", point}, {"p", point}, {"q", point}, {"r", length}}},
+      {"point_cone", 3, 3, {{"point", point}, {"apex", point}, {"base", point}, {"r", length}}},
+      {"ray_cylinder", 3, 3, {{"origin", point}, {"dir", direction}, {"p", point}, {"q", point}, {"r", length}}},
+      {"ray_cone", 3, 3, {{"origin", point}, {"dir", direction}, {"apex", point}, {"base", point}, {"r", length}}},
+      {"plane_cylinder", 3, 3, {{"normal", direction}, {"d", length}, {"p", point}, {"q", point}, {"r", length}}},
+      {"plane_cone", 3, 3, {{"normal", direction}, {"d", length}, {"apex", point}, {"base", point}, {"r", length}}},
+      {"sphere_cylinder", 3, 3, {{"center", point}, {"radius", length}, {"p", point}, {"q", point}, {"r", length}}},
+      {"sphere_cone", 3, 3, {{"center", point}, {"radius", length}, {"apex", point}, {"base", point}, {"r", length}}},
       {"triangle_box", 3, 3, {{"tri", polygon}, {"lo", point}, {"hi", point}}},
   };
   return all;

@@ -4,7 +4,8 @@
 //
 // The roots of a t^2 + 2 b t + c are (-b -+ sqrt D) / a, D = b^2 - a c. Where -b and the square root have opposite
 // signs they cancel, so that root is found from the other one, as the product of both is c / a: with q = |b| + sqrt D
-// they are q / a and c / q, but for signs.
+// they are q / a and c / q, but for signs. At (-b - sqrt D) / a the polynomial falls, at the other one it rises, also
+// where a is negative; where a = 0 it has the one root c / q.
 //
 // Bound. Let D, a and c be within a relative e of the truth, and b within e q. Then q is within 2 e, of a b whose sign
 // is not known, too, so that each root is within 3 e before its last rounding, for e < 2^-20. Doubles (for a float) or
@@ -59,7 +60,7 @@ bool ordinary_size(const Bounded<V>& x) {
   return x.size() < 0x1p900 && (std::abs(leading(x.value())) > 0x1p-800 || x.size() == 0);
 }
 
-/// The lower (-1) or the upper (1) root in V by its own bounds, where it is not beyond the range of doubles.
+/// The root at which it falls (-1) or rises (1) in V by its own bounds, where it is not beyond the range of doubles.
 template <class V, class Text>
 [[gnu::noinline]] std::optional<double> bounded_root(const Text& text, int side, double tolerance) {
   using std::sqrt;
@@ -87,9 +88,10 @@ template <class Text>
 }
 }  // namespace detail
 
-/// The lower (side -1) or the upper (1) root in S, within 0.6 ulp of its true value, and one unit of the least
-/// subnormal number more where it is subnormal; infinite beyond the largest S. The text returns a Quadratic<W> with a >
-/// 0 and a discriminant that is not negative.
+/// The root at which the polynomial falls (side -1) or rises (1), for a > 0 the lower or the upper one, in S, within
+/// 0.6 ulp of its true value, and one unit of the least subnormal number more where it is subnormal; infinite beyond
+/// the largest S. The text returns a Quadratic<W> that has that root: with a discriminant that is not negative, and
+/// where a = 0 with a b of the sign of `side`.
 template <class S, class Text, class Trace = NoTrace>
 S root_of(const Text& text, int side, Trace&& trace = {}) {
   if constexpr (detail::recorded_for<Text, Trace> && !std::is_same_v<Text, RecordedQuadratic>)

@@ -39,4 +39,14 @@ Straight<N, true> straight(const Segment<S, N>& segment) {
   return {segment.p.template cast<double>(), segment.q.template cast<double>(), {0, 1}};
 }
 
+/// The point at t, seen from c.
+template <Filtered W, int N, bool ends>
+Components<W, N> seen_from(const Point<double, N>& c, const Straight<N, ends>& line, double t) {
+  Components<W, N> x = difference<W, N>(line.origin, c);
+  if (t == 0) return x;
+  const Components<W, N> d = line.template along<W>();
+  for (int i = 0; i < N; ++i) x[i] = x[i] + W(t) * d[i];
+  return x;
+}
+
 }  // namespace isect

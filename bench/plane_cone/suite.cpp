@@ -1,0 +1,39 @@
+// Plane against cone: whether they meet, by the heights of its lowest and its highest point, and exactly.
+
+#include <isect/plane_cone.h>
+
+#include <isect/plane_cone_methods.h>
+#include "bench/pairs.h"
+#include "bench/plane_cylinder/families.h"
+#include "bench/plane_cylinder/oracle.h"
+#include "bench/session.h"
+
+namespace isect::bench::plane_cone_suite {
+namespace {
+
+template <class S>
+using Case = PlaneAndSolid<S, Cone<S>>;
+
+template <class S>
+void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
+  namespace methods = plane_cone;
+  Contest<S, Case<S>> contest(session, family_of<S, Case<S>>("plane-cone", drawn, [](const Case<S>& c) -> Truth {
+                                return {oracle::relation(c.a, c.b) != Relation::disjoint, {}};
+                              }));
+  contest.enter("by_heights", [](const Case<S>& c) { return methods::by_heights(c.a, c.b); }).standard();
+  if constexpr (std::is_same_v<S, float>)
+    contest.enter("by_heights in double",
+                  [](const Case<S>& c) { return methods::by_heights(cast<double>(c.a), cast<double>(c.b)); });
+  enter_exact(contest);
+  contest.run();
+}
+
+}  // namespace
+
+void measure(Session& session) {
+  session.aim({.work = "plane-cone: wrong verdicts", .kind = Target::wrong, .test = "plane-cone", .at_most = 0});
+  for (const auto& drawn : plane_cone_draws<double>) compete<double>(session, drawn);
+  for (const auto& drawn : plane_cone_draws<float>) compete<float>(session, drawn);
+}
+
+}  // namespace isect::bench::plane_cone_suite
