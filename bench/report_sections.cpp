@@ -181,6 +181,28 @@ std::string beside_peers(const Measured& m, const std::string& test) {
   return text + '\n';
 }
 
+/// What one library makes of the hard cases of one test.
+struct Verdicts {
+  std::vector<std::string> methods;  ///< "do_intersect: wrong on 24 %, 240 of 1,000"
+  bool right = false;                ///< one of them always is
+
+  Verdicts(const Findings& d, const std::string& library) {
+    for (const std::string& name : methods_of(d.rows)) {
+      std::vector<const Row*> all;
+      for (const Row* r : d.rows)
+        if (r->library == library && name_of(*r) == name && r->hard && r->judged > 0) all.push_back(r);
+      if (all.empty() || (library == "isect" && name != name_of(*d.exact))) continue;
+      const std::string method = library == "isect" ? "" : all.front()->method + ": ";
+      right |= total_wrong(all) == 0;
+      methods.push_back(method +
+                        (total_wrong(all) == 0 ? fmt::format("right, {}", count(total_judged(all)))
+                                               : fmt::format("wrong on {}, {} of {}", wrong_share(all),
+                                                             count(total_wrong(all)), count(total_judged(all)))) +
+                        not_asked(d, *all.front()));
+    }
+  }
+};
+
 /// Beside the times: what the test has numbers of.
 struct Columns {
   bool latency = false, values = false, sides = false;
@@ -327,6 +349,39 @@ std::string test_text(const Measured& m, const std::string& test) {
   }
   if (d.rows.empty()) return text;
   return text + (d.ordinary.empty() ? families_table(d) : table(m, test, d)) + beside_peers(m, test);
+}
+
+std::string verdicts_text(const Report& peers) {
+  std::string text =
+      "### Right and wrong\n\nThe hard families of each question, put to each library: whether its verdict is right in "
+      "all cases judged, and how many there were; or on what share of them, and on how many, it is wrong. Empty: the "
+      "library cannot be asked this. In brackets the families that it was not asked.\n\n"
+      "| question | isect | CGAL | Bullet | FCL | Boost | GEOS |\n| --- | --- | --- | --- | --- | --- | --- |\n";
+  struct Sum {
+    std::string library;
+    int right = 0, wrong = 0, not_asked = 0;
+  };
+  std::vector<Sum> sums = {{"isect"}, {"CGAL"}, {"Bullet"}, {"FCL"}, {"Boost"}, {"GEOS"}};
+  int questions = 0;
+  for (const std::string& test : tests_of(peers)) {
+    const Findings d(peers, test, "double");
+    if (d.exact == nullptr || !d.judged_hard()) continue;
+    ++questions;
+    text += "| " + test + " |";
+    for (Sum& sum : sums) {
+      const Verdicts told(d, sum.library);
+      ++(told.methods.empty() ? sum.not_asked : told.right ? sum.right : sum.wrong);
+      text += fmt::format(" {} |", fmt::join(told.methods, "; "));
+    }
+    text += '\n';
+  }
+  if (questions == 0) return {};
+  std::vector<std::string> parts;
+  for (const Sum& s : sums) parts.push_back(fmt::format("{} {}, {} and {}", s.library, s.right, s.wrong, s.not_asked));
+  return text + fmt::format(
+                    "\nOf {} questions a library answers so many rightly by some method, wrongly by all, and so "
+                    "many it cannot be asked: {}.\n\n",
+                    questions, fmt::join(parts, "; "));
 }
 
 std::string target_text(const Measured& m) {

@@ -94,7 +94,8 @@ std::string ratios(const Measured& m, Figures& figures) {
          "rounds: a squared radius and a ray by two points (CGAL, but for EPECK), a capsule by frame and length (FCL), "
          "floats (Bullet, Embree). The verdict is judged against our input all the same, so such errors are the "
          "interface's, not the predicate's. Boost's `within` leaves out the boundary by its contract. CGAL's tests of "
-         "rays answer yes or no; the exact call also finds t.\n\n";
+         "rays answer yes or no; the exact call also finds t.\n\n" +
+         verdicts_text(*m.peers);
 }
 
 std::string reading() {

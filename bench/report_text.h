@@ -32,6 +32,8 @@ Publication publication(const Measured&, const std::optional<Proof>& = {});
 std::string machine_text(const Measured&);
 /// The first page: a line a test with its times, who is right, and what to choose.
 std::string summary_text(const Measured&);
+/// Who is right about the hard cases: a line a test, a column a library.
+std::string verdicts_text(const Report& peers);
 /// What one test found: a paragraph, what to choose, tables.
 std::string test_text(const Measured&, const std::string& test);
 /// Which targets were met and which missed, as a table.

@@ -134,6 +134,35 @@ TEST_CASE("what to choose follows from the times and the verdicts", "[report_tex
   CHECK(contains(test_text(m, "ray-sphere"), "wrong on 4 of 3,000 cases judged: a fault"));
 }
 
+TEST_CASE(
+    "the matrix of libraries says who is right about the hard cases, who is wrong on how many, and who has no test",
+    "[report_text]") {
+  Report peers = report("peers", 29);
+  Row exact = row("do_intersect, EPECK", 80, "planet", 0, "CGAL"), floats = row("rayTest", 9, "planet", 400, "Bullet");
+  peers.rows.insert(peers.rows.end(), {exact, row("do_intersect, EPECK", 80, "ordinary", 0, "CGAL"), floats,
+                                       row("rayTest", 9, "ordinary", 0, "Bullet")});
+  Row unjudged = row("within", 9, "near-tangent", 0, "Boost");
+  unjudged.judged = 0;
+  peers.rows.push_back(unjudged);
+  const std::string told = verdicts_text(peers);
+  INFO(told);
+  CHECK(contains(
+      told,
+      "| question | isect | CGAL | Bullet | FCL | Boost | GEOS |\n| --- | --- | --- | --- | --- | --- | --- |\n"
+      "| ray-sphere | right, 2,000 | do_intersect: wrong on 0.3 %, 6 of 2,000; do_intersect, EPECK: right, "
+      "1,000 (not asked: near tangent) | rayTest: wrong on 40 %, 400 of 1,000 (not asked: near tangent) |  |  |  |\n"));
+  CHECK(contains(
+      told,
+      "isect 1, 0 and 0; CGAL 1, 0 and 0; Bullet 0, 1 and 0; FCL 0, 0 and 1; Boost 0, 0 and 1; GEOS 0, 0 and 1."));
+
+  for (Row& r : peers.rows)
+    if (r.exact && r.family == "planet") r.false_no = 3;
+  CHECK(contains(verdicts_text(peers), "| ray-sphere | wrong on 0.15 %, 3 of 2,000 |"));
+  std::erase_if(peers.rows, [](const Row& r) { return r.hard; });
+  CHECK(verdicts_text(peers).empty());
+  CHECK(contains(publication({report("portable", 29), {}, report("peers", 29)}).text, "### Right and wrong\n"));
+}
+
 TEST_CASE("targets are met, missed or not measured", "[report_text]") {
   const Report portable = report("portable", 19), slow = report("portable", 21), peers = report("peers", 19);
   const Target t = target("times of rays");

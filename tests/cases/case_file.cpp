@@ -79,6 +79,12 @@ std::string CaseFile::text() const {
   return out + "]}\n";
 }
 
+std::string written(const Json& json) {
+  std::string out;
+  write(out, json, false);
+  return out;
+}
+
 std::vector<CaseFile> all() {
   return {orient2d(),
           interval_interval(),

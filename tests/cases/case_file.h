@@ -54,6 +54,9 @@ class CaseFile {
   std::vector<Noted> cases_;
 };
 
+/// On one line, numbers in as few digits as name them.
+std::string written(const Json&);
+
 /// Every kind, in the order of `isect query --help`.
 std::vector<CaseFile> all();
 

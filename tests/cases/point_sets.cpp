@@ -35,7 +35,9 @@ template <class S, int N>
 Case fits(const std::vector<Point<S, N>>& points) {
   Point<S, N> lo = points[0], hi = lo;
   for (const Point<S, N>& p : points) lo = lo.cwiseMin(p), hi = hi.cwiseMax(p);
-  return {{{"points", json<S, N>(points)}}, {{"lo", json<S, N>(lo)}, {"hi", json<S, N>(hi)}}, is_f32<S>};
+  return {{{"points", json<S, N>(points)}, {"volume", "aabb"}},
+          {{"lo", json<S, N>(lo)}, {"hi", json<S, N>(hi)}},
+          is_f32<S>};
 }
 
 /// The corners of a turned brick, and points within: its volume bounds that of the tightest box.

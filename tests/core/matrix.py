@@ -7,18 +7,19 @@
 
 A pair is a public function of two shapes in a header of core/isect: its name is the question. It is proved by
   oracle     a test of its header that finds the truth in rationals
-  families   hard cases that are drawn: in bench/<header>/families.h, in that test, or by the judge of scenes, tests/proof
+  families   hard cases that are drawn: in bench/<header>, in that test, or by the judge of scenes, tests/proof
   suite      a suite of measurements, bench/<header>/suite.cpp
   query      a kind of `isect query`, or a scene as one of its lines
-  cases      hard cases for other libraries, tests/cases/<kind>.json
+  cases      hard cases for other libraries: tests/cases/<kind>.json, or lines of tests/cases/scenes
   free       a listener costs nothing: tests/core/zero_cost_trace.cpp ("-": it takes no listener)
-  fuzz       the kind's fields in tests/fuzz/cases_fuzz.cpp
+  fuzz       the kind's fields in tests/fuzz/cases_fuzz.cpp, or a scene's objects in scenes_fuzz.cpp
   scene      a scene asks it
   lesson     a lesson tells it
 A gap that tests/core/matrix_gaps.txt does not name fails, and so does a named gap that is none any more.
 """
 
 import collections
+import json
 import pathlib
 import re
 import sys
@@ -36,11 +37,24 @@ SIGNATURE = re.compile(r"\b(%s)\(const ([\w:]+)(?:<([^>]*)>)?& ?\w*,\s*(?:const 
 # What `isect query` calls a shape, where that is not its name in small letters.
 KIND_OF = {"Aabb": "box", "HalfSpaces": "solid", "Straight": "line", "Hull3": "hull", "TriangleMesh": "mesh"}
 # Kinds that are not called by both shapes: (first, second, dimension).
-OTHER_KINDS = {("Point", "Polygon", "2"): "pip", ("Point", "Ring", "2"): "pip", ("Ray", "Polygon", "3"): "ray_polygon",
+OTHER_KINDS = {("Point", "Polygon", "2"): "pip", ("Point", "Ring", "2"): "pip", ("Point", "ConvexPolygon", "2"): "pip",
+               ("Ray", "Polygon", "3"): "ray_polygon",
                ("Ray", "Ring", "3"): "ray_polygon", ("Ray", "Triangle", "3"): "ray_polygon"}
 
-# Scenes clip to boxes alone.
+# Kinds that are called as their headers.
+OF_HEADER = {("ray_outline", "2"): ("Ray", "ray_outline"), ("line_triangle", "3"): ("Ray", "line_triangle"),
+             ("point_plane", "2, 3"): ("Plane", "point_plane")}
+
+# What scenes call a shape: the types of objects that it stands for.
+OBJECTS = {"Aabb": ["box"], "HalfSpaces": ["hull", "kdop", "obb", "frustum"], "Straight": ["line", "ray", "segment"],
+           "TriangleMesh": ["mesh"], "Ring": ["polygon"]}
+
+# Scenes clip to boxes alone, and a clipped part is no verdict that their cases or the fuzzing tell.
 CLIPPED = ("clip_polygon", "clip_segment")
+# What scenes ask through another header: (header that they include, what it includes).
+THROUGH = {"sphere_half_spaces": "capsule_half_spaces", "triangle_half_spaces": "sphere_triangle"}
+# A convex polygon prepared for many questions is no object of a scene: outlines are asked as polygons of any form.
+NO_OBJECT = ("point_convex_polygon", "convex_polygons")
 
 Pair = collections.namedtuple("Pair", "header first second dimension")
 
@@ -85,33 +99,56 @@ def pairs():
 
 class Evidence:
     def __init__(self):
-        self.kinds = set(re.findall(r"ISECT_HANDLER\((\w+)", all_text("app/query", "*_handlers.cpp")))
+        self.kinds = set(re.findall(r"ISECT_HANDLER\(\s*(\w+)", all_text("app/query", "*_handlers.cpp")))
         self.kinds |= set(re.findall(r'\{"(\w+)", *"', all_text("app/query", "*_handlers.cpp")))
         self.fuzz = text(ROOT / "tests/fuzz/cases_fuzz.cpp")
+        self.fuzzed = set(re.findall(r'"(\w+)"', text(ROOT / "tests/fuzz/scenes_fuzz.cpp")))  # types of objects
+        self.lines = set()  # (type, type, dimension) of the scenes among the cases
+        for dimension, name in (("2", "plane"), ("3", "space")):
+            for line in text(ROOT / f"tests/cases/scenes/{name}.jsonl").splitlines():
+                a, b = (next(iter(o)) for o in json.loads(line)["objects"])
+                self.lines |= {(a, b, dimension), (b, a, dimension)}
         self.traced = text(ROOT / "tests/core/zero_cost_trace.cpp")
         self.scene = all_text("app/scene", "*.cpp") + all_text("app/scene", "*.h")
         self.lessons = all_text("lessons", "*.cpp") + all_text("lessons", "*.h")
         self.tests = [text(p) for p in sorted((ROOT / "tests/core").glob("*_test.cpp"))]
 
     def kind(self, pair):
+        if (pair.header, pair.dimension) in OF_HEADER and OF_HEADER[pair.header, pair.dimension][0] == pair.first:
+            return OF_HEADER[pair.header, pair.dimension][1]
         name = lambda shape: KIND_OF.get(shape, shape.lower())
         wanted = OTHER_KINDS.get(pair[1:], f"{name(pair.first)}_{name(pair.second)}")
         return wanted if wanted in self.kinds else None
+
+    def asked_by_scenes(self, pair):
+        include = f"<isect/{THROUGH.get(pair.header, pair.header)}.h>"
+        return include in self.scene and pair.header not in NO_OBJECT and not (pair.header in CLIPPED and pair.second == "Plane")
+
+    def objects(self, pair):
+        """Types of objects that a scene asks the pair of; none where it asks another question."""
+        if pair.header in CLIPPED or not self.asked_by_scenes(pair):
+            return []
+        names = lambda shape: OBJECTS.get(shape, [shape.lower()])
+        return [(a, b) for a in names(pair.first) for b in names(pair.second)]
+
+    def in_lines(self, pair):
+        asked = self.objects(pair)
+        return bool(asked) and all(any((a, b, d) in self.lines for a, b in asked) for d in pair.dimension.split(", "))
 
     def of(self, pair):
         include, kind = f"<isect/{pair.header}.h>", self.kind(pair)
         tests = "\n".join(t for t in self.tests if include in t)
         bench = ROOT / "bench" / pair.header
-        scene = kind is not None and f'"{kind}"' in self.scene or include in self.scene and not (pair.header in CLIPPED and pair.second == "Plane")
+        scene = kind is not None and f'"{kind}"' in self.scene or self.asked_by_scenes(pair)
         takes_listener = "Trace&&" in text(CORE / f"{pair.header}.h")
         return {
             "oracle": bool(re.search(r"oracle|Rational|\btruth\b", tests)),
-            "families": (bench / "families.h").is_file() or "famil" in tests or scene and not pair.header.startswith("clip"),
+            "families": "family" in all_text(bench, "*.*") or bool(re.search("famil|all_numbers", tests)) or scene and pair.header not in CLIPPED,
             "suite": (bench / "suite.cpp").is_file(),
             "query": f"`{kind}`" if kind else "scene" if scene else False,
-            "cases": kind is not None and (ROOT / f"tests/cases/{kind}.json").is_file(),
+            "cases": kind is not None and (ROOT / f"tests/cases/{kind}.json").is_file() or self.in_lines(pair),
             "free": include in self.traced if takes_listener else None,
-            "fuzz": kind is not None and f'"{kind}"' in self.fuzz,
+            "fuzz": kind is not None and f'"{kind}"' in self.fuzz or any({a, b} <= self.fuzzed for a, b in self.objects(pair)),
             "scene": scene,
             "lesson": include in self.lessons,
         }

@@ -1,5 +1,6 @@
 // Compiled by zero_cost_trace.cmake, with and without the core's trace lines: the calls of some headers, named by
-// INTERSECT, METHODS, RELATE, CAPSULES, ROUND, RAYS or POLYGONS. LISTEN adds a listener.
+// INTERSECT, METHODS, RELATE, CAPSULES, ROUND, RAYS, CLIPS, LINES, STRAIGHTS, OUTLINES, POINTS, PIECES or POLYGONS.
+// LISTEN adds a listener.
 
 #if defined(INTERSECT)
 #include <isect/ray_sphere.h>
@@ -38,6 +39,30 @@
 #include <isect/ray_plane.h>
 #include <isect/ray_polygon.h>
 #include <isect/ray_triangle.h>
+#elif defined(CLIPS)
+#include <isect/clip_polygon.h>
+#include <isect/clip_segment.h>
+#elif defined(LINES)
+#include <isect/line_line.h>
+#include <isect/ray_capsule.h>
+#elif defined(STRAIGHTS)
+#include <isect/ray_half_spaces.h>
+#include <isect/segment_plane.h>
+#include <isect/segment_sphere.h>
+#elif defined(OUTLINES)
+#include <isect/ray_outline.h>
+#include <isect/segment_polygon.h>
+#elif defined(POINTS)
+#include <isect/point_capsule.h>
+#include <isect/point_kdop.h>
+#include <isect/point_plane.h>
+#elif defined(SOLIDS)
+#include <isect/capsule_half_spaces.h>
+#include <isect/half_spaces.h>
+#include <isect/sphere_half_spaces.h>
+#elif defined(PIECES)
+#include <isect/sphere_triangle.h>
+#include <isect/triangle_half_spaces.h>
 #else
 #include <isect/convex_hull.h>
 #include <isect/convex_polygons.h>
@@ -132,6 +157,48 @@ RayPlane<double> call(const Line& a, const Plane<double, 3>& b) { return interse
 std::optional<double> call_textbook(const Line& a, const Plane<double, 3>& b) { return ray_plane::textbook(a, b HEAR(ray_plane::TextbookEvent<double>)); }
 RayTriangle<double> call(const Line& a, const Triangle<double, 3>& b) { return intersect(a, b HEAR(ray_triangle::Event<double>)); }
 RayPolygon<double> call(const Line& a, const Ring<double, 3>& b) { return intersect(a, b, FillRule::even_odd HEAR(ray_polygon::Event<double>)); }
+#elif defined(CLIPS)
+using Range = std::optional<Interval<double>>;
+using Part = Segment<double, 3>;
+Ring<double, 3> call(const Ring<double, 3>& a, const Plane<double, 3>& b) { return clip(a, b HEAR(clip_polygon::Event<double, 3>)); }
+Ring<double, 3> call(const Ring<double, 3>& a, const Box& b) { return clip(a, b HEAR(clip_polygon::Event<double, 3>)); }
+Range call(const Line& a, const Box& b) { return clip(a, b HEAR(ray_aabb::Event)); }
+Range call(const Part& a, const Box& b) { return clip(a, b HEAR(ray_aabb::Event)); }
+Range call(const Line& a, const Plane<double, 3>& b) { return clip(a, b HEAR(clip_segment::Event)); }
+Range call(const Part& a, const Plane<double, 3>& b) { return clip(a, b HEAR(clip_segment::Event)); }
+#elif defined(LINES)
+using Pill = Capsule<double, 3>;
+using Part = Segment<double, 3>;
+line_line::Result call(const line_line::Straight& a, const line_line::Straight& b) { return intersect(a, b HEAR(line_line::Event)); }
+bool call_meets(const Line& a, const Pill& b) { return intersects(a, b HEAR(ray_capsule::Event)); }
+std::optional<Interval<double>> call(const Line& a, const Pill& b) { return intersect(a, b HEAR(ray_capsule::Event)); }
+std::optional<Interval<double>> call(const Part& a, const Pill& b) { return intersect(a, b HEAR(ray_capsule::Event)); }
+#elif defined(STRAIGHTS)
+using Part = Segment<double, 3>;
+RaySphere<double> call(const Part& a, const Ball& b) { return intersect(a, b HEAR(segment_sphere::Event)); }
+RayPlane<double> call(const Part& a, const Plane<double, 3>& b) { return intersect(a, b HEAR(segment_plane::Event)); }
+std::optional<Interval<double>> call(const Line& a, const HalfSpaces& b) { return intersect(a, b HEAR(ray_half_spaces::Event)); }
+std::optional<Interval<double>> call(const Part& a, const HalfSpaces& b) { return intersect(a, b HEAR(ray_half_spaces::Event)); }
+#elif defined(OUTLINES)
+std::optional<double> call(const Ray<double, 2>& a, const Polygon<double, 2>& b) { return first_hit(a, b, FillRule::even_odd HEAR(ray_outline::Event)); }
+std::optional<double> call(const Segment<double, 2>& a, const Polygon<double, 2>& b) { return first_hit(a, b, FillRule::even_odd HEAR(ray_outline::Event)); }
+RayPolygon<double> call(const Segment<double, 3>& a, const Ring<double, 3>& b) { return intersect(a, b, FillRule::even_odd HEAR(segment_polygon::Event)); }
+#elif defined(POINTS)
+Location call(const Point<double, 3>& a, const Capsule<double, 3>& b) { return locate(a, b HEAR(point_capsule::Event)); }
+Location call(const Point<double, 3>& a, const Kdop<double, 3>& b) { return locate(a, b HEAR(point_kdop::Event)); }
+int call(const Plane<double, 3>& a, const Point<double, 3>& b) { return side(a, b HEAR(point_plane::Event)); }
+#elif defined(SOLIDS)
+Relation call(const HalfSpaces& a, const HalfSpaces& b) { return relate(a, b HEAR(half_spaces::Event)); }
+Relation call(const Plane<double, 3>& a, const HalfSpaces& b) { return relate(a, b HEAR(half_spaces::Event)); }
+Location call(const Point<double, 3>& a, const HalfSpaces& b) { return locate(a, b HEAR(half_spaces::Event)); }
+Relation call(const Ball& a, const HalfSpaces& b) { return relate(a, b HEAR(sphere_half_spaces::Event)); }
+Relation call(const Capsule<double, 3>& a, const HalfSpaces& b) { return relate(a, b HEAR(capsule_half_spaces::Event)); }
+#elif defined(PIECES)
+using Piece = Triangle<double, 3>;
+Relation call(const Ball& a, const Piece& b) { return relate(a, b HEAR(sphere_triangle::Event)); }
+Relation call(const Capsule<double, 3>& a, const Piece& b) { return relate(a, b HEAR(sphere_triangle::Event)); }
+Relation call(const Piece& a, const HalfSpaces& b) { return relate(a, b HEAR(triangle_half_spaces::Event)); }
+bool call(const Piece& a, const Piece& b) { return intersects(a, b HEAR(triangle_half_spaces::Event)); }
 #else
 Winding call(const Spot& a, const Ring<double, 2>& b) { return winding(a, b HEAR(point_polygon::Event)); }
 bool call_crossings(const Spot& a, const Ring<double, 2>& b) { return point_polygon::crossings_naive(a, b HEAR(point_polygon::NaiveEvent<double>)); }
