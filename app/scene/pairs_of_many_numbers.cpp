@@ -59,10 +59,11 @@ void cloud_on(const Shaped& a, const Shaped& b, Told& out) {
 
 // Meshes.
 
-/// How many triangles have a point in the other; that may also lie within the mesh and have none.
+/// How many triangles have a point in the other; and how that lies to the solid that the mesh bounds, if it bounds one.
 void triangles_met(const Shaped& a, const Shaped& b, Told& out) {
   out.answer = by_core(a, b);
   out.result = {{"triangles_met", *out.answer.triangles}};
+  if (out.answer.relation) out.result["relation"] = query::name(*out.answer.relation);
 }
 
 void line_and_mesh(const Shaped& a, const Shaped& b, Told& out) {

@@ -145,8 +145,15 @@ struct Teller {
     say(answer.meet ? Kind::yes : Kind::no, met + (outline && answer.coplanar ? ", in whose plane it lies" : ""));
   }
 
+  /// What a mesh bounds counts where its triangles are not met, and beside them.
   void mesh() const {
     const int met = *answer.triangles;
+    if (met == 0 && answer.relation) return relation();
+    if (answer.relation == Relation::touching) out.note = "As solids they touch.";
+    if (answer.relation == Relation::overlapping) out.note = "As solids they overlap.";
+    if (answer.relation == Relation::equal) out.note = "As solids they are equal.";
+    if (answer.relation == Relation::b_inside_a) out.note = fmt::format("{} lies in the solid that {} bounds.", nb, na);
+    if (answer.relation == Relation::a_inside_b) out.note = fmt::format("The solid that {} bounds lies in {}.", na, nb);
     met > 0
         ? say(Kind::yes, fmt::format("{} meets {} of {} triangles of {}", nb, met, a.object.fixed.triangles.size(), na))
         : say(Kind::no, fmt::format("{} meets no triangle of {}", nb, na));

@@ -29,6 +29,8 @@
 #include <isect/half_spaces.h>
 #include <isect/line_line.h>
 #include <isect/line_triangle.h>
+#include <isect/mesh_convex.h>
+#include <isect/mesh_mesh.h>
 #include <isect/obb_obb.h>
 #include <isect/parts/ask_pairs.h>
 #include <isect/plane_aabb.h>
@@ -264,7 +266,16 @@ Answer in_order(const Polygon<S, 2>& a, const Aabb<S, 2>& b) {
   return answer(outlines(a, detail::polygon(b)));
 }
 
-// Meshes: how many triangles have a point in the other, of two meshes A's.
+// Meshes: how many triangles have a point in the other, of two meshes A's; and how they lie, where the mesh bounds a
+// solid and the other has a volume.
+
+/// Adds how the solid that mesh A bounds lies to B, if there is one.
+template <class S, class B>
+void add_solid(const TriangleMesh<S>& a, const B& b, Answer& out) {
+  if (!bounds_solid(a)) return;
+  out.relation = relate(a, b);
+  out.meet = out.relation != Relation::disjoint;
+}
 
 template <class S>
 Answer in_order(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
@@ -276,7 +287,9 @@ Answer in_order(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
   }
   int count = 0;
   for (const char one : met) count += one;
-  return {.meet = count > 0, .triangles = count};
+  Answer out = {.meet = count > 0, .triangles = count};
+  if (bounds_solid(b)) add_solid(a, b, out);
+  return out;
 }
 template <class S, class B>
 requires(
@@ -298,7 +311,16 @@ requires(
       count += intersects(b, x);
     }
   }
-  return {.meet = count > 0, .t = first, .triangles = count};
+  Answer out = {.meet = count > 0, .t = first, .triangles = count};
+  if constexpr (requires { has_volume(b); })
+    if (has_volume(b)) add_solid(a, b, out);
+  return out;
+}
+template <class S>
+Answer in_order(const TriangleMesh<S>& a, const Hull3<S>& b) {
+  Answer out = in_order(a, half_spaces_of(b));
+  if (has_volume(b)) add_solid(a, b, out);
+  return out;
 }
 
 /// What the core has for A and B in this order.

@@ -50,8 +50,31 @@ Relation relation(const TriangleMesh<S>& mesh, const HalfSpaces& body, const std
 
 }  // namespace mesh_convex::detail
 
+// Whether a body has a volume; what is empty, NaN or infinite has none.
+
+template <class S>
+bool has_volume(const Sphere<S, 3>& ball) {
+  return finite(ball) && ball.radius > 0;
+}
+template <class S>
+bool has_volume(const Capsule<S, 3>& capsule) {
+  return finite(capsule) && capsule.radius > 0;
+}
+template <class S>
+bool has_volume(const Aabb<S, 3>& box) {
+  return finite(box) && (box.lo.array() < box.hi.array()).all();
+}
+template <class S>
+bool has_volume(const Obb<S, 3>& box) {
+  return half_spaces::detail::has_interior(half_spaces_of(box).faces, NoTrace());
+}
+template <class S>
+bool has_volume(const Hull3<S>& hull) {
+  return hull.dimension == 3;
+}
+
 // How a solid (A) that a mesh bounds (see bounds_solid) lies to a convex body (B). Exact. The body has a volume, or is
-// a ball of radius 0; any other without one, or an empty mesh, NaN or an infinite coordinate: disjoint.
+// a ball of radius 0; any other without one, or an empty mesh: disjoint.
 
 template <class S>
 Relation relate(const TriangleMesh<S>& mesh, const Sphere<S, 3>& sphere) {
@@ -68,7 +91,7 @@ Relation relate(const TriangleMesh<S>& mesh, const Sphere<S, 3>& sphere) {
 
 template <class S>
 Relation relate(const TriangleMesh<S>& mesh, const Capsule<S, 3>& capsule) {
-  if (mesh.triangles.empty() || !finite(capsule) || !(capsule.radius > 0)) return Relation::disjoint;
+  if (mesh.triangles.empty() || !has_volume(capsule)) return Relation::disjoint;
   const Capsule<double, 3> wide = cast<double>(capsule);
   const auto reach = [&](const mesh_surface::Corners& x) {
     return sphere_triangle::detail::compare(wide, x, NoTrace());
@@ -79,7 +102,7 @@ Relation relate(const TriangleMesh<S>& mesh, const Capsule<S, 3>& capsule) {
 
 template <class S>
 Relation relate(const TriangleMesh<S>& mesh, const Aabb<S, 3>& box) {
-  if (mesh.triangles.empty() || !finite(box) || !(box.lo.array() < box.hi.array()).all()) return Relation::disjoint;
+  if (mesh.triangles.empty() || !has_volume(box)) return Relation::disjoint;
   const Aabb<double, 3> wide = cast<double>(box);
   const auto reach = [&](const mesh_surface::Corners& x) { return triangle_aabb::detail::outer(x, wide, NoTrace()); };
   return mesh_convex::detail::relation(mesh, reach, [&](const Point<double, 3>& p) { return locate(p, wide); },
@@ -88,14 +111,13 @@ Relation relate(const TriangleMesh<S>& mesh, const Aabb<S, 3>& box) {
 
 template <class S>
 Relation relate(const TriangleMesh<S>& mesh, const Obb<S, 3>& box) {
-  const HalfSpaces body = half_spaces_of(box);
-  if (mesh.triangles.empty() || !half_spaces::detail::has_interior(body.faces, NoTrace())) return Relation::disjoint;
-  return mesh_convex::detail::relation(mesh, body, {box.center.template cast<double>()});
+  if (mesh.triangles.empty() || !has_volume(box)) return Relation::disjoint;
+  return mesh_convex::detail::relation(mesh, half_spaces_of(box), {box.center.template cast<double>()});
 }
 
 template <class S>
 Relation relate(const TriangleMesh<S>& mesh, const Hull3<S>& hull) {
-  if (mesh.triangles.empty() || hull.dimension < 3) return Relation::disjoint;
+  if (mesh.triangles.empty() || !has_volume(hull)) return Relation::disjoint;
   std::vector<Point<double, 3>> inner;
   for (const Point<S, 3>& v : hull.vertices) inner.push_back(v.template cast<double>());
   return mesh_convex::detail::relation(mesh, half_spaces_of(hull), inner);

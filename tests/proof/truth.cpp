@@ -518,7 +518,8 @@ bool lies_in(const Thing& a, const Thing& b) {
     return a.radius == 0 && std::ranges::all_of(all, [&](const Vec& p) { return place(p, b) == 0; });
   }
   if (is_region(a, b)) return Overlay(a, b).a_in_b;
-  if (b.kind == Kind::surface) return false;  // only asked of what has a volume
+  if (b.kind == Kind::surface)  // asked of what meets no triangle
+    return b.closed && triangles_met(b, a) == 0 && place(all[0], b) < 0;
   if (b.radius > 0) {
     if (a.radius > b.radius) return false;
     const Rational room = b.radius - a.radius;

@@ -72,7 +72,11 @@ const std::map<std::string, Says>& sentences() {
     return of[0] && of[2];
   };
   static const std::map<std::string, Says> all = {
-      {"X and Y are disjoint", [](const Thing& x, const Thing& y) { return !meet(x, y); }},
+      {"X and Y are disjoint",
+       [](const Thing& x, const Thing& y) {
+         const bool within = (y.kind == Kind::surface && lies_in(x, y)) || (x.kind == Kind::surface && lies_in(y, x));
+         return !meet(x, y) && !within;
+       }},
       {"X and Y have a common point", meet},
       {"X meets Y", meet},
       {"X misses Y", [](const Thing& x, const Thing& y) { return !meet(x, y); }},
