@@ -1,6 +1,6 @@
 // Compiled by zero_cost_trace.cmake, with and without the core's trace lines: the calls of some headers, named by
-// INTERSECT, METHODS, RELATE, CAPSULES, ROUND, RAYS, CLIPS, LINES, STRAIGHTS, OUTLINES, POINTS, PIECES or POLYGONS.
-// LISTEN adds a listener.
+// INTERSECT, METHODS, RELATE, CAPSULES, ROUND, RAYS, CLIPS, LINES, STRAIGHTS, OUTLINES, POINTS, SOLIDS, PIECES or
+// POLYGONS. LISTEN adds a listener.
 
 #if defined(INTERSECT)
 #include <isect/ray_sphere.h>
