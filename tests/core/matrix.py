@@ -47,7 +47,7 @@ OF_HEADER = {("ray_outline", "2"): ("Ray", "ray_outline"), ("line_triangle", "3"
 
 # What scenes call a shape: the types of objects that it stands for.
 OBJECTS = {"Aabb": ["box"], "HalfSpaces": ["hull", "kdop", "obb", "frustum"], "Straight": ["line", "ray", "segment"],
-           "TriangleMesh": ["mesh"], "Ring": ["polygon"]}
+           "TriangleMesh": ["mesh"], "Ring": ["polygon"], "Hull3": ["hull"]}
 
 # Scenes clip to boxes alone, and a clipped part is no verdict that their cases or the fuzzing tell.
 CLIPPED = ("clip_polygon", "clip_segment")
@@ -110,6 +110,7 @@ class Evidence:
                 self.lines |= {(a, b, dimension), (b, a, dimension)}
         self.traced = text(ROOT / "tests/core/zero_cost_trace.cpp")
         self.scene = all_text("app/scene", "*.cpp") + all_text("app/scene", "*.h")
+        self.scene += text(CORE / "ask.h") + text(CORE / "parts/ask_pairs.h")  # by which scenes ask any two shapes
         self.lessons = all_text("lessons", "*.cpp") + all_text("lessons", "*.h")
         self.tests = [text(p) for p in sorted((ROOT / "tests/core").glob("*_test.cpp"))]
 
