@@ -215,7 +215,7 @@ struct Solid {
 
   bool solid_above(int t) const {
     const Corners& x = surface.triangles[t];
-    const auto& [a, b, c] = x.vertices;
+    const Point3 &a = x.vertices[0], &b = x.vertices[1], &c = x.vertices[2];
     for (int k = 3;; ++k) {
       const Vector<double, 3> along = mesh_surface::direction(k);
       const int upwards = sign_of([&]<class W>() -> W {
