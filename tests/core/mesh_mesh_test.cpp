@@ -132,7 +132,7 @@ TEST_CASE("a solid within a hollow one touches its wall by an ulp or not at all"
   CHECK(relate(hollow, box({0, 0, 0}, {9, 9, 9})) == Relation::a_inside_b);
   CHECK(relate(hollow, box({1, 1, 1}, {8, 8, 8})) == Relation::overlapping);
   CHECK(relate(hollow, hollow) == Relation::equal);
-  CHECK(relate(hollow, {}) == Relation::disjoint);
+  CHECK(relate(hollow, TriangleMesh<double>{}) == Relation::disjoint);
 }
 
 TEST_CASE("an octahedron in a box meets it in single points", "[mesh_mesh]") {
