@@ -316,11 +316,20 @@ requires(
     if (has_volume(b)) add_solid(a, b, out);
   return out;
 }
-template <class S>
-Answer in_order(const TriangleMesh<S>& a, const Hull3<S>& b) {
+/// Its triangles are asked of the half-spaces, the solid of what they are made of.
+template <class S, class B>
+Answer by_faces(const TriangleMesh<S>& a, const B& b) {
   Answer out = in_order(a, half_spaces_of(b));
   if (has_volume(b)) add_solid(a, b, out);
   return out;
+}
+template <class S>
+Answer in_order(const TriangleMesh<S>& a, const Obb<S, 3>& b) {
+  return by_faces(a, b);
+}
+template <class S>
+Answer in_order(const TriangleMesh<S>& a, const Hull3<S>& b) {
+  return by_faces(a, b);
 }
 
 /// What the core has for A and B in this order.
