@@ -12,8 +12,8 @@ namespace isect {
 /// told by no test of them, has no value. A line, here, is a ray or a segment, too; t is that of the one that is a
 /// line, of two lines A's.
 struct Answer {
-  bool meet = false;                      ///< they have a common point
-  std::optional<Relation> relation = {};  ///< how A lies to B
+  bool meet = false;                      ///< they have a common point; of a mesh, a triangle of it has
+  std::optional<Relation> relation = {};  ///< how A lies to B; of a mesh that bounds a solid, how that does
   std::optional<Location> location = {};  ///< where the one that is a point lies in the other
   std::optional<int> side = {};           ///< of a plane, or a line in the plane, where a point or all corners lie: 1
                                           ///< where the normal points, or left; -1 opposite; 0 on none, or on both

@@ -272,9 +272,7 @@ Answer in_order(const Polygon<S, 2>& a, const Aabb<S, 2>& b) {
 /// Adds how the solid that mesh A bounds lies to B, if there is one.
 template <class S, class B>
 void add_solid(const TriangleMesh<S>& a, const B& b, Answer& out) {
-  if (!bounds_solid(a)) return;
-  out.relation = relate(a, b);
-  out.meet = out.relation != Relation::disjoint;
+  if (bounds_solid(a)) out.relation = relate(a, b);
 }
 
 template <class S>
