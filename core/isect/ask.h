@@ -275,18 +275,28 @@ void add_solid(const TriangleMesh<S>& a, const B& b, Answer& out) {
   if (bounds_solid(a)) out.relation = relate(a, b);
 }
 
+/// Whether two triangles have a corner in common: most neighbours of equal meshes do.
+template <class S>
+bool share_corner(const Triangle<S, 3>& x, const Triangle<S, 3>& y) {
+  for (const Point<S, 3>& v : x.vertices)
+    if (v == y.vertices[0] || v == y.vertices[1] || v == y.vertices[2]) return true;
+  return false;
+}
+
 template <class S>
 Answer in_order(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
   const std::vector<Aabb<S, 3>> around_a = boxes(a), around_b = boxes(b);
   std::vector<char> met(a.triangles.size(), 0);
   for (const auto& [i, j] : overlapping_pairs(build_bvh(around_a), around_a, build_bvh(around_b), around_b)) {
     char& one = met[static_cast<std::size_t>(i)];
-    if (!one) one = intersects(triangle(a, i), triangle(b, j));
+    if (one) continue;
+    const Triangle<S, 3> x = triangle(a, i), y = triangle(b, j);
+    one = (share_corner(x, y) && finite(x) && finite(y)) || intersects(x, y);
   }
   int count = 0;
   for (const char one : met) count += one;
   Answer out = {.meet = count > 0, .triangles = count};
-  if (bounds_solid(b)) add_solid(a, b, out);
+  out.relation = relate_solids(a, b);
   return out;
 }
 template <class S, class B>

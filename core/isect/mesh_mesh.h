@@ -163,9 +163,10 @@ inline bool clash(const Surface& mesh, int i, int j) {
     const int axis = axis_of(p, q, a);
     return turn(p, q, a, axis) == turn(p, q, b, axis);
   }
-  const Signs side_i = sides(y, x), side_j = sides(x, y);
-  if (beside(side_i) || beside(side_j)) return false;
-  if (shared == 0) return meet(x, side_i, y);
+  if (shared == 0) {
+    const Signs side_i = sides(y, x);
+    return !beside(side_i) && !beside(sides(x, y)) && meet(x, side_i, y);
+  }
   // what they have in common beside the corner reaches a side across from it
   const int common_j = 3 - alone_j;  // the corners are 0, 1, 2
   return meets(mesh.corner(i, common_i + 1), mesh.corner(i, common_i + 2), y) ||
@@ -201,7 +202,7 @@ struct Solid {
       const int t = open.back();
       open.pop_back();
       for (int side = 0; side < 3; ++side) {
-        const std::vector<Surface::Side>& both = surface.at_edge[surface.edges[t][side]];
+        const std::span<const Surface::Side> both = surface.at_edge(t, side);
         if (both.size() != 2) continue;
         const Surface::Side& other = both[both[0].triangle == t ? 1 : 0];
         if (part[other.triangle] >= 0) continue;
@@ -273,7 +274,7 @@ inline void add_edge(const Solid& solid, int t, int side, const Point3& p, const
                      std::vector<HalfPlane>& halves) {
   int axis = 0;
   while (p[axis] == q[axis]) ++axis;
-  for (const Surface::Side& s : solid.surface.at_edge[solid.surface.edges[t][side]]) {
+  for (const Surface::Side& s : solid.surface.at_edge(t, side)) {
     const Point3 &from = solid.surface.corner(s.triangle, s.side), &to = solid.surface.corner(s.triangle, s.side + 1);
     const bool along = (from[axis] < to[axis]) == (p[axis] < q[axis]);
     halves.push_back({solid.surface.corner(s.triangle, s.side + 2), of_first, along == bool(solid.above[s.triangle])});
@@ -351,39 +352,16 @@ inline void place_parts(const Solid& a, const std::vector<char>& bordered, const
   }
 }
 
-}  // namespace mesh_mesh::detail
-
-/// Whether a triangle of the mesh meets another in more than corners and edges of both, or two lie on each other.
-/// Exact; corners in the same place count as one. The indices are valid and all is finite.
-template <class S>
-bool crosses_itself(const TriangleMesh<S>& mesh) {
-  const mesh_surface::Surface surface(mesh);
-  return mesh_mesh::detail::crosses_itself(surface);
+inline bool apart(const Surface& a, const Surface& b) {
+  return a.triangles.empty() || b.triangles.empty() || !intersects(a.tree.nodes[0].box, b.tree.nodes[0].box);
 }
 
-/// Whether the mesh bounds a solid: its indices are valid and all is finite; every triangle has an area; every edge
-/// belongs to an even number of triangles; and it does not cross itself. Exact.
-template <class S>
-bool bounds_solid(const TriangleMesh<S>& mesh) {
-  const auto has_area = [&](const auto& t) {
-    const auto at = [&](std::size_t i) -> Point<double, 3> { return mesh.vertices[t[i]].template cast<double>(); };
-    return mesh_mesh::detail::axis_of(at(0), at(1), at(2)) < 3;
-  };
-  return valid(mesh) && std::ranges::all_of(mesh.vertices, [](const Point<S, 3>& v) { return finite(v); }) &&
-         std::ranges::all_of(mesh.triangles, has_area) && point_mesh::closed(mesh) && !crosses_itself(mesh);
-}
-
-/// How the solids lie that two meshes bound (see bounds_solid), by even-odd, however their triangles turn. Exact. A
-/// mesh without triangles is empty.
-template <class S>
-Relation relate(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
-  using namespace mesh_mesh::detail;
-  if (a.triangles.empty() || b.triangles.empty()) return Relation::disjoint;
-  const Surface surface_a(a), surface_b(b);
-  const Solid first(surface_a), second(surface_b);
+inline Relation relation(const Surface& a, const Surface& b) {
+  if (apart(a, b)) return Relation::disjoint;
+  const Solid first(a), second(b);
   std::vector<char> bordered_a(first.first_of_part.size()), bordered_b(second.first_of_part.size());
   Common common;
-  report_pairs(surface_a.tree, surface_a.boxes, surface_b.tree, surface_b.boxes, [&](int i, int j) {
+  report_pairs(a.tree, a.boxes, b.tree, b.boxes, [&](int i, int j) {
     if (!common.all()) compare(first, i, second, j, bordered_a, bordered_b, common);
   });
   if (!common.all()) {
@@ -399,6 +377,54 @@ Relation relate(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
   return common.first    ? common.second ? Relation::overlapping : Relation::b_inside_a
          : common.second ? Relation::a_inside_b
                          : Relation::equal;
+}
+
+/// Whether the mesh bounds a solid, unless it crosses itself.
+template <class S>
+bool encloses(const TriangleMesh<S>& mesh) {
+  const auto has_area = [&](const auto& t) {
+    const auto at = [&](std::size_t i) -> Point3 { return mesh.vertices[t[i]].template cast<double>(); };
+    return axis_of(at(0), at(1), at(2)) < 3;
+  };
+  return valid(mesh) && std::ranges::all_of(mesh.vertices, [](const Point<S, 3>& v) { return finite(v); }) &&
+         std::ranges::all_of(mesh.triangles, has_area) && point_mesh::closed(mesh);
+}
+
+}  // namespace mesh_mesh::detail
+
+/// Whether a triangle of the mesh meets another in more than corners and edges of both, or two lie on each other.
+/// Exact; corners in the same place count as one. The indices are valid and all is finite.
+template <class S>
+bool crosses_itself(const TriangleMesh<S>& mesh) {
+  const mesh_surface::Surface surface(mesh);
+  return mesh_mesh::detail::crosses_itself(surface);
+}
+
+/// Whether the mesh bounds a solid: its indices are valid and all is finite; every triangle has an area; every edge
+/// belongs to an even number of triangles; and it does not cross itself. Exact.
+template <class S>
+bool bounds_solid(const TriangleMesh<S>& mesh) {
+  return mesh_mesh::detail::encloses(mesh) && !crosses_itself(mesh);
+}
+
+/// How the solids lie that two meshes bound (see bounds_solid), by even-odd, however their triangles turn. Exact. A
+/// mesh without triangles is empty.
+template <class S>
+Relation relate(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
+  return mesh_mesh::detail::relation(mesh_surface::Surface(a), mesh_surface::Surface(b));
+}
+
+/// As relate has it, but nothing where one of the meshes bounds no solid.
+template <class S>
+std::optional<Relation> relate_solids(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
+  using namespace mesh_mesh::detail;
+  if (!encloses(a) || !encloses(b)) return {};
+  const Surface x(a), y(b);
+  if (apart(x, y)) return Relation::disjoint;
+  if (crosses_itself(x)) return {};
+  if (a.vertices == b.vertices && a.triangles == b.triangles) return Relation::equal;
+  if (crosses_itself(y)) return {};
+  return relation(x, y);
 }
 
 }  // namespace isect

@@ -75,13 +75,16 @@ struct Surface {
   Bvh<double, 3> tree;
   std::vector<std::array<int, 3>> places;  ///< a number for each corner, equal where two corners are equal
   std::vector<std::array<int, 3>> edges;   ///< the edge that each side is
-  std::vector<std::vector<Side>> at_edge;  ///< the sides that an edge is
+  std::vector<Side> sides;                 ///< of all edges, edge by edge
+  std::vector<int> first_side;             ///< of each edge in there, and the end
 
   template <class S>
   explicit Surface(const TriangleMesh<S>& mesh) {
     const std::vector<int> place = numbered(mesh.vertices);
-    std::vector<std::array<int, 4>> sides;  // both ends, the smaller first; triangle, side
-    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    const std::size_t count = mesh.triangles.size();
+    std::vector<std::array<int, 4>> keys;  // both ends, the smaller first; triangle, side
+    triangles.reserve(count), boxes.reserve(count), places.reserve(count), keys.reserve(3 * count);
+    for (int t = 0; t < static_cast<int>(count); ++t) {
       triangles.push_back(cast<double>(triangle(mesh, t)));
       const auto& [a, b, c] = triangles.back().vertices;
       boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
@@ -89,25 +92,27 @@ struct Surface {
       for (std::size_t i = 0; i < 3; ++i) places.back()[i] = place[mesh.triangles[t][i]];
       for (std::size_t i = 0; i < 3; ++i) {
         const auto [lo, hi] = std::minmax(places.back()[i], places.back()[(i + 1) % 3]);
-        sides.push_back({lo, hi, t, static_cast<int>(i)});
+        keys.push_back({lo, hi, t, static_cast<int>(i)});
       }
     }
     tree = build_bvh(boxes);
-    std::ranges::sort(sides);
-    edges.resize(triangles.size());
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      const auto& [lo, hi, t, side] = sides[i];
-      if (i == 0 || lo != sides[i - 1][0] || hi != sides[i - 1][1]) at_edge.emplace_back();
-      edges[t][side] = static_cast<int>(at_edge.size()) - 1;
-      at_edge.back().push_back({t, side});
+    std::ranges::sort(keys);
+    edges.resize(count), sides.reserve(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const auto& [lo, hi, t, side] = keys[i];
+      if (i == 0 || lo != keys[i - 1][0] || hi != keys[i - 1][1]) first_side.push_back(static_cast<int>(i));
+      edges[t][side] = static_cast<int>(first_side.size()) - 1;
+      sides.push_back({t, side});
     }
+    first_side.push_back(static_cast<int>(sides.size()));
   }
 
-  const Point3& corner(int t, int i) const { return triangles[t].vertices[static_cast<std::size_t>(i % 3)]; }
-  bool first_at_edge(int t, int side) const {
-    const Side& first = at_edge[edges[t][side]].front();
-    return first.triangle == t && first.side == side;
+  /// The sides that the edge is at which that side of a triangle lies.
+  std::span<const Side> at_edge(int t, int side) const {
+    const int edge = edges[t][side];
+    return {sides.data() + first_side[edge], sides.data() + first_side[edge + 1]};
   }
+  const Point3& corner(int t, int i) const { return triangles[t].vertices[static_cast<std::size_t>(i % 3)]; }
 
  private:
   /// A number for each point, the same for equal ones.
