@@ -619,8 +619,7 @@ TEST_CASE("two meshes meet where triangles of both have a point in common", "[sc
   };
   CHECK_THAT(verdict(shell, tetrahedron("M", 0) + ", " + tetrahedron("N", 2)),
              Contains("N meets 3 of 4 triangles of M"));  // at a corner, which three triangles share
-  CHECK_THAT(verdict(shell, tetrahedron("M", 0) + ", " + tetrahedron("N", 2.0009765625)),
-             Contains("are disjoint"));
+  CHECK_THAT(verdict(shell, tetrahedron("M", 0) + ", " + tetrahedron("N", 2.0009765625)), Contains("are disjoint"));
 }
 
 TEST_CASE("a point lies in a capsule, on it or outside", "[scene]") {
