@@ -26,7 +26,7 @@ template <template <class> class Solid>
 void add_points(CaseFile& file) {
   const auto ask = [](const auto& c) { return point_in(c.a, c.b); };
   by_families(file, 3, bench::point_and_solid_draws<double, Solid>, bench::point_and_solid_draws<float, Solid>, ask);
-  by_numbers(file, 3, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
+  by_numbers(file, 2, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
     const auto c = bench::point_and_solid::of_any_numbers<S, Solid>(random, numbers);
     if (!finite(c.a) || !finite(c.b)) return {};
     return ask(c);
@@ -49,8 +49,8 @@ Case ray_and_solid(const Ray<S, 3>& ray, const Solid& solid) {
 template <template <class> class Solid>
 void add_rays(CaseFile& file) {
   const auto ask = [](const auto& c) { return ray_and_solid(c.a, c.b); };
-  by_families(file, 3, bench::ray_and_solid_draws<double, Solid>, bench::ray_and_solid_draws<float, Solid>, ask);
-  by_numbers(file, 4, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
+  by_families(file, 2, bench::ray_and_solid_draws<double, Solid>, bench::ray_and_solid_draws<float, Solid>, ask);
+  by_numbers(file, 2, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
     const auto c = bench::ray_and_solid::of_any_numbers<S, Solid>(random, numbers);
     if (!finite(c.a) || !finite(c.b)) return {};
     return ask(c);
@@ -66,8 +66,8 @@ Case plane_and_solid(const Plane<S, 3>& plane, const Solid& solid) {
 template <template <class> class Solid>
 void add_planes(CaseFile& file) {
   const auto ask = [](const auto& c) { return plane_and_solid(c.a, c.b); };
-  by_families(file, 3, bench::plane_and_solid_draws<double, Solid>, bench::plane_and_solid_draws<float, Solid>, ask);
-  by_numbers(file, 4, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
+  by_families(file, 2, bench::plane_and_solid_draws<double, Solid>, bench::plane_and_solid_draws<float, Solid>, ask);
+  by_numbers(file, 2, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
     const auto c = bench::plane_and_solid::of_any_numbers<S, Solid>(random, numbers);
     if (!finite(c.a) || !finite(c.b) || c.a.normal.isZero(0)) return {};
     return ask(c);
@@ -87,8 +87,8 @@ Case ball_and_solid(const Sphere<S, 3>& ball, const Solid& solid, const std::str
 template <template <class> class Solid>
 void add_balls(CaseFile& file, const std::string& name) {
   const auto ask = [&](const auto& c) { return ball_and_solid(c.a, c.b, name); };
-  by_families(file, 4, bench::ball_and_solid_draws<double, Solid>, bench::ball_and_solid_draws<float, Solid>, ask);
-  by_numbers(file, 4, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
+  by_families(file, 2, bench::ball_and_solid_draws<double, Solid>, bench::ball_and_solid_draws<float, Solid>, ask);
+  by_numbers(file, 2, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
     const auto c = bench::ball_and_solid::of_any_numbers<S, Solid>(random, numbers);
     if (!finite(c.a) || !finite(c.b)) return {};
     return ask(c);
