@@ -12,6 +12,7 @@
 #include <isect/mesh_mesh.h>
 #include <isect/point_aabb.h>
 #include <isect/point_capsule.h>
+#include <isect/point_mesh.h>
 #include <isect/point_obb.h>
 #include <isect/point_sphere.h>
 #include <isect/sphere_triangle.h>

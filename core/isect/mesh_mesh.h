@@ -8,9 +8,9 @@
 // edge or the two halves of the other's triangle. Every part of a surface between such segments borders on one; what
 // has none, but for single points, lies in or out of the other solid as a whole, and a ray tells which.
 //
-// All this is decided by signs of volumes and areas. Pairs of triangles come from hierarchies: O(n lg n) and the pairs.
-// Source: for the sectors Requicha, Voelcker, Boolean operations in solid modeling, Proc. IEEE 73 (1985), 3.3; for two
-// triangles Guigue, Devillers, Fast and robust triangle-triangle overlap test, J. Graphics Tools 8 (2003).
+// All this is decided by signs of volumes and areas. Pairs of triangles come from hierarchies: O(n lg n) and the pairs,
+// and n for each connected part of a surface.
+// Source: for the sectors Requicha, Voelcker, Boolean operations in solid modeling, Proc. IEEE 73 (1985), 3.3.
 
 #include <algorithm>
 #include <array>
@@ -20,126 +20,13 @@
 #include <vector>
 
 #include <isect/parts/mesh_surface.h>
-#include <isect/point_mesh.h>
+#include <isect/parts/two_triangles.h>
 
 namespace isect {
 
 namespace mesh_mesh::detail {
 
-using mesh_surface::Corners;
-using mesh_surface::Point3;
 using mesh_surface::Surface;
-
-// Two triangles.
-
-using Signs = std::array<int, 3>;
-
-/// The sides of the corners, as seen from a plane: 1 below it, where it turns clockwise.
-inline Signs sides(const Corners& plane, const Corners& x) {
-  const auto& [a, b, c] = plane.vertices;
-  return {orient3d(a, b, c, x.vertices[0]), orient3d(a, b, c, x.vertices[1]), orient3d(a, b, c, x.vertices[2])};
-}
-inline bool beside(const Signs& s) { return s[0] != 0 && s[0] == s[1] && s[0] == s[2]; }
-inline bool on_both_sides(const Signs& s) { return std::ranges::min(s) < 0 && std::ranges::max(s) > 0; }
-
-/// Where the line through p and q passes the triangle, whose plane does not hold it: in it, on its boundary, out of it.
-inline Location passes(const Point3& p, const Point3& q, const Corners& x) {
-  const auto& [a, b, c] = x.vertices;
-  const Signs turns = {orient3d(p, q, a, b), orient3d(p, q, b, c), orient3d(p, q, c, a)};
-  return beside(turns) ? Location::in : on_both_sides(turns) ? Location::out : Location::on;
-}
-
-/// Whether a point inside both triangles lies in no edge of either: they pass through each other.
-inline bool cross(const Corners& x, const Signs& of_x, const Corners& y, const Signs& of_y) {
-  if (!on_both_sides(of_x) || !on_both_sides(of_y)) return false;
-  int in = 0, on = 0;  // of the ends of what one has on the other's plane
-  const auto count = [&](const Corners& one, const Signs& s, const Corners& other) {
-    std::size_t i = 0;  // alone on its side
-    while (s[i] == 0 || s[i] == s[(i + 1) % 3] || s[i] == s[(i + 2) % 3]) ++i;
-    on = 0;
-    for (const std::size_t k : {(i + 1) % 3, (i + 2) % 3}) {
-      const Location where = passes(one.vertices[i], one.vertices[k], other);
-      in += where == Location::in;
-      on += where == Location::on;
-    }
-  };
-  count(x, of_x, y);
-  if (in > 0 || on == 2) return true;
-  count(y, of_y, x);
-  return in > 0;
-}
-
-/// p without a coordinate.
-inline Point<double, 2> flat(const Point3& p, int axis) { return {p[(axis + 1) % 3], p[(axis + 2) % 3]}; }
-inline int turn(const Point3& p, const Point3& q, const Point3& x, int axis) {
-  return orient2d(flat(p, axis), flat(q, axis), flat(x, axis));
-}
-/// An axis along which p, q and x are seen to turn; 3 if they lie on one line.
-inline int axis_of(const Point3& p, const Point3& q, const Point3& x) {
-  int axis = 0;
-  while (axis < 3 && turn(p, q, x, axis) == 0) ++axis;
-  return axis;
-}
-
-/// Whether the segment, in the triangle's plane, has a stretch inside the triangle.
-inline bool within(const Point3& p, const Point3& q, const Corners& x) {
-  const auto& v = x.vertices;
-  const int axis = axis_of(v[0], v[1], v[2]), sense = turn(v[0], v[1], v[2], axis);
-  Signs of_line;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Point3 &a = v[i], &b = v[(i + 1) % 3];
-    if (turn(a, b, p, axis) * sense <= 0 && turn(a, b, q, axis) * sense <= 0) return false;
-    of_line[i] = turn(p, q, a, axis);
-  }
-  return on_both_sides(of_line);
-}
-
-/// Whether two segments lie on one line and have a stretch in common.
-inline bool share_stretch(const Point3& p, const Point3& q, const Point3& r, const Point3& s) {
-  if (axis_of(p, q, r) < 3 || axis_of(p, q, s) < 3) return false;
-  int axis = 0;
-  while (p[axis] == q[axis]) ++axis;
-  return std::max(std::min(p[axis], q[axis]), std::min(r[axis], s[axis])) <
-         std::min(std::max(p[axis], q[axis]), std::max(r[axis], s[axis]));
-}
-
-/// Whether a point, in the triangle's plane, lies in the triangle.
-inline bool holds(const Corners& x, const Point3& p) {
-  const auto& v = x.vertices;
-  const int axis = axis_of(v[0], v[1], v[2]), sense = turn(v[0], v[1], v[2], axis);
-  return turn(v[0], v[1], p, axis) * sense >= 0 && turn(v[1], v[2], p, axis) * sense >= 0 &&
-         turn(v[2], v[0], p, axis) * sense >= 0;
-}
-
-/// Whether a side of the triangle has all of some points, in its plane, beyond it.
-inline bool parts_from(const Corners& x, std::span<const Point3> points) {
-  const auto& v = x.vertices;
-  const int axis = axis_of(v[0], v[1], v[2]), sense = turn(v[0], v[1], v[2], axis);
-  for (std::size_t i = 0; i < 3; ++i)
-    if (std::ranges::all_of(points, [&](const Point3& p) { return turn(v[i], v[(i + 1) % 3], p, axis) * sense < 0; }))
-      return true;
-  return false;
-}
-
-/// Whether segment and triangle have a common point.
-inline bool meets(const Point3& p, const Point3& q, const Corners& x) {
-  const auto& [a, b, c] = x.vertices;
-  const int of_p = orient3d(a, b, c, p), of_q = orient3d(a, b, c, q);
-  if (of_p * of_q != 0) return of_p != of_q && passes(p, q, x) != Location::out;
-  if (of_p != 0) return holds(x, q);
-  if (of_q != 0) return holds(x, p);
-  const int axis = axis_of(a, b, c);
-  return !beside({turn(p, q, a, axis), turn(p, q, b, axis), turn(p, q, c, axis)}) && !parts_from(x, std::array{p, q});
-}
-
-/// Whether two triangles have a common point, neither beside the other's plane.
-inline bool meet(const Corners& x, const Signs& of_x, const Corners& y) {
-  if (of_x == Signs{0, 0, 0}) return !parts_from(x, y.vertices) && !parts_from(y, x.vertices);
-  for (std::size_t i = 0; i < 3; ++i)
-    if (meets(x.vertices[i], x.vertices[(i + 1) % 3], y) || meets(y.vertices[i], y.vertices[(i + 1) % 3], x))
-      return true;
-  return false;
-}
 
 // One mesh.
 
@@ -379,15 +266,19 @@ inline Relation relation(const Surface& a, const Surface& b) {
                          : Relation::equal;
 }
 
-/// Whether the mesh bounds a solid, unless it crosses itself.
+/// Whether the mesh may be asked at all.
 template <class S>
-bool encloses(const TriangleMesh<S>& mesh) {
-  const auto has_area = [&](const auto& t) {
-    const auto at = [&](std::size_t i) -> Point3 { return mesh.vertices[t[i]].template cast<double>(); };
-    return axis_of(at(0), at(1), at(2)) < 3;
-  };
-  return valid(mesh) && std::ranges::all_of(mesh.vertices, [](const Point<S, 3>& v) { return finite(v); }) &&
-         std::ranges::all_of(mesh.triangles, has_area) && point_mesh::closed(mesh);
+bool meaningful(const TriangleMesh<S>& mesh) {
+  return valid(mesh) && std::ranges::all_of(mesh.vertices, [](const Point<S, 3>& v) { return finite(v); });
+}
+
+/// Whether every triangle has an area, and every edge belongs to an even number of them.
+inline bool encloses(const Surface& surface) {
+  const std::vector<int>& first = surface.first_side;
+  for (std::size_t edge = 0; edge + 1 < first.size(); ++edge)
+    if ((first[edge + 1] - first[edge]) % 2 != 0) return false;
+  return std::ranges::all_of(surface.triangles,
+                             [](const Corners& x) { return axis_of(x.vertices[0], x.vertices[1], x.vertices[2]) < 3; });
 }
 
 }  // namespace mesh_mesh::detail
@@ -404,7 +295,10 @@ bool crosses_itself(const TriangleMesh<S>& mesh) {
 /// belongs to an even number of triangles; and it does not cross itself. Exact.
 template <class S>
 bool bounds_solid(const TriangleMesh<S>& mesh) {
-  return mesh_mesh::detail::encloses(mesh) && !crosses_itself(mesh);
+  using namespace mesh_mesh::detail;
+  if (!meaningful(mesh)) return false;
+  const Surface surface(mesh);
+  return encloses(surface) && !crosses_itself(surface);
 }
 
 /// How the solids lie that two meshes bound (see bounds_solid), by even-odd, however their triangles turn. Exact. A
@@ -414,12 +308,14 @@ Relation relate(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
   return mesh_mesh::detail::relation(mesh_surface::Surface(a), mesh_surface::Surface(b));
 }
 
-/// As relate has it, but nothing where one of the meshes bounds no solid.
+/// As relate has it, but nothing where one of the meshes bounds no solid. Closed meshes whose boxes are apart are
+/// disjoint, and are not asked whether they cross themselves.
 template <class S>
 std::optional<Relation> relate_solids(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
   using namespace mesh_mesh::detail;
-  if (!encloses(a) || !encloses(b)) return {};
+  if (!meaningful(a) || !meaningful(b)) return {};
   const Surface x(a), y(b);
+  if (!encloses(x) || !encloses(y)) return {};
   if (apart(x, y)) return Relation::disjoint;
   if (crosses_itself(x)) return {};
   if (a.vertices == b.vertices && a.triangles == b.triangles) return Relation::equal;

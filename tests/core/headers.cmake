@@ -56,6 +56,7 @@ set(tested_by
   triangle_aabb_first_pass=triangle_aabb
   triangle_aabb_methods=triangle_aabb
   triangle_half_spaces=half_spaces
+  two_triangles=mesh_mesh
   unit_of_length=capsule_capsule)
 
 # All files of ours that a file includes.
