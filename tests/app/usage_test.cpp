@@ -86,8 +86,8 @@ TEST_CASE("colours are for terminals, and not with NO_COLOR", "[program]") {
 TEST_CASE("a scene whose answers take long is said to be decided, where somebody looks, and ends when told",
           "[program]") {
   const Shell shell;
-  std::string objects;  // 19,900 pairs of hulls of 40 points
-  for (int i = 0; i < 200; ++i) {
+  std::string objects;  // 319,600 pairs of hulls of 40 points: minutes
+  for (int i = 0; i < 800; ++i) {
     std::string points;
     for (int k = 0; k < 40; ++k)
       points += fmt::format("{}[{}, {}, {}]", k == 0 ? "" : ", ", 7 * i % 31 + 3 * std::cos(k + i),

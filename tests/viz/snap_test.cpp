@@ -52,7 +52,7 @@ Walk walk_at(double x) {
   return walk;
 }
 
-/// Is x at least a third? It takes 3 ms of the processor's time to tell.
+/// Is x at least a third? It takes 6 ms of the processor's time to tell.
 const Lesson& slow() {
   static const Lesson lesson = {
       .id = "slow",
@@ -67,7 +67,7 @@ const Lesson& slow() {
           [](const Parameters& p) {
             ++asked;
             const std::clock_t begun = std::clock();
-            while (std::clock() - begun < 3 * CLOCKS_PER_SEC / 1000) continue;
+            while (std::clock() - begun < 6 * CLOCKS_PER_SEC / 1000) continue;
             return walk_at(std::get<double>(p.at("x")));
           },
       .flat = true};
@@ -302,7 +302,7 @@ TEST_CASE("the setting snaps to a border of the map, too", "[window]") {
 }
 
 TEST_CASE("a frame asks a slow lesson a few questions, and the snap comes when all are asked", "[window]") {
-  // A frame begins no question after an eightieth of a second, four of them; the last step of the search may then ask
+  // A frame begins no question after an eightieth of a second, three of them; the last step of the search may then ask
   // two. So no clock is needed to see that they are few.
   constexpr int most = 6;
   WindowDriver window({&slow()}, 1280, 800);
