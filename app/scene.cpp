@@ -90,7 +90,7 @@ void add_scene(CLI::App& app, Program& program) {
                  "write the scene with these numbers, all else as it is: the scene's own file, or\na new one")
       ->type_name("FILE")
       ->check(not_empty());
-  std::string footer = scene::how_written;  // GCC 12 warns wrongly of a sum of them
+  std::string footer = scene::how_written();
   footer +=
       "A lesson takes a scene's objects, too: show crossings --scene mine.json.\n"
       "Whatever takes a preset's file takes a scene: show, render, strip, explain, handout, deck, check --dir.\n"

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include <isect/described.h>
+
 #include "bench/contest.h"
 #include "bench/ordinary_shapes.h"
 
@@ -16,39 +18,12 @@ template <class S, int N>
 std::string full_precision(const Point<S, N>& x) {
   return text("at", x);
 }
-template <class S, int N>
-std::string full_precision(const Ray<S, N>& x) {
-  return text("origin", x.origin, "direction", x.direction, "range", std::array{x.range.lo, x.range.hi});
-}
-template <class S, int N>
-std::string full_precision(const Plane<S, N>& x) {
-  return text("normal", x.normal, "d", x.d);
-}
-template <class S, int N>
-std::string full_precision(const Sphere<S, N>& x) {
-  return text("center", x.center, "radius", x.radius);
-}
-template <class S, int N>
-std::string full_precision(const Capsule<S, N>& x) {
-  return text("p", x.p, "q", x.q, "radius", x.radius);
-}
-template <class S>
-std::string full_precision(const Cylinder<S>& x) {
-  return text("p", x.p, "q", x.q, "radius", x.radius);
-}
-template <class S>
-std::string full_precision(const Cone<S>& x) {
-  return text("apex", x.apex, "base", x.base, "radius", x.radius);
-}
-template <class S, int N>
-std::string full_precision(const Aabb<S, N>& x) {
-  return text("lo", x.lo, "hi", x.hi);
-}
-template <class S, int N>
-std::string full_precision(const Obb<S, N>& x) {
-  std::string axes;
-  for (int i = 0; i < N; ++i) axes += text(" axis", Vector<S, N>(x.axes.col(i)));
-  return text("center", x.center) + axes + " " + text("half", x.half);
+template <class X>
+requires is_described<X> std::string full_precision(const X& x) {
+  std::string all;
+  each_field(x,
+             [&](const auto& field, const auto& value) { all += (all.empty() ? "" : " ") + text(field.name, value); });
+  return all;
 }
 template <class S, int N>
 std::string full_precision(const Triangle<S, N>& x) {

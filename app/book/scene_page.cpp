@@ -36,7 +36,7 @@ Page scene_page(viz::PageColours& colours) {
       "its text.</p>\n"
       "<details><summary>How a scene is written</summary>\n<pre>{}</pre></details>\n</div>\n</div>\n{}"
       "<nav class=\"settings\" aria-label=\"Examples\">\n<ul>\n{}</ul>\n</nav>\n<div id=\"walks\">\n{}</div>\n",
-      viz::xml_escaped(scene::how_written), pictures.shared(), links, walks);
+      viz::xml_escaped(scene::how_written()), pictures.shared(), links, walks);
   return page;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <isect/described.h>
 #include <isect/obb_obb.h>
 #include <isect/shapes.h>
 #include "app/query/document.h"
@@ -51,9 +52,10 @@ class Field {
   /// Whether it is one of those two.
   bool infinite() const { return says("inf") || says("-inf"); }
 
-  /// Under --strict, throws BadCase that names the field, where the shape has no point.
+  /// Whether a shape without a point is to be refused.
+  bool strict() const { return document_->strict; }
   void need_points(bool has_none, const char* why) const {
-    if (document_->strict && has_none) refuse(why);
+    if (strict() && has_none) refuse(why);
   }
 
   std::string path() const { return document_->path(at_); }
@@ -145,58 +147,85 @@ Segment<S, 2> segment(const Field& field) {
   return {vector<S, 2>(p), vector<S, 2>(q)};
 }
 
-/// origin, dir, tmin = 0, tmax = inf
+/// Names of a shape's fields in their order; none: those of isect/described.h.
+using FieldNames = std::initializer_list<std::string_view>;
+
+/// Under --strict, throws BadCase that names the field, where the shape has no point.
+template <class X>
+void need_points(const Field& request, const X& x, FieldNames names = {}) {
+  if (!request.strict()) return;
+  const Need<X>* need = broken_need(x);
+  if (!need) return;
+  const std::string_view* other = names.begin();
+  std::optional<Field> blamed;  // if it is not given, the one before
+  bool reached = false;
+  each_field(x, [&](const auto& field, const auto&) {
+    const std::string_view name = names.size() == 0 ? field.name : *other++;
+    if (const auto given = request.find(name); given && !reached) blamed = given;
+    reached |= std::string_view(field.name) == need->field;
+  });
+  blamed->refuse(need->otherwise);
+}
+
+/// A shape of fields.
+template <class X>
+X shape(const Field& request, FieldNames names = {}) {
+  X x = {};
+  const std::string_view* other = names.begin();
+  each_field(x, [&](const auto& field, auto&& value) {
+    const std::string_view name = names.size() == 0 ? field.name : *other++;
+    if (field.optional && !request.find(name)) return;
+    using T = std::remove_cvref_t<decltype(value)>;
+    if constexpr (!std::is_floating_point_v<T>)
+      value = vector<typename T::Scalar, T::RowsAtCompileTime>(request[name]);
+    else if (field.means == Means::end)
+      value = request[name].template end<T>();
+    else
+      value = request[name].template number<T>();
+  });
+  need_points(request, x, names);
+  return x;
+}
+
 template <class S, int N>
 Ray<S, N> ray(const Field& request) {
-  const auto lo = request.find("tmin"), hi = request.find("tmax");
-  const Ray<S, N> r = {vector<S, N>(request["origin"]),
-                       vector<S, N>(request["dir"]),
-                       {lo ? lo->end<S>() : semi_infinite<S>.lo, hi ? hi->end<S>() : semi_infinite<S>.hi}};
-  if (hi || lo) (hi ? *hi : *lo).need_points(empty(r.range), "the ray is empty: its range ends before it begins");
-  return r;
+  return shape<Ray<S, N>>(request);
 }
 template <class S, int N>
 Sphere<S, N> sphere(const Field& request, const char* center = "center", const char* radius = "radius") {
-  const Sphere<S, N> ball = {vector<S, N>(request[center]), request[radius].number<S>()};
-  request[radius].need_points(empty(ball), "the ball is empty: its radius is below 0");
-  return ball;
+  return shape<Sphere<S, N>>(request, {center, radius});
 }
+template <class S, int N>
+Capsule<S, N> capsule(const Field& request) {
+  return shape<Capsule<S, N>>(request);
+}
+template <class S>
+Cylinder<S> cylinder(const Field& request) {
+  return shape<Cylinder<S>>(request);
+}
+template <class S>
+Cone<S> cone(const Field& request) {
+  return shape<Cone<S>>(request);
+}
+template <class S, int N>
+Plane<S, N> plane(const Field& request) {
+  return shape<Plane<S, N>>(request);
+}
+
 /// Of a box that has points: names the first of its ends that is infinite.
 void need_finite_ends(const Field& lo, const Field& hi);
-/// lo, hi: infinite only where the box is empty
+/// Its ends are infinite only where the box is empty.
 template <class S, int N>
 Aabb<S, N> box(const Field& request, const char* lo = "lo", const char* hi = "hi") {
   const Aabb<S, N> b = {vector_of_ends<S, N>(request[lo]), vector_of_ends<S, N>(request[hi])};
   if (!empty(b)) need_finite_ends(request[lo], request[hi]);
-  request[lo].need_points(empty(b), "the box is empty: on some axis it lies above the box's other end");
+  need_points(request, b, {lo, hi});
   return b;
 }
+
 inline const std::vector<std::string> obb_fields = {"c", "u", "e"}, slab_fields = {"lo", "hi"},
                                       capsule_fields = {"p", "q", "r"};
-/// p, q, r
-template <class S, int N>
-Capsule<S, N> capsule(const Field& request) {
-  const Capsule<S, N> c = {vector<S, N>(request["p"]), vector<S, N>(request["q"]), request["r"].number<S>()};
-  request["r"].need_points(empty(c), "the capsule is empty: its radius is below 0");
-  return c;
-}
-/// p, q, r
-template <class S>
-Cylinder<S> cylinder(const Field& request) {
-  const Cylinder<S> c = {vector<S, 3>(request["p"]), vector<S, 3>(request["q"]), request["r"].number<S>()};
-  request["r"].need_points(!(c.radius >= 0), "the cylinder is empty: its radius is below 0");
-  request["q"].need_points(empty(c), "there is no such cylinder: its axis has no length");
-  return c;
-}
-/// apex, base, r
-template <class S>
-Cone<S> cone(const Field& request) {
-  const Cone<S> c = {vector<S, 3>(request["apex"]), vector<S, 3>(request["base"]), request["r"].number<S>()};
-  request["r"].need_points(!(c.radius >= 0), "the cone is empty: its radius is below 0");
-  request["base"].need_points(empty(c), "there is no such cone: its axis has no length");
-  return c;
-}
-/// c, u: N rows, e
+/// c, u: N rows, e, as public suites have it
 template <class S, int N>
 Obb<S, N> obb(const Field& request) {
   Obb<S, N> b;
@@ -204,17 +233,10 @@ Obb<S, N> obb(const Field& request) {
   int i = 0;
   for (const Field row : request["u"].list(N)) b.axes.col(i++) = vector<S, N>(row);
   b.half = vector<S, N>(request["e"]);
-  request["e"].need_points(empty(b), "the box is empty: half an edge is below 0");
+  request["e"].need_points(empty(b), Described<Obb<S, N>>::needs[0].otherwise);
   request["u"].need_points(!obb_obb::detail::exists(b, NoTrace()),
                            "there is no such box: its axes depend on each other");
   return b;
-}
-/// normal, d
-template <class S, int N>
-Plane<S, N> plane(const Field& request) {
-  const Plane<S, N> p = {vector<S, N>(request["normal"]), request["d"].number<S>()};
-  request["normal"].need_points(p.normal.isZero(0), "there is no such plane: its normal is 0");
-  return p;
 }
 /// normals, and {lo, hi} lists of as many ends
 template <class S, int N>

@@ -173,7 +173,7 @@ Answered all_that_meet(const Context& c, const WalkAsked& asked) {
   std::vector<Aabb<double, 2>> boxes;
   Json names = Json::array(), found = Json::array();
   for (const std::size_t i : asked.many) {
-    boxes.push_back(box_of<2>(c.setting, c.object(i)));
+    boxes.push_back(made<Aabb<double, 2>>(c.setting, c.object(i)));
     names.push_back(c.object(i).name);
   }
   std::string told;

@@ -48,7 +48,7 @@ std::optional<Rounded> rounded(const Setting& s, const Object& o) {
         return x.cwiseMax(lo).cwiseMin(hi);
       }};
     case Type::obb:
-      return Rounded{[box = obb_of<3>(s, o)](const Vec3& x) -> Vec3 {
+      return Rounded{[box = made<Obb<double, 3>>(s, o)](const Vec3& x) -> Vec3 {
         const Vec3 local = box.axes.transpose() * (x - box.center);
         return box.center + box.axes * local.cwiseMax(-box.half).cwiseMin(box.half);
       }};

@@ -10,6 +10,7 @@
 #include "app/scene/fits.h"
 #include "app/scene/questions.h"
 #include "app/scene/read_objects.h"
+#include "app/scene/types.h"
 #include "app/scene/walks.h"
 #include "viz/spelling.h"
 
@@ -278,7 +279,8 @@ bool holds_objects(const std::string& text) {
   if (!json.is_object() || !json.contains("objects") || !json["objects"].is_array()) return false;
   return std::ranges::any_of(json["objects"], [](const Json& o) {
     const auto named = [&](const std::string& type) { return o.contains(type) && o[type].is_string(); };
-    return o.is_object() && (named(other_name_of_sphere) || std::ranges::any_of(types(), named, &TypeSpec::name));
+    return o.is_object() && (std::ranges::any_of(types(), named, &TypeSpec::name) ||
+                             std::ranges::any_of(types(), named, &TypeSpec::in_plane));
   });
 }
 

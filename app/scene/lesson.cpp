@@ -15,6 +15,7 @@
 
 #include "app/scene/answered.h"
 #include "app/scene/save.h"
+#include "app/scene/types.h"
 #include "app/scene/walks.h"
 #include "viz/camera.h"
 #include "viz/chart.h"
@@ -387,14 +388,14 @@ std::vector<viz::Parameter> parameters_of(const File& file) {
 std::vector<viz::Condition> conditions_of(const File& file) {
   std::vector<viz::Condition> all;
   for (const Object& o : file.objects)
-    for (const std::string& field : o.fields)
-      if (field == "dir" || field == "normal" || field == "forward" || field == "up") {
-        const std::string name = o.name + "." + field;
+    for (const FieldSpec& field : spec(o.type).fields)
+      if (field.means == Means::direction) {
+        const std::string name = o.name + "." + field.name;
         all.push_back({name, "a vector of any length but 0",
                        [name](const viz::Parameters& p) { return !std::get<viz::Vec3>(p.at(name)).isZero(0); }});
       }
   for (const Object& o : file.objects)
-    for (const ShapeRule& rule : rules_of(o.type))
+    for (const ShapeRule& rule : spec(o.type).rules)
       if (const std::string name = o.name + "." + rule.field; file.parameters.contains(name))
         all.push_back({name, rule.allowed, [o, rule, flat = file.flat](const viz::Parameters& p) {
                          return rule.holds({p, flat}, o);

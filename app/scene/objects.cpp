@@ -3,75 +3,31 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/scene/shapes.h"
+#include "app/scene/types/rows.h"
 #include "viz/rich_text.h"
 
 namespace isect::program::scene {
 
-namespace {
-
 using viz::Vec3;
-using Kind = FieldSpec::Kind;
-
-std::vector<Vec3> corners_of(const Setting& s, const Object& o) {
-  if (o.type == Type::frustum) return viz::solid(frustum_of(s, o), viz::Role::second).vertices;
-  return s.flat ? outline_of(s, o) : solid_of(s, o).vertices;
-}
-
-}  // namespace
 
 const std::vector<TypeSpec>& types() {
-  static const std::vector<TypeSpec> all = {
-      {Type::point, "point", {{"at", Kind::point, "where it lies"}}},
-      {Type::segment, "segment", {{"from", Kind::point, "one end"}, {"to", Kind::point, "the other end"}}},
-      {Type::ray,
-       "ray",
-       {{"origin", Kind::point, "where t = 0"},
-        {"dir", Kind::vector, "the direction, of any length but 0"},
-        {"tmin", Kind::number, "where it begins; 0 if not given", true},
-        {"tmax", Kind::number, "where it ends; nowhere if not given", true}}},
-      {Type::line,
-       "line",
-       {{"origin", Kind::point, "where t = 0"}, {"dir", Kind::vector, "the direction, of any length but 0"}}},
-      {Type::plane,
-       "plane",
-       {{"normal", Kind::vector, "the normal n, of any length but 0"}, {"d", Kind::number, "n . x + d = 0"}}},
-      {Type::sphere,
-       "sphere",
-       {{"center", Kind::point, "the centre"}, {"radius", Kind::number, "the radius", false, 0}}},
-      {Type::box, "box", {{"lo", Kind::point, "the lowest corner"}, {"hi", Kind::point, "the highest corner"}}},
-      {Type::obb,
-       "obb",
-       {{"center", Kind::point, "the centre"},
-        {"u", Kind::vector, "the first axis, of length 1"},
-        {"v", Kind::vector, "the second axis, of length 1"},
-        {"w", Kind::vector, "the third axis, of length 1; none in the plane", true},
-        {"half", Kind::point, "the half-lengths along the axes"}}},
-      {Type::capsule,
-       "capsule",
-       {{"p", Kind::point, "one end of its axis"},
-        {"q", Kind::point, "the other end"},
-        {"r", Kind::number, "the radius", false, 0}}},
-      {Type::triangle, "triangle", {}},
-      {Type::polygon, "polygon", {}},
-      {Type::kdop, "kdop", {}},
-      {Type::frustum,
-       "frustum",
-       {{"eye", Kind::point, "where its planes would meet"},
-        {"forward", Kind::vector, "where the eye looks, of any length but 0"},
-        {"up", Kind::vector, "what is up there, not along forward"},
-        {"angle", Kind::number, "from bottom to top, in degrees", false, 1, 170},
-        {"aspect", Kind::number, "width to height; 1 if not given", true, 0.01, 100},
-        {"near", Kind::number, "distance of the near plane", false, 0},
-        {"far", Kind::number, "distance of the far plane", false, 0}}},
-      {Type::hull, "hull", {}},
-      {Type::mesh, "mesh", {}},
-      {Type::cloud, "cloud", {}},
-  };
+  static const std::vector<TypeSpec> all = [] {
+    std::vector<TypeSpec> rows;
+    for (const auto& some :
+         {straight_types(), round_types(), box_types(), outline_types(), polytope_types(), many_types()})
+      std::ranges::copy(some, std::back_inserter(rows));
+    std::ranges::sort(rows, {}, &TypeSpec::type);
+    return rows;
+  }();
   return all;
 }
 
-const TypeSpec& spec(Type type) { return *std::ranges::find(types(), type, &TypeSpec::type); }
+const TypeSpec& spec(Type type) { return types()[static_cast<std::size_t>(type)]; }
+
+const TypeSpec* type_called(const std::string& name) {
+  const auto found = std::ranges::find(types(), name, &TypeSpec::name);
+  return found == types().end() ? nullptr : &*found;
+}
 
 Vec3 Setting::point(const Object& o, const std::string& field) const {
   return std::get<Vec3>(parameters.at(o.name + "." + field));
@@ -81,20 +37,7 @@ double Setting::number(const Object& o, const std::string& field) const {
 }
 bool Setting::has(const Object& o, const std::string& field) const { return parameters.contains(o.name + "." + field); }
 
-std::string in_words(Type t, bool flat) {
-  switch (t) {
-    case Type::sphere:
-      return flat ? other_name_of_sphere : "sphere";
-    case Type::obb:
-      return "oriented box";
-    case Type::kdop:
-      return "k-DOP";
-    case Type::cloud:
-      return "point cloud";
-    default:
-      return spec(t).name;
-  }
-}
+std::string in_words(Type t, bool flat) { return flat ? spec(t).in_plane : spec(t).words; }
 std::string with_article(Type t) {
   const std::string name = spec(t).name;
   return (std::string("aeiou").find(name[0]) == std::string::npos ? "a " : "an ") + name;
@@ -119,41 +62,7 @@ std::vector<std::vector<Vec3>> Setting::rings(const Object& o) const {
 }
 
 std::vector<Vec3> Setting::extent(const Object& o) const {
-  const auto around = [](const Vec3& c, double r) {
-    return std::vector<Vec3>{c - Vec3::Constant(r), c + Vec3::Constant(r)};
-  };
-  switch (o.type) {
-    case Type::point:
-      return {point(o, "at")};
-    case Type::segment:
-      return {point(o, "from"), point(o, "to")};
-    case Type::ray:
-      return {point(o, "origin")};
-    case Type::sphere:
-      return around(point(o, "center"), number(o, "radius"));
-    case Type::box:
-      return {point(o, "lo"), point(o, "hi")};
-    case Type::obb:
-      return around(point(o, "center"), point(o, "half").norm());
-    case Type::capsule: {
-      std::vector<Vec3> all = around(point(o, "p"), number(o, "r"));
-      std::ranges::copy(around(point(o, "q"), number(o, "r")), std::back_inserter(all));
-      return all;
-    }
-    case Type::triangle:
-    case Type::polygon:
-    case Type::hull:
-    case Type::mesh:
-    case Type::cloud:
-      return points(o);
-    case Type::kdop:
-    case Type::frustum:
-      return corners_of(*this, o);
-    case Type::line:
-    case Type::plane:
-      return {};
-  }
-  return {};
+  return spec(o.type).extent ? spec(o.type).extent(*this, o) : points(o);
 }
 
 Json Setting::list(const Vec3& p) const {

@@ -34,27 +34,6 @@ enum class Type {
   cloud
 };
 
-/// A number, point or vector of an object, as it stands in the file.
-struct FieldSpec {
-  enum class Kind { point, vector, number };
-  std::string name;
-  Kind kind = Kind::point;
-  std::string help;
-  bool optional = false;
-  double lo = -1e300, hi = 1e300;
-};
-
-/// A type, as files call it.
-struct TypeSpec {
-  Type type;
-  std::string name;
-  std::vector<FieldSpec> fields;  ///< none of what is made of points: they are called 1, 2, ...
-};
-const std::vector<TypeSpec>& types();
-/// What files may call it in the plane.
-inline constexpr const char* other_name_of_sphere = "circle";
-const TypeSpec& spec(Type);
-
 /// Numbers that are no parameters.
 struct Fixed {
   std::vector<viz::Vec3> points = {};
@@ -95,14 +74,6 @@ struct Setting {
   Json list(const viz::Vec3&) const;
   Json list(const Object& o, const std::string& field) const { return list(point(o, field)); }
 };
-
-/// What an object's numbers must keep besides their own ranges.
-struct ShapeRule {
-  std::string field;    ///< the one to blame
-  std::string allowed;  ///< "a tmax of at least tmin"
-  bool (*holds)(const Setting&, const Object&);
-};
-std::vector<ShapeRule> rules_of(Type);
 
 /// The middle of a scene, and how far it reaches from there: rays and planes are drawn to beyond it.
 struct Room {

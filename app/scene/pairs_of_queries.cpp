@@ -9,6 +9,7 @@
 #include "app/query/results.h"
 #include "app/scene/pairs.h"
 #include "app/scene/triangulated.h"
+#include "app/scene/types.h"
 #include "viz/rich_text.h"
 
 namespace isect::program::scene {

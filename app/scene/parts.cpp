@@ -34,14 +34,9 @@ using viz::Verdict;
 // Clipping.
 
 template <int N>
-std::optional<Interval<double>> part_of_line(const Setting& s, const Object& o, const Object& box) {
-  if (o.type == Type::segment)
-    return clip(Segment<double, N>{point_of<N>(s.point(o, "from")), point_of<N>(s.point(o, "to"))}, box_of<N>(s, box));
-  Ray<double, N> ray = {point_of<N>(s.point(o, "origin")), point_of<N>(s.point(o, "dir"))};
-  if (o.type == Type::line) ray.range = infinite<double>;
-  if (s.has(o, "tmin")) ray.range.lo = s.number(o, "tmin");
-  if (s.has(o, "tmax")) ray.range.hi = s.number(o, "tmax");
-  return clip(ray, box_of<N>(s, box));
+std::optional<Interval<double>> part_of_line(const Shaped& line, const Shaped& box) {
+  const Aabb<double, N>& to = box.as<Aabb, N>();
+  return line.type() == Type::segment ? clip(line.as<Segment, N>(), to) : clip(line.as<Ray, N>(), to);
 }
 
 /// Whether no more than a point of the line is left, which has some: rounded, both its ends may be one number.
@@ -82,7 +77,7 @@ std::vector<std::vector<Vec3>> part_of_outline(const Setting& s, const Object& o
   if (rings.size() > 1 && ask(Shaped(s, o), Shaped(s, box)).verdict.kind == Verdict::Kind::no) return all;
   for (const std::vector<Vec3>& ring : rings) {
     std::vector<Vec3> kept;
-    for (const Point<double, N>& p : clip(points_of<N>(ring), box_of<N>(s, box))) {
+    for (const Point<double, N>& p : clip(points_of<N>(ring), made<Aabb<double, N>>(s, box))) {
       kept.push_back(Vec3::Zero());
       kept.back().head<N>() = p;
     }
@@ -94,7 +89,8 @@ std::vector<std::vector<Vec3>> part_of_outline(const Setting& s, const Object& o
 void tell_line(const Context& c, const ClipAsked& asked, Answered& out) {
   const Setting& s = c.setting;
   const Object &o = c.object(asked.what), &box = c.object(asked.box);
-  const auto part = s.flat ? part_of_line<2>(s, o, box) : part_of_line<3>(s, o, box);
+  const Shaped &line = c.shaped(asked.what), &to = c.shaped(asked.box);
+  const auto part = s.flat ? part_of_line<2>(line, to) : part_of_line<3>(line, to);
   out.json["range"] = part ? Json{query::number(part->lo), query::number(part->hi)} : Json(nullptr);
   if (!part) {
     out.verdict = {Verdict::Kind::no, fmt::format("nothing of {} lies in {}", c.name(asked.what), c.name(asked.box))};

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "app/scene/pairs.h"
+#include "app/scene/types.h"
 
 namespace isect::program::scene {
 
@@ -33,22 +34,24 @@ Json fields_of(const Setting& s, const Object& o) {
   switch (o.type) {
     case Type::point:
       return {{"point", s.list(o, "at")}};
-    case Type::sphere:
-      return {{"center", s.list(o, "center")}, {"radius", s.number(o, "radius")}};
-    case Type::box:
-      return {{"lo", s.list(o, "lo")}, {"hi", s.list(o, "hi")}};
-    case Type::plane:
-      return {{"normal", s.list(o, "normal")}, {"d", s.number(o, "d")}};
-    case Type::capsule:
-      return {{"p", s.list(o, "p")}, {"q", s.list(o, "q")}, {"r", s.number(o, "r")}};
     case Type::obb: {
       Json axes = {s.list(o, "u"), s.list(o, "v")};
       if (!s.flat) axes.push_back(s.list(o, "w"));
       return {{"c", s.list(o, "center")}, {"u", axes}, {"e", s.list(o, "half")}};
     }
-    default:
+    case Type::segment:
+    case Type::ray:
+    case Type::line:
       return ray_fields(s, o);
+    default:
+      break;
   }
+  Json all;
+  for (const FieldSpec& field : spec(o.type).fields) {
+    const bool number = field.means == Means::number || field.means == Means::radius;
+    all[field.name] = number ? Json(s.number(o, field.name)) : s.list(o, field.name);
+  }
+  return all;
 }
 
 /// Those of an outline, and of what it is asked about with.

@@ -9,6 +9,7 @@
 
 #include "app/scene/files/shape_file.h"
 #include "app/scene/in_plane.h"
+#include "app/scene/types.h"
 #include "viz/files.h"
 #include "viz/rich_text.h"
 #include "viz/spelling.h"
@@ -41,9 +42,13 @@ class ObjectReader {
  private:
   /// A circle is the sphere of the plane.
   static Json with_types_own_name(const Json& json) {
-    if (!json.is_object() || !json.contains(other_name_of_sphere) || json.contains("sphere")) return json;
+    if (!json.is_object()) return json;
+    const auto other = std::ranges::find_if(types(), [&](const TypeSpec& t) {
+      return t.in_plane != t.words && json.contains(t.in_plane) && !json.contains(t.name);
+    });
+    if (other == types().end()) return json;
     Json renamed = Json::object();
-    for (const auto& [key, value] : json.items()) renamed[key == other_name_of_sphere ? "sphere" : key] = value;
+    for (const auto& [key, value] : json.items()) renamed[key == other->in_plane ? other->name : key] = value;
     return renamed;
   }
 
@@ -67,11 +72,11 @@ class ObjectReader {
       points(json, path, o);
     else
       fields(json, path, *known, o);
-    if (source_.flat() && (o.type == Type::frustum || o.type == Type::mesh))
+    if (source_.flat() && known->in_plane.empty())
       source_.refuse(path,
                      fmt::format("{} has three coordinates; there is none in the plane", with_article(known->type)));
-    if (!source_.flat() && out_.json.back().contains(other_name_of_sphere))
-      source_.refuse(path, "a circle in space; a sphere, a ball, is meant");
+    if (!source_.flat() && !out_.json.back().contains(known->name))
+      source_.refuse(path, fmt::format("a {} in space; a {}, a ball, is meant", known->in_plane, known->name));
     require_shape(o, path);
     out_.all.push_back(std::move(o));
   }
@@ -108,7 +113,7 @@ class ObjectReader {
       const Json& value = source_.member(json, path, f.name);
       const Path to = below(path, f.name);
       viz::Setting& setting = parameter(o, f.name);
-      if (f.kind == FieldSpec::Kind::number) {
+      if (f.means == Means::number || f.means == Means::radius || f.means == Means::end) {
         const double x = source_.number(value, to);
         if (x < f.lo) source_.refuse(to, fmt::format("{} is below {}", viz::to_text(x), viz::to_text(f.lo)));
         if (x > f.hi) source_.refuse(to, fmt::format("{} is above {}", viz::to_text(x), viz::to_text(f.hi)));
@@ -116,12 +121,12 @@ class ObjectReader {
       } else {
         setting = source_.vector(value, to);
       }
-      if (is_direction(f.name) && std::get<viz::Vec3>(setting).isZero(0))
+      if (f.means == Means::direction && std::get<viz::Vec3>(setting).isZero(0))
         source_.refuse(to, "a vector of any length but 0 is expected");
     }
     if (type.type == Type::obb && json.contains("w") == source_.flat())
       source_.refuse(path, source_.flat() ? "a third axis w in the plane" : "\"w\", the third axis, is missing");
-    for (const ShapeRule& rule : rules_of(type.type))
+    for (const ShapeRule& rule : type.rules)
       if (!rule.holds({out_.parameters, source_.flat()}, o))
         source_.refuse(below(path, rule.field), "give " + rule.allowed);
   }
@@ -281,10 +286,6 @@ class ObjectReader {
     }
     json["points"] = std::move(points);
     if (type == Type::mesh) json["triangles"] = shape.triangles;
-  }
-
-  static bool is_direction(const std::string& field) {
-    return field == "dir" || field == "normal" || field == "forward" || field == "up";
   }
 
   Source& source_;

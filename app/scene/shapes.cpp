@@ -41,8 +41,8 @@ HalfSpaces hull_faces(const Setting& s, const Object& o) {
 
 template <int N>
 HalfSpaces faces(const Setting& s, const Object& o) {
-  if (o.type == Type::box) return half_spaces_of(box_of<N>(s, o));
-  if (o.type == Type::obb) return half_spaces_of(obb_of<N>(s, o));
+  if (o.type == Type::box) return half_spaces_of(made<Aabb<double, N>>(s, o));
+  if (o.type == Type::obb) return half_spaces_of(made<Obb<double, N>>(s, o));
   if (o.type == Type::kdop) return half_spaces_of(kdop_of<N>(s, o));
   if (o.type == Type::frustum) return half_spaces_of(frustum_of(s, o));
   return hull_faces(s, o);
@@ -81,7 +81,7 @@ Triangle<double, 3> triangle_of(const Setting& s, const Object& o) {
 
 Capsule<double, 3> capsule_in_space(const Setting& s, const Object& o) {
   if (o.type == Type::sphere) return {s.point(o, "center"), s.point(o, "center"), s.number(o, "radius")};
-  return {s.point(o, "p"), s.point(o, "q"), s.number(o, "r")};
+  return made<Capsule<double, 3>>(s, o);
 }
 
 HalfSpaces faces_of(const Setting& s, const Object& o) { return s.flat ? faces<2>(s, o) : faces<3>(s, o); }
@@ -112,8 +112,6 @@ std::vector<Vec3> outline_of(const Setting& s, const Object& o) {
   }
 }
 
-Segment<double, 3> segment_of(const Setting& s, const Object& o) { return {s.point(o, "from"), s.point(o, "to")}; }
-
 std::optional<Ray<double, 3>> ray_in_space(const Setting& s, const Object& o) {
   if (o.type == Type::segment) {
     const Vec3 from = s.point(o, "from"), to = s.point(o, "to"), dir = to - from;
@@ -123,10 +121,8 @@ std::optional<Ray<double, 3>> ray_in_space(const Setting& s, const Object& o) {
     }
     return Ray<double, 3>{from, dir, {0, 1}};
   }
-  Ray<double, 3> ray = {s.point(o, "origin"), s.point(o, "dir")};
+  Ray<double, 3> ray = made<Ray<double, 3>>(s, o);
   if (o.type == Type::line) ray.range = infinite<double>;
-  if (s.has(o, "tmin")) ray.range.lo = s.number(o, "tmin");
-  if (s.has(o, "tmax")) ray.range.hi = s.number(o, "tmax");
   return ray;
 }
 
@@ -136,25 +132,28 @@ template <int N>
 AnyShape<double, N> shape_of(const Shaped& x) {
   const Setting& s = x.setting;
   const Object& o = x.object;
-  const auto at = [&](const char* field) { return point_of<N>(s.point(o, field)); };
   switch (o.type) {
     case Type::point:
-      return at("at");
+      return point_of<N>(s.point(o, "at"));
     case Type::segment:
-      return Segment<double, N>{at("from"), at("to")};
+      return made<Segment<double, N>>(s, o);
     case Type::ray:
-    case Type::line:
-      return Ray<double, N>{at("origin"), at("dir"), x.ray()->range};
+      return made<Ray<double, N>>(s, o);
+    case Type::line: {
+      Ray<double, N> line = made<Ray<double, N>>(s, o);
+      line.range = infinite<double>;
+      return line;
+    }
     case Type::plane:
-      return Plane<double, N>{at("normal"), s.number(o, "d")};
+      return made<Plane<double, N>>(s, o);
     case Type::sphere:
-      return sphere_of<N>(s, o);
+      return made<Sphere<double, N>>(s, o);
     case Type::capsule:
-      return Capsule<double, N>{at("p"), at("q"), s.number(o, "r")};
+      return made<Capsule<double, N>>(s, o);
     case Type::box:
-      return box_of<N>(s, o);
+      return made<Aabb<double, N>>(s, o);
     case Type::obb:
-      return obb_of<N>(s, o);
+      return made<Obb<double, N>>(s, o);
     case Type::triangle: {
       const std::vector<Point<double, N>> p = points_of<N>(s.rings(o).front());
       return Triangle<double, N>{{p[0], p[1], p[2]}};

@@ -3,10 +3,12 @@
 
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include <isect/any_shape.h>
 #include <isect/bvh.h>
+#include <isect/described.h>
 
 #include "app/scene/objects.h"
 #include "viz/solids.h"
@@ -27,22 +29,20 @@ std::vector<Point<double, N>> points_of(const std::vector<viz::Vec3>& points) {
 }
 std::vector<viz::Vec3> in_space(const std::vector<Point<double, 2>>&);
 
-template <int N>
-Aabb<double, N> box_of(const Setting& s, const Object& o) {
-  return {point_of<N>(s.point(o, "lo")), point_of<N>(s.point(o, "hi"))};
-}
-template <int N>
-Sphere<double, N> sphere_of(const Setting& s, const Object& o) {
-  return {point_of<N>(s.point(o, "center")), s.number(o, "radius")};
-}
-template <int N>
-Obb<double, N> obb_of(const Setting& s, const Object& o) {
-  Obb<double, N> box;
-  box.center = point_of<N>(s.point(o, "center")), box.half = point_of<N>(s.point(o, "half"));
-  const char* const axes[] = {"u", "v", "w"};
-  for (int i = 0; i < N; ++i)  // in the plane there is no w
-    box.axes.col(i) = point_of<N>(s.has(o, axes[i]) ? s.point(o, axes[i]) : viz::Vec3::UnitZ());
-  return box;
+/// The shape whose fields the object has (isect/described.h).
+template <class X>
+X made(const Setting& s, const Object& o) {
+  X x = {};
+  if constexpr (requires { x.axes; }) x.axes.setIdentity();  // in the plane there is no w
+  each_field(x, [&](const auto& field, auto&& value) {
+    using T = std::remove_cvref_t<decltype(value)>;
+    if (!s.has(o, field.name)) return;
+    if constexpr (std::is_floating_point_v<T>)
+      value = s.number(o, field.name);
+    else
+      value = s.point(o, field.name).template head<T::RowsAtCompileTime>();
+  });
+  return x;
 }
 template <int N>
 Kdop<double, N> kdop_of(const Setting& s, const Object& o) {
@@ -73,8 +73,6 @@ std::vector<viz::Vec3> outline_of(const Setting&, const Object&);
 /// A ray or a line, or a segment as a ray: none where its ends do not differ by a vector of floating-point numbers, as
 /// the ray would be another segment.
 std::optional<Ray<double, 3>> ray_in_space(const Setting&, const Object&);
-/// A segment with both ends as given.
-Segment<double, 3> segment_of(const Setting&, const Object&);
 
 using Triangles = std::vector<Triangle<double, 3>>;
 

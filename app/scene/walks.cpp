@@ -9,6 +9,7 @@
 #include <isect/polygon.h>
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
+#include "app/scene/types.h"
 #include "lessons/clipping/picture.h"
 #include "lessons/collision/telling.h"
 #include "lessons/concave_polygon/picture.h"
@@ -93,7 +94,7 @@ constexpr Walk ray_and_ball = [](const Setting& s, const Object& a, const Object
 
 constexpr Walk oriented_boxes = [](const Setting& s, const Object& a, const Object& b) {
   lessons::obb_obb_lesson::Setup setup;
-  setup.a = obb_of<3>(s, a), setup.b = obb_of<3>(s, b);
+  setup.a = made<Obb<double, 3>>(s, a), setup.b = made<Obb<double, 3>>(s, b);
   setup.a_u = s.point(a, "u"), setup.b_u = s.point(b, "u");
   setup.epsilon = 1e-9;
   setup.truth = relate(setup.a, setup.b);
@@ -122,20 +123,20 @@ constexpr Walk ray_and_polygon = [](const Setting& s, const Object& a, const Obj
 
 constexpr Walk clipped_segment = [](const Setting& s, const Object& a, const Object& b) {
   const Segment<double, 2> segment = {point_of<2>(s.point(a, "from")), point_of<2>(s.point(a, "to"))};
-  return lessons::clipping_lesson::clip_a_segment(segment, box_of<2>(s, b));
+  return lessons::clipping_lesson::clip_a_segment(segment, made<Aabb<double, 2>>(s, b));
 };
 
 constexpr Walk clipped_polygon = [](const Setting& s, const Object& a, const Object& b) {
   if (s.rings(a).size() > 1) throw viz::BadInput(a.name + " has holes, and the lesson clips one outline");
-  return lessons::clipping_lesson::clip_a_polygon(points_of<2>(s.rings(a).front()), box_of<2>(s, b));
+  return lessons::clipping_lesson::clip_a_polygon(points_of<2>(s.rings(a).front()), made<Aabb<double, 2>>(s, b));
 };
 
 constexpr Walk culled_box = [](const Setting& s, const Object& a, const Object& b) {
-  return lessons::culling_lesson::one_volume(frustum_of(s, a), s.point(a, "eye"), box_of<3>(s, b));
+  return lessons::culling_lesson::one_volume(frustum_of(s, a), s.point(a, "eye"), made<Aabb<double, 3>>(s, b));
 };
 
 constexpr Walk culled_ball = [](const Setting& s, const Object& a, const Object& b) {
-  return lessons::culling_lesson::one_volume(frustum_of(s, a), s.point(a, "eye"), sphere_of<3>(s, b));
+  return lessons::culling_lesson::one_volume(frustum_of(s, a), s.point(a, "eye"), made<Sphere<double, 3>>(s, b));
 };
 
 /// A step each is told of them.
@@ -186,7 +187,7 @@ viz::Walk colliding(const Setting& s, const std::vector<const Object*>& all) {
     throw viz::BadInput(fmt::format("they are {}, and the lesson tells of their pairs one by one: {} are the most",
                                     all.size(), most_boxes));
   lessons::collision_lesson::Boxes of_all;
-  for (const Object* o : all) of_all.push_back(box_of<2>(s, *o));
+  for (const Object* o : all) of_all.push_back(made<Aabb<double, 2>>(s, *o));
   return Way(of_all, lessons::collision_lesson::frame_of(of_all));
 }
 
@@ -195,7 +196,7 @@ lessons::hierarchy_lesson::Boxes for_hierarchy(const Setting& s, const std::vect
     throw viz::BadInput(
         fmt::format("they are {}, and the lesson draws their tree: {} are the most", some.size(), most_boxes));
   lessons::hierarchy_lesson::Boxes all;
-  for (const Object* o : some) all.push_back(box_of<2>(s, *o));
+  for (const Object* o : some) all.push_back(made<Aabb<double, 2>>(s, *o));
   const auto point = [&](const auto& box) { return box.lo == all[0].lo && box.hi == all[0].lo; };
   if (std::ranges::all_of(all, point)) throw viz::BadInput("all of them are one point");
   return all;

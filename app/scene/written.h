@@ -1,49 +1,10 @@
 #pragma once
 // How a scene file is written, for whoever writes one: in the help of `isect scene` and on its page.
 
+#include <string>
+
 namespace isect::program::scene {
 
-inline constexpr const char* how_written =
-    "A scene:\n"
-    "  {\"title\": \"A ray past a box\",\n"
-    "   \"objects\": [{\"ray\": \"r\", \"origin\": [-4, 0, 1], \"dir\": [1, 0, 0]},\n"
-    "               {\"box\": \"A\", \"lo\": [-1, -1, -1], \"hi\": [1, 1, 1]}],\n"
-    "   \"ask\": [[\"r\", \"A\"], {\"first hit\": \"r\"}]}\n"
-    "Objects, with two coordinates or with three (what stands in brackets may be left out). A name has 1 to 16\n"
-    "letters a to z, A to Z and digits, a letter first; y points up.\n"
-    "  point at           segment from to      ray origin dir [tmin] [tmax]\n"
-    "  line origin dir    plane normal d       sphere (or circle) center radius\n"
-    "  box lo hi          obb center u v [w] half\n"
-    "  capsule p q r      triangle points      polygon points (or rings, for holes; or file)\n"
-    "  kdop normals lo hi (lists)              hull points (or file)\n"
-    "  cloud points (or file)                  mesh file (or points triangles)\n"
-    "  frustum eye forward up angle [aspect] near far\n"
-    "A plane is where normal . x + d = 0. An obb reaches from center as far as half tells along u, v and, in space,\n"
-    "w: axes of length 1 at right angles. angle is in degrees, from bottom to top.\n"
-    "Files, named from the scene's folder, as other programs write them; up to 1,000,000 points, and as many "
-    "triangles:\n"
-    "  .csv .tsv .txt     a point a row: two or three numbers; or, below a first row of names, the columns x, y (and "
-    "z).\n"
-    "                     Between semicolons or tabs a comma is a decimal one. Comments begin with #, // or %\n"
-    "  .xyz               the same; what stands behind three numbers is left out\n"
-    "  .obj .ply .stl .off    meshes, text or binary (.off: text). Faces with notches or holes are cut into triangles\n"
-    "  .geojson .json .wkt    polygons in the plane, with holes, in collections or not; read as one, by the even-odd "
-    "rule\n"
-    "What is not understood is an error with its line. What is read otherwise than it may be meant is told.\n"
-    "Numbers are decided exactly as the doubles nearest to them: 0.1 + 0.2 lies above 0.3. Where objects are to\n"
-    "touch, write halves, quarters or whole numbers.\n"
-    "Questions: two names; {\"first hit\": \"r\"}; {\"fit\": \"M\"} with \"volume\": sphere, box, obb, kdop or hull, "
-    "or\n"
-    "all five; {\"clip\": \"r\", \"to\": \"A\"}; {\"hierarchy\": \"M\"}, or [\"A\", \"B\"], or \"all\"; {\"walk\": "
-    "[\"r\", \"S\"]},\n"
-    "step by step as in the usual lesson, or with \"lesson\": \"convex-polygon\" in that one; {\"walk\": \"H\"} of "
-    "points;\n"
-    "{\"walk\": \"all\", \"lesson\": \"collision\", \"method\": \"sweep\"} of boxes in the plane, or of a list "
-    "of them;\n"
-    "in \"lesson\": \"hierarchy\", too, with \"method\": \"build\", or \"ray\" and \"ray\": \"r\".\n"
-    "\"ask\" may be \"all pairs\".\n"
-    "Texts: *italic*, a_1 and a_{in}, x^2, √2, Greek letters and signs as they are.\n"
-    "\"notes\": [{\"at\": [0, 2, 0], \"text\": \"*h*\"}] and \"camera\": {\"azimuth\": 30, \"elevation\": 20} may "
-    "follow.\n";
+std::string how_written();
 
 }  // namespace isect::program::scene

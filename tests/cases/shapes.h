@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include <isect/described.h>
+
 #include "app/query/relation_words.h"
 #include "tests/cases/case_file.h"
 
@@ -44,36 +46,28 @@ Json json(const Obb<S, N>& box) {
   return {{"c", json<S, N>(box.center)}, {"u", rows}, {"e", json<S, N>(box.half)}};
 }
 
-/// origin, dir; tmin and tmax unless they are 0 and inf.
-template <class S, int N>
-Json fields(const Ray<S, N>& ray) {
-  Json all = {{"origin", json<S, N>(ray.origin)}, {"dir", json<S, N>(ray.direction)}};
-  if (!(ray.range == semi_infinite<S>)) all["tmin"] = json(ray.range.lo), all["tmax"] = json(ray.range.hi);
+/// The fields of a shape; a ray's range unless it is from 0 to inf.
+template <class X>
+Json fields(const X& x) {
+  Json all;
+  each_field(x, [&](const auto& field, const auto& value) {
+    using Value = std::remove_cvref_t<decltype(value)>;
+    if constexpr (std::is_floating_point_v<Value>)
+      all[field.name] = json(value);
+    else
+      all[field.name] = json<typename Value::Scalar, Value::RowsAtCompileTime>(value);
+  });
+  if constexpr (requires { x.range; })
+    if (x.range == semi_infinite<decltype(x.range.lo)>) all.erase("tmin"), all.erase("tmax");
   return all;
 }
 template <class S, int N>
-Json fields(const Aabb<S, N>& box, const char* lo = "lo", const char* hi = "hi") {
+Json fields(const Aabb<S, N>& box, const char* lo, const char* hi) {
   return {{lo, json<S, N>(box.lo)}, {hi, json<S, N>(box.hi)}};
 }
 template <class S, int N>
-Json fields(const Sphere<S, N>& ball, const char* center = "center", const char* radius = "radius") {
+Json fields(const Sphere<S, N>& ball, const char* center, const char* radius) {
   return {{center, json<S, N>(ball.center)}, {radius, json(ball.radius)}};
-}
-template <class S, int N>
-Json fields(const Capsule<S, N>& capsule) {
-  return {{"p", json<S, N>(capsule.p)}, {"q", json<S, N>(capsule.q)}, {"r", json(capsule.radius)}};
-}
-template <class S>
-Json fields(const Cylinder<S>& cylinder) {
-  return {{"p", json<S, 3>(cylinder.p)}, {"q", json<S, 3>(cylinder.q)}, {"r", json(cylinder.radius)}};
-}
-template <class S>
-Json fields(const Cone<S>& cone) {
-  return {{"apex", json<S, 3>(cone.apex)}, {"base", json<S, 3>(cone.base)}, {"r", json(cone.radius)}};
-}
-template <class S, int N>
-Json fields(const Plane<S, N>& plane) {
-  return {{"normal", json<S, N>(plane.normal)}, {"d", json(plane.d)}};
 }
 /// The fields of two shapes in one case.
 inline Json both(Json a, const Json& b) {

@@ -1,0 +1,61 @@
+// Boxes along the axes and oriented ones.
+
+#include <array>
+#include <cmath>
+
+#include "app/scene/types/rows.h"
+
+namespace isect::program::scene {
+
+namespace {
+
+using viz::Vec3;
+
+void draw_box(Drawing& d) {
+  const Vec3 lo = d.at("lo"), hi = d.at("hi");
+  if (d.s.flat)
+    d.region({lo, {hi.x(), lo.y(), 0}, hi, {lo.x(), hi.y(), 0}});
+  else
+    d.items.push_back(viz::solid(Aabb<double, 3>{lo, hi}, d.role));
+  d.name((lo + hi) / 2);
+}
+
+void draw_obb(Drawing& d) {
+  const Vec3 c = d.at("center"), e = d.at("half"), u = e.x() * d.at("u"), v = e.y() * d.at("v");
+  if (d.s.flat)
+    d.region({c - u - v, c + u - v, c + u + v, c - u + v});
+  else
+    d.items.push_back(viz::solid(made<Obb<double, 3>>(d.s, d.o), d.role));
+  d.name(c);
+}
+
+bool has_axes(const Setting& s, const Object& o) {
+  constexpr double as_written = 1e-6;  // as people write them, with six digits or more; the tests take them as they are
+  const std::array<Vec3, 3> axes = {s.point(o, "u"), s.point(o, "v"), s.has(o, "w") ? s.point(o, "w") : Vec3::UnitZ()};
+  for (int i = 0; i < 3; ++i) {
+    if (!(std::abs(axes[i].norm() - 1) <= as_written)) return false;
+    if (!(std::abs(axes[i].dot(axes[(i + 1) % 3])) <= as_written)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<TypeSpec> box_types() {
+  TypeSpec box = row<Aabb<double, 3>>(Type::box);
+  box.extent = [](const Setting& s, const Object& o) { return std::vector{s.point(o, "lo"), s.point(o, "hi")}; };
+  box.draw = draw_box;
+
+  TypeSpec obb = row<Obb<double, 3>>(Type::obb);
+  obb.words = obb.in_plane = "oriented box";
+  for (FieldSpec& field : obb.fields)
+    if (field.name == "w") field.help += "; none in the plane", field.optional = true;
+  obb.rules.push_back({"u", "axes of length 1 at right angles, to six digits", has_axes});
+  obb.extent = [](const Setting& s, const Object& o) {
+    return around(s.point(o, "center"), s.point(o, "half").norm());
+  };
+  obb.draw = draw_obb;
+  return {box, obb};
+}
+
+}  // namespace isect::program::scene

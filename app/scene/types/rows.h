@@ -1,0 +1,85 @@
+#pragma once
+// What the rows of the list of types share.
+
+#include "app/scene/shapes.h"
+#include "app/scene/types.h"
+#include "viz/solids.h"
+
+namespace isect::program::scene {
+
+// The rows, a file each; in files and lists they stand in this order.
+
+std::vector<TypeSpec> straight_types();  ///< point, segment, ray, line, plane
+std::vector<TypeSpec> round_types();     ///< sphere, capsule
+std::vector<TypeSpec> box_types();       ///< box, obb
+std::vector<TypeSpec> outline_types();   ///< triangle, polygon
+std::vector<TypeSpec> polytope_types();  ///< kdop, frustum, hull
+std::vector<TypeSpec> many_types();      ///< mesh, cloud
+
+/// The fields of a shape of the core.
+template <class X>
+std::vector<FieldSpec> fields_of() {
+  std::vector<FieldSpec> all;
+  each_field(static_cast<const X&>(X{}), [&](const auto& field, const auto&) {
+    all.push_back({field.name, field.means, field.help, field.optional});
+  });
+  return all;
+}
+
+/// What it must keep, as far as the ranges of its fields do not say it.
+template <class X>
+std::vector<ShapeRule> rules_of() {
+  std::vector<ShapeRule> all;
+  const auto add = [&](const Need<X>& need, auto holds) {
+    for (const FieldSpec& field : fields_of<X>())
+      if (field.name == need.field && field.means != Means::radius && field.means != Means::direction)
+        all.push_back({need.field, need.allowed, holds});
+  };
+  constexpr std::size_t count = Described<X>::needs.size();
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (add(Described<X>::needs[I],
+         [](const Setting& s, const Object& o) { return Described<X>::needs[I].holds(made<X>(s, o)); }),
+     ...);
+  }
+  (std::make_index_sequence<count>());
+  return all;
+}
+
+/// A type whose objects are shapes of the core, field by field.
+template <class X>
+TypeSpec row(Type type) {
+  TypeSpec row = {type, Described<X>::name};
+  row.fields = fields_of<X>(), row.rules = rules_of<X>();
+  return row;
+}
+
+/// An object on its way onto the canvas.
+struct Drawing {
+  const Setting& s;
+  const Object& o;
+  const Room& room;
+  viz::Role role;
+  std::vector<viz::Item> items = {};
+
+  viz::Vec3 at(const char* field) const { return s.point(o, field); }
+  void name(const viz::Vec3& where);
+  /// Beside the way from `where` to `other`.
+  void name(const viz::Vec3& where, const viz::Vec3& other);
+  void dot(const viz::Vec3& where);
+  /// A dot and the name.
+  void named_dot(const viz::Vec3& where);
+  void dots(const std::vector<viz::Vec3>& points);
+  void region(const std::vector<viz::Vec3>& corners);
+  /// With the name inside it.
+  void outline(const std::vector<std::vector<viz::Vec3>>& rings);
+  void solid(viz::Solid);
+};
+
+/// The corners of a box around a ball.
+std::vector<viz::Vec3> around(const viz::Vec3& center, double radius);
+/// A vector of length 1 across `v`.
+viz::Vec3 across(const viz::Vec3& v, bool flat);
+viz::Vec3 middle_of(const std::vector<viz::Vec3>& points);
+viz::Vec3 top_of(const std::vector<viz::Vec3>& points);
+
+}  // namespace isect::program::scene
