@@ -9,15 +9,24 @@
 
 namespace isect::program::scene {
 
+namespace {
+
+Answer decided(const std::optional<Answer>& answer) {
+  if (!answer) throw NotDecided("no test is made for the two shapes");
+  return *answer;
+}
+
+}  // namespace
+
 Answer by_core(const Shaped& a, const Shaped& b) {
-  return a.flat() ? isect::ask(a.shape<2>(), b.shape<2>()) : isect::ask(a.shape<3>(), b.shape<3>());
+  return decided(a.flat() ? isect::ask(a.shape<2>(), b.shape<2>()) : isect::ask(a.shape<3>(), b.shape<3>()));
 }
 
 Answer by_core(const viz::Vec3& p, const Shaped& o) {
   return o.flat() ? isect::ask(point_of<2>(p), o.shape<2>()) : isect::ask(point_of<3>(p), o.shape<3>());
 }
 
-Answer by_core(const Triangle<double, 3>& x, const Shaped& o) { return isect::ask(x, o.shape<3>()); }
+Answer by_core(const Triangle<double, 3>& x, const Shaped& o) { return decided(isect::ask(x, o.shape<3>())); }
 
 void give(Relation r, Told& out) {
   out.answer = answer(r);

@@ -23,7 +23,8 @@ using Variant = std::variant<Point<S, N>, Segment<S, N>, Ray<S, N>, Plane<S, N>,
 /// mesh valid indices. A polygon in space is none of them, as only lines have a test of one: in its place ask its
 /// triangles.
 template <class S, int N>
-using AnyShape = std::conditional_t<N == 2, any_shape::Variant<S, N, Polygon<S, 2>>,
-                                    any_shape::Variant<S, N, Frustum<S>, Hull3<S>, TriangleMesh<S>>>;
+using AnyShape =
+    std::conditional_t<N == 2, any_shape::Variant<S, N, Polygon<S, 2>>,
+                       any_shape::Variant<S, N, Frustum<S>, Hull3<S>, TriangleMesh<S>, Cylinder<S>, Cone<S>>>;
 
 }  // namespace isect

@@ -87,6 +87,9 @@ struct Draw {
              at({0, 0, -1}, 3)}};
   }
 
+  Cylinder<double> cylinder() requires(N == 3) { return {vector(4), vector(4), number(0, 3)}; }
+  Cone<double> cone() requires(N == 3) { return {vector(4), vector(4), number(0, 3)}; }
+
   /// One of each kind.
   std::vector<AnyShape<double, N>> all() {
     std::vector<AnyShape<double, N>> shapes = {Point<double, N>(vector(4)),
@@ -107,6 +110,7 @@ struct Draw {
       shapes.push_back(polygon);
     } else {
       shapes.push_back(frustum()), shapes.push_back(hull()), shapes.push_back(tetrahedron());
+      shapes.push_back(cylinder()), shapes.push_back(cone());
     }
     return shapes;
   }
@@ -115,6 +119,12 @@ struct Draw {
 template <int N>
 bool is_line(const AnyShape<double, N>& x) {
   return std::holds_alternative<Segment<double, N>>(x) || std::holds_alternative<Ray<double, N>>(x);
+}
+
+/// What is not decided counts as an answer that says nothing.
+template <class A, class B>
+Answer answered(const A& a, const B& b) {
+  return std::optional<Answer>(ask(a, b)).value_or(Answer());
 }
 
 /// Calls check(a, b) with every two kinds, whole numbers and others.
@@ -137,8 +147,11 @@ void each_pair(int rounds, const Check& check) {
 TEMPLATE_TEST_CASE_SIG("any two shapes are answered in both orders, each the other turned round", "[answer]",
                        ((int N), N), 2, 3) {
   each_pair<N>(tests::cases(40, 4000), [](const auto& a, const auto& b) {
-    const Answer forth = ask(a, b);
-    Answer back = reversed(ask(b, a));
+    const std::optional<Answer> found = ask(a, b), turned = ask(b, a);
+    CHECK(found.has_value() == turned.has_value());
+    if (!found || !turned) return;
+    const Answer& forth = *found;
+    Answer back = reversed(*turned);
     if (is_line<N>(a) && is_line<N>(b)) {
       CHECK(forth.t.has_value() == back.t.has_value());
       back.t = forth.t;  // each has its own
@@ -153,7 +166,7 @@ TEMPLATE_TEST_CASE_SIG("any two shapes are answered in both orders, each the oth
 
 TEMPLATE_TEST_CASE_SIG("what an answer says agrees with itself", "[answer]", ((int N), N), 2, 3) {
   each_pair<N>(tests::cases(40, 4000), [](const auto& a, const auto& b) {
-    const Answer x = ask(a, b);
+    const Answer x = answered(a, b);
     if (x.relation) CHECK(x.meet == (x.relation != Relation::disjoint));
     if (x.location) CHECK(x.meet == (x.location != Location::out));
     if (x.triangles) CHECK((x.meet || x.triangles == 0));
@@ -173,8 +186,8 @@ TEMPLATE_TEST_CASE_SIG("a box, an oriented box and a k-DOP of the same points ge
     for (int i = 0; i < N; ++i) kdop.normals.push_back(Vector<double, N>::Unit(i)), kdop.slabs.push_back(box.along(i));
     for (const AnyShape<double, N>& other : draw.all()) {
       INFO("seed " << tests::seed() << ", round " << round << ", kind " << other.index());
-      const Answer by_box = ask(box, other);
-      for (const Answer& same : {ask(obb, other), ask(kdop, other)}) {
+      const Answer by_box = answered(box, other);
+      for (const Answer& same : {answered(obb, other), answered(kdop, other)}) {
         CHECK(same.meet == by_box.meet);
         if (same.relation && by_box.relation) CHECK(same.relation == by_box.relation);
         CHECK(same.part.has_value() == by_box.part.has_value());
@@ -195,7 +208,7 @@ TEMPLATE_TEST_CASE_SIG("a point, a ball of radius 0 and a segment without length
       const bool meets = of_triangles ? at.location == Location::on : at.meet;
       CHECK(ask(Segment<double, N>{p, p}, other).meet == meets);
       CHECK(ask(Sphere<double, N>{p, 0}, other).meet == meets);
-      CHECK(ask(Capsule<double, N>{p, p, 0}, other).meet == meets);
+      if (const std::optional<Answer> capsule = ask(Capsule<double, N>{p, p, 0}, other)) CHECK(capsule->meet == meets);
     }
   }
 }
@@ -211,6 +224,8 @@ TEST_CASE("an answer is what the pair's own test says", "[answer]") {
     const Plane<double, 3> plane = {draw.direction(), draw.number(-4, 4)};
     const Segment<double, 3> segment = {draw.vector(4), draw.vector(4)};
     const HalfSpaces hull = half_spaces_of(draw.hull());
+    const Cylinder<double> cylinder = draw.cylinder();
+    const Cone<double> cone = draw.cone();
     CHECK(ask(ball, other).relation == relate(ball, other));
     CHECK(ask(box, ball).relation == reversed(relate(ball, box)));
     CHECK(ask(box, triangle).relation == reversed(relate(triangle, box)));
@@ -224,7 +239,45 @@ TEST_CASE("an answer is what the pair's own test says", "[answer]") {
     CHECK((ask(ball, ray).part == in_ball.solid && ask(ball, ray).tangent == (in_ball.line_roots == 1)));
     CHECK(ask(ray, triangle).t == first_hit(ray, triangle));
     CHECK(ask(segment, plane).t == intersect(segment, plane).t);
+    CHECK(ask(cylinder, ball).relation == reversed(relate(ball, cylinder)));
+    CHECK(ask(plane, cone).relation == relate(plane, cone));
+    CHECK(ask(cone, ball.center).location == locate(ball.center, cone));
+    CHECK(ask(ray, cylinder).part == intersect(ray, cylinder));
+    CHECK(ask(segment, cone).t == first_hit(segment, cone));
   }
+}
+
+TEST_CASE("what no test decides is not compiled, or answered by nothing", "[answer]") {
+  using Ball = Sphere<double, 3>;
+  using Bar = Capsule<double, 3>;
+  using Pipe = Cylinder<double>;
+  STATIC_REQUIRE(is_decided<Pipe, Ball>);
+  STATIC_REQUIRE(!is_decided<Pipe, Bar>);
+  STATIC_REQUIRE(!is_decided<Bar, Pipe>);
+  STATIC_REQUIRE(std::is_same_v<AnswerOf<AnyShape<double, 2>, AnyShape<double, 2>>, Answer>);
+  STATIC_REQUIRE(std::is_same_v<AnswerOf<Segment<double, 3>, AnyShape<double, 3>>, Answer>);
+  STATIC_REQUIRE(std::is_same_v<AnswerOf<Bar, AnyShape<double, 3>>, std::optional<Answer>>);
+
+  const Pipe pipe = {{0, 0, 0}, {0, 0, 4}, 1};
+  const Bar bar = {{0, 0, 1}, {0, 0, 3}, 0.5};
+  const AnyShape<double, 3> one = pipe, other = bar, ball = Ball{{0, 0, 2}, 0.5};
+  CHECK(!ask(one, other));
+  CHECK(!ask(other, pipe));
+  CHECK(ask(one, ball) == Answer{.meet = true, .relation = Relation::b_inside_a});
+  CHECK(ask(bar, ball) == Answer{.meet = true, .relation = Relation::b_inside_a});
+
+  std::vector<std::pair<std::size_t, std::size_t>> open;  // by their places in AnyShape
+  Draw<3> draw;
+  const auto all = draw.all();
+  for (const auto& a : all)
+    for (const auto& b : all)
+      if (a.index() <= b.index() && !ask(a, b)) open.emplace_back(a.index(), b.index());
+  enum : std::size_t { capsule = 5, box, obb, kdop, triangle, solid, frustum, hull, mesh, cylinder, cone };
+  std::vector<std::pair<std::size_t, std::size_t>> known;
+  for (const std::size_t x : {capsule, box, obb, kdop, triangle, solid, frustum, hull, mesh})
+    known.emplace_back(x, cylinder), known.emplace_back(x, cone);
+  known.emplace_back(cylinder, cylinder), known.emplace_back(cylinder, cone), known.emplace_back(cone, cone);
+  CHECK(open == known);
 }
 
 TEST_CASE("planes, tangency and lines are told apart", "[answer]") {
@@ -309,7 +362,7 @@ TEMPLATE_TEST_CASE_SIG("NaN and infinite coordinates meet nothing", "[answer]", 
       bad[draw.integer(0, N - 1)] = wrong;
       Kdop<double, N> kdop = draw.kdop();
       kdop.slabs[0].hi = wrong;
-      const std::vector<AnyShape<double, N>> all = {
+      std::vector<AnyShape<double, N>> all = {
           bad,
           Segment<double, N>{draw.vector(4), bad},
           Ray<double, N>{bad, draw.direction()},
@@ -320,11 +373,15 @@ TEMPLATE_TEST_CASE_SIG("NaN and infinite coordinates meet nothing", "[answer]", 
           Obb<double, N>{bad, Eigen::Matrix<double, N, N>::Identity(), Vector<double, N>::Ones()},
           kdop,
           Triangle<double, N>{{bad, draw.vector(4), draw.vector(4)}}};
+      if constexpr (N == 3) {
+        all.push_back(Cylinder<double>{draw.vector(4), bad, 1});
+        all.push_back(Cone<double>{draw.vector(4), bad, 1});
+      }
       for (const auto& a : all)
         for (const auto& b : draw.all()) {
           INFO("seed " << tests::seed() << ", round " << round << ", kinds " << a.index() << " and " << b.index());
-          CHECK(!ask(a, b).meet);
-          CHECK(!ask(b, a).meet);
+          CHECK(!answered(a, b).meet);
+          CHECK(!answered(b, a).meet);
         }
     }
 }

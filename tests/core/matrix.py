@@ -55,6 +55,8 @@ CLIPPED = ("clip_polygon", "clip_segment")
 THROUGH = {"sphere_half_spaces": "capsule_half_spaces", "triangle_half_spaces": "sphere_triangle"}
 # A convex polygon prepared for many questions is no object of a scene: outlines are asked as polygons of any form.
 NO_OBJECT = ("point_convex_polygon", "convex_polygons")
+# Shapes of isect/ask.h that are no objects of scenes, either.
+NO_OBJECT_YET = ("Cylinder", "Cone")
 
 Pair = collections.namedtuple("Pair", "header first second dimension")
 
@@ -123,7 +125,8 @@ class Evidence:
 
     def asked_by_scenes(self, pair):
         include = f"<isect/{THROUGH.get(pair.header, pair.header)}.h>"
-        return include in self.scene and pair.header not in NO_OBJECT and not (pair.header in CLIPPED and pair.second == "Plane")
+        drawn = pair.header not in NO_OBJECT and pair.second not in NO_OBJECT_YET and pair.first not in NO_OBJECT_YET
+        return include in self.scene and drawn and not (pair.header in CLIPPED and pair.second == "Plane")
 
     def objects(self, pair):
         """Types of objects that a scene asks the pair of; none where it asks another question."""
