@@ -74,7 +74,8 @@ class Teller {
       for (const Points& ring : it.rings) corners("polygon", ring, role, it.name);
   }
   void operator()(const Solid& it) {
-    if (is_body(it.role)) corners("solid", it.vertices, it.role, it.name);
+    if (!is_body(it.role)) return;
+    it.round ? round(*it.round, it) : corners("solid", it.vertices, it.role, it.name);
   }
   void operator()(const Mesh& it) {
     if (is_body(it.role)) corners("mesh", it.vertices, it.role, it.name);
@@ -178,6 +179,13 @@ class Teller {
     const std::string centre = name_at(c);
     say(kind, centre.empty() ? name_within({c - reach, c + reach}, role, true) : centre,
         fmt::format("centre {}, radius {}", place(c), number(radius)));
+  }
+  void round(const RoundSolid& r, const Solid& it) {
+    if (is_parameter(r.from) && is_parameter(r.to) && is_parameter(r.radius)) return;
+    const std::string name = it.name.empty() ? name_within(limits_of(it.vertices), it.role) : plain(it.name);
+    say(r.pointed ? "cone" : "cylinder", name,
+        fmt::format("{} {} to {}, radius {}", r.pointed ? "apex" : "from", place(r.from), place(r.to),
+                    number(r.radius)));
   }
   void corners(const std::string& kind, const Points& points, Role role, const std::string& given) {
     if (std::ranges::all_of(points, [&](const Vec3& p) { return is_parameter(p); })) return;  // told already

@@ -22,7 +22,10 @@ struct Move {
   void operator()(Heading& it) const { it.at += by; }
   void operator()(Raster& it) const { it.corner += by; }
   void operator()(Chain& it) const { points(it.points); }
-  void operator()(Solid& it) const { points(it.vertices); }
+  void operator()(Solid& it) const {
+    points(it.vertices);
+    if (it.round) it.round->from += by, it.round->to += by;
+  }
   void operator()(Mesh& it) const { points(it.vertices); }
   void operator()(Region& it) const {
     for (std::vector<Vec3>& ring : it.rings) points(ring);

@@ -22,7 +22,10 @@ struct Numbers {
   void operator()(Region& it) {
     for (std::vector<Vec3>& ring : it.rings) take(ring);
   }
-  void operator()(Solid& it) { take(it.vertices); }
+  void operator()(Solid& it) {
+    take(it.vertices);
+    if (it.round) points.insert(points.end(), {&it.round->from, &it.round->to}), lengths = {&it.round->radius};
+  }
   void operator()(Mesh& it) { take(it.vertices); }
   void operator()(Raster&) {}
   void operator()(RightAngle& it) { points = {&it.at, &it.a, &it.b}; }

@@ -104,6 +104,12 @@ struct Region {
   bool hides = false;    ///< what lies behind is dashed, as behind a solid: a plane, a polygon in space
   std::string name = {};
 };
+/// A cylinder, or a cone that is pointed where it begins.
+struct RoundSolid {
+  Vec3 from, to;
+  double radius = 1;
+  bool pointed = false;
+};
 /// A convex polyhedron: a box, a k-DOP, a hull, a frustum, a wedge. A face lists its vertices in order, either way
 /// round; edges between faces of one plane are not drawn. viz/solids.h makes one from the core's shapes.
 struct Solid {
@@ -111,6 +117,7 @@ struct Solid {
   std::vector<std::vector<int>> faces;
   Role role = Role::second;
   std::string name = {};
+  std::optional<RoundSolid> round = {};  ///< what it stands for: no edge is drawn where its side bends
 };
 /// A surface of triangles, counter-clockwise seen from outside; opaque, so it need not be convex: what a bounding
 /// volume contains.

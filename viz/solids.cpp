@@ -1,6 +1,11 @@
 #include "viz/solids.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <numeric>
 
 #include <isect/convex_hull_3d.h>
 #include <isect/kdop_polytope.h>
@@ -51,6 +56,51 @@ Solid solid(const Frustum<double>& frustum, Role role) {
     corners[i] = -(a.d * bc + b.d * ca + c.d * ab) / a.normal.dot(bc);
   }
   return hexahedron(corners, role);
+}
+
+namespace {
+
+constexpr int round_sides = 72;
+
+/// A regular polygon about `middle`, across `axis`, counter-clockwise as seen from where the axis points.
+std::vector<Vec3> circle(const Vec3& middle, const Vec3& axis, double radius) {
+  int least = 0;
+  axis.cwiseAbs().minCoeff(&least);
+  const Vec3 along = axis.stableNormalized(), u = along.cross(Vec3::Unit(least)).normalized(), v = along.cross(u);
+  std::vector<Vec3> points;
+  for (int i = 0; i < round_sides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / round_sides;
+    points.push_back(middle + radius * (std::cos(angle) * u + std::sin(angle) * v));
+  }
+  return points;
+}
+
+/// From the first point to the last.
+std::vector<int> numbered(int first, int last) {
+  std::vector<int> all(static_cast<std::size_t>(last - first));
+  std::iota(all.begin(), all.end(), first);
+  return all;
+}
+
+}  // namespace
+
+Solid solid(const Cylinder<double>& x, Role role) {
+  Solid result = {circle(x.p, x.q - x.p, x.radius), {numbered(0, round_sides), numbered(round_sides, 2 * round_sides)}, role};
+  std::ranges::copy(circle(x.q, x.q - x.p, x.radius), std::back_inserter(result.vertices));
+  for (int i = 0; i < round_sides; ++i) {
+    const int next = (i + 1) % round_sides;
+    result.faces.push_back({i, next, round_sides + next, round_sides + i});
+  }
+  result.round = {x.p, x.q, x.radius, false};
+  return result;
+}
+
+Solid solid(const Cone<double>& x, Role role) {
+  Solid result = {circle(x.base, x.apex - x.base, x.radius), {numbered(0, round_sides)}, role};
+  result.vertices.push_back(x.apex);
+  for (int i = 0; i < round_sides; ++i) result.faces.push_back({i, (i + 1) % round_sides, round_sides});
+  result.round = {x.apex, x.base, x.radius, true};
+  return result;
 }
 
 Region face(const Aabb<double, 3>& box, int axis, double coordinate, Role role) {

@@ -25,6 +25,10 @@ Solid solid(const Hull3<double>&,
 /// Its corners are those of three planes each. Assumes that opposite planes are not parallel to the ones beside them.
 Solid solid(const Frustum<double>&, Role);
 
+/// With so many sides that it looks round.
+Solid solid(const Cylinder<double>&, Role);
+Solid solid(const Cone<double>&, Role);
+
 /// The box's faces as the core numbers its axes: what the plane x_axis = coordinate cuts out of the box.
 Region face(const Aabb<double, 3>&, int axis, double coordinate, Role);
 

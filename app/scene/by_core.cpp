@@ -26,6 +26,7 @@ Answer by_core(const viz::Vec3& p, const Shaped& o) {
   return o.flat() ? isect::ask(point_of<2>(p), o.shape<2>()) : isect::ask(point_of<3>(p), o.shape<3>());
 }
 
+Answer by_core(const Ray<double, 3>& x, const Shaped& o) { return decided(isect::ask(x, o.shape<3>())); }
 Answer by_core(const Triangle<double, 3>& x, const Shaped& o) { return decided(isect::ask(x, o.shape<3>())); }
 
 void give(Relation r, Told& out) {

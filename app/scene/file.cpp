@@ -118,9 +118,10 @@ class SceneReader {
     need_type(what, below(path, "clip"),
               runs_along_a_line(type) || type == Type::triangle || type == Type::polygon || type == Type::hull,
               "a ray, a line, a segment, a triangle or a convex polygon");
-    const std::size_t box = named(source_.member(json, path, "to"), below(path, "to"));
-    need_type(box, below(path, "to"), object(box).type == Type::box, "a box");
-    return ClipAsked{what, box};
+    const std::size_t to = named(source_.member(json, path, "to"), below(path, "to"));
+    need_type(to, below(path, "to"), object(to).type == Type::box || object(to).type == Type::plane,
+              "a box or a plane");
+    return ClipAsked{what, to};
   }
 
   Asked hierarchy(const Json& json, const Path& path) const {

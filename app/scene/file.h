@@ -43,7 +43,7 @@ struct FitAsked {
   std::string volume;  ///< empty: all
 };
 struct ClipAsked {
-  std::size_t what, box;
+  std::size_t what, to;  ///< a box, or a plane: the side that its normal points to
 };
 struct HierarchyAsked {
   std::vector<std::size_t> objects;  ///< one of them: its triangles

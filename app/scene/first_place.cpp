@@ -31,6 +31,10 @@ std::optional<Place> place_of(const Line& line, const Shaped& o) {
       return first(o.as<Sphere, 3>());
     case Type::capsule:
       return first(o.as<Capsule, 3>());
+    case Type::cylinder:
+      return first(std::get<Cylinder<double>>(o.shape<3>()));
+    case Type::cone:
+      return first(std::get<Cone<double>>(o.shape<3>()));
     case Type::point:
       return first(o.setting.point(o.object, "at"));
     case Type::cloud:

@@ -25,6 +25,8 @@ enum class Type {
   box,
   obb,
   capsule,
+  cylinder,
+  cone,
   triangle,
   polygon,
   kdop,

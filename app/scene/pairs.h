@@ -36,6 +36,7 @@ std::vector<Pair> pairs_of_polygons();
 /// What isect/ask.h says of them.
 Answer by_core(const Shaped& a, const Shaped& b);
 Answer by_core(const viz::Vec3& point, const Shaped&);
+Answer by_core(const Ray<double, 3>&, const Shaped&);
 Answer by_core(const Triangle<double, 3>&, const Shaped&);
 // The answer and the result's relation, location, first t or stretch of a line.
 

@@ -99,12 +99,20 @@ void line_and_ball(const Shaped& a, const Shaped& b, Told& out) {
   out.result.erase("t_first_surface");
 }
 
+void part_of_segment(const Shaped& a, const Shaped& b, Told& out) {
+  out.query = {};
+  tell_part(by_core(a, b).part, out);
+}
+
+void line_and_round(const Shaped& a, const Shaped& b, Told& out) {
+  if (!a.ray()) return part_of_segment(a, b, out);
+  out.answer = by_core(*a.ray(), b);
+  out.result = query::stretch(out.answer.part);
+}
+
 template <template <class, int> class Box>
 void line_and_box(const Shaped& a, const Shaped& b, Told& out) {
-  if (!a.ray()) {
-    out.query = {};
-    return tell_part(by_core(a, b).part, out);
-  }
+  if (!a.ray()) return part_of_segment(a, b, out);
   in_dimension(
       a, [&]<int N>() { along<N>(a, out, [&](const auto& line) { out.answer = isect::ask(line, b.as<Box, N>()); }); });
   out.result = query::stretch(out.answer.part);
@@ -175,11 +183,19 @@ std::vector<Pair> pairs_of_queries() {
                              {point, box, "point_box", In::both, locate},
                              {point, obb, "point_obb", In::both, locate}};
   for (const Type outline : {triangle, polygon}) table.push_back({point, outline, "pip", In::plane, point_in_outline});
+  table.push_back({point, cylinder, "point_cylinder", In::space, locate});
+  table.push_back({point, cone, "point_cone", In::space, locate});
+  table.push_back({plane, cylinder, "plane_cylinder", In::space, related});
+  table.push_back({plane, cone, "plane_cone", In::space, related});
+  table.push_back({sphere, cylinder, "sphere_cylinder", In::space, related});
+  table.push_back({sphere, cone, "sphere_cone", In::space, related});
   for (const Type line : {ray, Type::line, segment}) {
     table.push_back({line, sphere, "ray_sphere", In::both, line_and_ball});
     table.push_back({line, box, "ray_box", In::both, line_and_box<Aabb>});
     table.push_back({line, obb, "ray_obb", In::both, line_and_box<Obb>});
     table.push_back({line, plane, "ray_plane", In::both, line_and_plane});
+    table.push_back({line, cylinder, "ray_cylinder", In::space, line_and_round});
+    table.push_back({line, cone, "ray_cone", In::space, line_and_round});
     for (const Type outline : {triangle, polygon})
       table.push_back({line, outline, "ray_polygon", In::space, line_and_outline});
   }

@@ -1,6 +1,8 @@
 // Convex solids against each other and against balls, capsules, triangles, planes and lines; lines in space; points
 // beside what is thin.
 
+#include <fmt/format.h>
+
 #include <isect/capsule_half_spaces.h>
 #include <isect/sphere_triangle.h>
 
@@ -49,6 +51,10 @@ void two_lines(const Shaped& a, const Shaped& b, Told& out) {
   if (x.t) out.result["t"] = query::number(*x.t);
 }
 
+[[noreturn]] void untested(const Shaped& a, const Shaped& b, Told&) {
+  throw NotDecided(fmt::format("no test is made for {} and {}", with_article(a.type()), with_article(b.type())));
+}
+
 void line_and_solid(const Shaped& a, const Shaped& b, Told& out) { tell_part(by_core(a, b).part, out); }
 
 }  // namespace
@@ -80,6 +86,11 @@ std::vector<Pair> pairs_of_solids() {
     add(triangle, solid, solid == obb || solid == kdop ? In::both : In::space, relate);
     if (solid != hull) add(plane, solid, solid == frustum ? In::space : In::both, relate);
   }
+  for (const Type round : {cylinder, cone}) {
+    for (const Type solid : {box, obb, kdop, frustum, hull}) add(round, solid, In::space, relate);
+    for (const Type other : {capsule, triangle, polygon, mesh, cone}) add(round, other, In::space, untested);
+  }
+  add(cylinder, cylinder, In::space, untested);
   for (const Type solid : {obb, kdop}) add(solid, polygon, In::plane, relate);
   add(triangle, triangle, In::space, relate);
   add(plane, capsule, In::both, relate);

@@ -1,4 +1,4 @@
-// Parts of objects in a box, and hierarchies over objects and meshes.
+// Parts of objects in a box or beside a plane, and hierarchies over objects and meshes.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -34,15 +34,18 @@ using viz::Verdict;
 // Clipping.
 
 template <int N>
-std::optional<Interval<double>> part_of_line(const Shaped& line, const Shaped& box) {
-  const Aabb<double, N>& to = box.as<Aabb, N>();
+std::optional<Interval<double>> part_of_line(const Shaped& line, const auto& to) {
   return line.type() == Type::segment ? clip(line.as<Segment, N>(), to) : clip(line.as<Ray, N>(), to);
+}
+template <int N>
+std::optional<Interval<double>> part_of_line(const Shaped& line, const Shaped& to) {
+  return to.type() == Type::plane ? part_of_line<N>(line, to.as<Plane, N>()) : part_of_line<N>(line, to.as<Aabb, N>());
 }
 
 /// Whether no more than a point of the line is left, which has some: rounded, both its ends may be one number.
-bool leaves_one_point(const Setting& s, const Object& o, const Object& box) {
+bool leaves_one_point(const Setting& s, const Object& o, const Object& to) {
   const bool segment = o.type == Type::segment;
-  const Vec3 from = s.point(o, segment ? "from" : "origin"), lo = s.point(box, "lo"), hi = s.point(box, "hi");
+  const Vec3 from = s.point(o, segment ? "from" : "origin");
   Ratio<Exact> first = {Exact(0.0), Exact(0.0)}, last = first;  // den 0: none yet
   const auto take = [](Ratio<Exact>& end, const Ratio<Exact>& t, int side) {
     if (end.den.sign() == 0 || (t.num * end.den - end.num * t.den).sign() * side > 0) end = t;
@@ -54,30 +57,46 @@ bool leaves_one_point(const Setting& s, const Object& o, const Object& box) {
     if (way * side < 0) take(last, t, -1);
   };
   bool still = true;
+  Exact climb = 0.0, height = 0.0;  // to a plane
+  if (to.type == Type::plane) height = s.number(to, "d");
   for (int i = 0; i < 3; ++i) {
     const Exact rate = segment ? Exact(s.point(o, "to")[i]) - Exact(from[i]) : Exact(s.point(o, "dir")[i]);
     still &= rate.sign() == 0;
     if (i == 2 && s.flat) continue;
-    limit(rate, Exact(lo[i]) - Exact(from[i]), 1), limit(rate, Exact(hi[i]) - Exact(from[i]), -1);
+    if (to.type == Type::plane) {
+      const Exact n = s.point(to, "normal")[i];
+      climb = climb + n * rate, height = height + n * Exact(from[i]);
+      continue;
+    }
+    const double lo = s.point(to, "lo")[i], hi = s.point(to, "hi")[i];
+    limit(rate, Exact(lo) - Exact(from[i]), 1), limit(rate, Exact(hi) - Exact(from[i]), -1);
   }
+  if (to.type == Type::plane) limit(climb, -height, 1);
   const auto end = [&](double t, int side) {
     if (std::isfinite(t)) limit(Exact(1.0), Exact(t), side);
   };
   end(s.has(o, "tmin") ? s.number(o, "tmin") : o.type == Type::line ? -HUGE_VAL : 0, 1);
   end(s.has(o, "tmax") ? s.number(o, "tmax") : segment ? 1 : HUGE_VAL, -1);
-  return still || (first.num * last.den - last.num * first.den).sign() == 0;
+  const bool bounded = first.den.sign() != 0 && last.den.sign() != 0;
+  return still || (bounded && (first.num * last.den - last.num * first.den).sign() == 0);
 }
 
-/// What is left of each outline; of one with holes nothing where it has no point in the box.
 template <int N>
-std::vector<std::vector<Vec3>> part_of_outline(const Setting& s, const Object& o, const Object& box) {
+Ring<double, N> part_of_ring(const Ring<double, N>& ring, const Setting& s, const Object& to) {
+  return to.type == Type::plane ? clip(ring, made<Plane<double, N>>(s, to)) : clip(ring, made<Aabb<double, N>>(s, to));
+}
+
+/// What is left of each outline; of one with holes nothing where it has no point there.
+template <int N>
+std::vector<std::vector<Vec3>> part_of_outline(const Setting& s, const Object& o, const Object& to) {
   const std::vector<std::vector<Vec3>> rings =
       o.type == Type::hull ? std::vector<std::vector<Vec3>>{outline_of(s, o)} : s.rings(o);
   std::vector<std::vector<Vec3>> all;
-  if (rings.size() > 1 && ask(Shaped(s, o), Shaped(s, box)).verdict.kind == Verdict::Kind::no) return all;
+  const bool in_box = to.type == Type::box;
+  if (rings.size() > 1 && in_box && ask(Shaped(s, o), Shaped(s, to)).verdict.kind == Verdict::Kind::no) return all;
   for (const std::vector<Vec3>& ring : rings) {
     std::vector<Vec3> kept;
-    for (const Point<double, N>& p : clip(points_of<N>(ring), made<Aabb<double, N>>(s, box))) {
+    for (const Point<double, N>& p : part_of_ring<N>(points_of<N>(ring), s, to)) {
       kept.push_back(Vec3::Zero());
       kept.back().head<N>() = p;
     }
@@ -86,34 +105,54 @@ std::vector<std::vector<Vec3>> part_of_outline(const Setting& s, const Object& o
   return all;
 }
 
+/// "in A", "where the normal of E points"
+std::string where(const Context& c, const ClipAsked& asked) {
+  const std::string name = c.name(asked.to);
+  return c.object(asked.to).type == Type::plane ? fmt::format("where the normal of {} points", name) : "in " + name;
+}
+
+/// "the part from *t* = 1 to 2"
+std::string part_in_words(const Interval<double>& part) {
+  const bool begins = std::isfinite(part.lo), ends = std::isfinite(part.hi);
+  if (!begins && !ends) return "all";
+  if (!begins) return fmt::format("the part up to *t* = {}", viz::shown(part.hi));
+  if (!ends) return fmt::format("the part from *t* = {} on", viz::shown(part.lo));
+  const auto [lo, hi] = viz::shown_apart(part.lo, part.hi);
+  return fmt::format("the part from *t* = {} to {}", lo, hi);
+}
+
 void tell_line(const Context& c, const ClipAsked& asked, Answered& out) {
   const Setting& s = c.setting;
-  const Object &o = c.object(asked.what), &box = c.object(asked.box);
-  const Shaped &line = c.shaped(asked.what), &to = c.shaped(asked.box);
-  const auto part = s.flat ? part_of_line<2>(line, to) : part_of_line<3>(line, to);
+  const Object &o = c.object(asked.what), &to = c.object(asked.to);
+  const Shaped &line = c.shaped(asked.what), &other = c.shaped(asked.to);
+  const auto part = s.flat ? part_of_line<2>(line, other) : part_of_line<3>(line, other);
   out.json["range"] = part ? Json{query::number(part->lo), query::number(part->hi)} : Json(nullptr);
   if (!part) {
-    out.verdict = {Verdict::Kind::no, fmt::format("nothing of {} lies in {}", c.name(asked.what), c.name(asked.box))};
+    out.verdict = {Verdict::Kind::no, fmt::format("nothing of {} lies {}", c.name(asked.what), where(c, asked))};
     return;
   }
   const Vec3 from = o.type == Type::segment ? s.point(o, "from") : s.point(o, "origin");
   const Vec3 along = o.type == Type::segment ? Vec3(s.point(o, "to") - from) : s.point(o, "dir");
-  const Vec3 a = from + part->lo * along, b = from + part->hi * along;
+  const double foot = (c.room.middle - from).dot(along) / along.squaredNorm(), beyond = c.room.reach / along.norm();
+  const double lo = std::isfinite(part->lo) ? part->lo : std::min(foot, part->hi) - beyond,
+               hi = std::isfinite(part->hi) ? part->hi : std::max(foot, lo) + beyond;  // as far as it is drawn
+  const Vec3 a = from + lo * along, b = from + hi * along;
   out.items.push_back(viz::Line{a, b, Role::hit, viz::Pen::thick});
-  for (const Vec3& end : {a, b}) out.items.push_back(viz::Dot{end, viz::Mark::disc, Role::hit});
-  out.values = {{"*t*_{in}", part->lo, "t", Role::hit, true}, {"*t*_{out}", part->hi, "t", Role::hit, true}};
-  const auto [lo, hi] = viz::shown_apart(part->lo, part->hi);
-  out.verdict = leaves_one_point(s, o, box)
-                    ? Verdict{Verdict::Kind::on, fmt::format("of {} one point lies in {}: *t* = {}", c.name(asked.what),
-                                                             c.name(asked.box), lo)}
-                    : Verdict{Verdict::Kind::yes, fmt::format("of {} the part from *t* = {} to {} lies in {}",
-                                                              c.name(asked.what), lo, hi, c.name(asked.box))};
+  for (const auto& [end, t] : {std::pair{a, part->lo}, {b, part->hi}})
+    if (std::isfinite(t)) out.items.push_back(viz::Dot{end, viz::Mark::disc, Role::hit});
+  for (const auto& [name, t] : {std::pair{"*t*_{in}", part->lo}, {"*t*_{out}", part->hi}})
+    if (std::isfinite(t)) out.values.push_back({name, t, "t", Role::hit, true});
+  out.verdict = leaves_one_point(s, o, to)
+                    ? Verdict{Verdict::Kind::on, fmt::format("of {} one point lies {}: *t* = {}", c.name(asked.what),
+                                                             where(c, asked), viz::shown(part->lo))}
+                    : Verdict{Verdict::Kind::yes, fmt::format("of {} {} lies {}", c.name(asked.what),
+                                                              part_in_words(*part), where(c, asked))};
 }
 
 void tell_outline(const Context& c, const ClipAsked& asked, Answered& out) {
-  const Object &o = c.object(asked.what), &box = c.object(asked.box);
+  const Object &o = c.object(asked.what), &to = c.object(asked.to);
   const std::vector<std::vector<Vec3>> kept =
-      c.file.flat ? part_of_outline<2>(c.setting, o, box) : part_of_outline<3>(c.setting, o, box);
+      c.file.flat ? part_of_outline<2>(c.setting, o, to) : part_of_outline<3>(c.setting, o, to);
   Json rings = Json::array();
   std::vector<std::size_t> corners;
   for (const std::vector<Vec3>& ring : kept) {
@@ -124,19 +163,20 @@ void tell_outline(const Context& c, const ClipAsked& asked, Answered& out) {
   const bool holes = o.type == Type::polygon && c.setting.rings(o).size() > 1;
   out.json[holes ? "rings" : "vertices"] = holes ? rings : kept.empty() ? Json::array() : rings[0];
   if (kept.empty()) {
-    out.verdict = {Verdict::Kind::no, fmt::format("nothing of {} lies in {}", c.name(asked.what), c.name(asked.box))};
+    out.verdict = {Verdict::Kind::no, fmt::format("nothing of {} lies {}", c.name(asked.what), where(c, asked))};
     return;
   }
   viz::Region region;
   region.rings = kept, region.role = Role::hit, region.pen = viz::Pen::thick, region.corners = true;
   out.items.push_back(region);
   out.verdict = {Verdict::Kind::yes,
-                 fmt::format("the part of {} in {} has {}{} {}", c.name(asked.what), c.name(asked.box),
+                 fmt::format("the part of {} {} has {}{} {}", c.name(asked.what), where(c, asked),
                              kept.size() > 1 ? fmt::format("{} outlines, of ", kept.size()) : std::string(),
                              fmt::join(corners, " and "), corners.back() == 1 ? "corner" : "corners")};
   if (holes) out.caption += " Each outline is cut by itself; what lies within an odd number of them is kept.";
   if (o.type == Type::polygon)
-    out.caption += " Of a polygon that is not convex, edges along the box may join what is kept.";
+    out.caption += fmt::format(" Of a polygon that is not convex, edges along the {} may join what is kept.",
+                               to.type == Type::plane ? "plane" : "box");
 }
 
 // Hierarchies.
@@ -144,7 +184,8 @@ void tell_outline(const Context& c, const ClipAsked& asked, Answered& out) {
 /// The box of an object, no smaller than it is.
 Aabb<double, 3> box_around(const Setting& s, const Object& o) {
   Aabb<double, 3> box = fit_aabb(s.extent(o));
-  if (o.type != Type::sphere && o.type != Type::obb && o.type != Type::capsule) return box;
+  constexpr Type rounded[] = {Type::sphere, Type::obb, Type::capsule, Type::cylinder, Type::cone};
+  if (std::ranges::find(rounded, o.type) == std::end(rounded)) return box;
   for (int i = 0; i < 3; ++i) {  // sums of an ulp or two
     for (int k = 0; k < 4; ++k) {
       box.lo[i] = std::nextafter(box.lo[i], -std::numeric_limits<double>::infinity());
@@ -178,13 +219,13 @@ bool has_box(Type t) {
 }
 
 Answered answered(const Context& c, const ClipAsked& asked) {
-  const Object &o = c.object(asked.what), &box = c.object(asked.box);
-  Answered out = {slug_of("clip-" + o.name + "-" + box.name),
-                  fmt::format("What of {} lies in {}", c.name(asked.what), c.name(asked.box)),
-                  "Cut at the box’s sides, one after the other.",
+  const Object &o = c.object(asked.what), &to = c.object(asked.to);
+  Answered out = {slug_of("clip-" + o.name + "-" + to.name),
+                  fmt::format("What of {} lies {}", c.name(asked.what), where(c, asked)),
+                  to.type == Type::plane ? "Cut at the plane." : "Cut at the box’s sides, one after the other.",
                   {}};
-  out.lit = {asked.what, asked.box};
-  out.json = {{"clip", o.name}, {"to", box.name}};
+  out.lit = {asked.what, asked.to};
+  out.json = {{"clip", o.name}, {"to", to.name}};
   if (runs_along_a_line(o.type))
     tell_line(c, asked, out);
   else

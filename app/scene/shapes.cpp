@@ -150,6 +150,12 @@ AnyShape<double, N> shape_of(const Shaped& x) {
       return made<Sphere<double, N>>(s, o);
     case Type::capsule:
       return made<Capsule<double, N>>(s, o);
+    case Type::cylinder:
+      if constexpr (N == 3) return made<Cylinder<double>>(s, o);
+      break;
+    case Type::cone:
+      if constexpr (N == 3) return made<Cone<double>>(s, o);
+      break;
     case Type::box:
       return made<Aabb<double, N>>(s, o);
     case Type::obb:

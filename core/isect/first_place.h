@@ -4,9 +4,10 @@
 // whether and where, to an ulp or two, is asked of each pair's own header first.
 //
 // A convex set has of a line what lies between the greatest of some places and the least of others: of a half-space
-// there is one, -(n.o + d) / n.d, of a ball or an endless cylinder a root of each kind. A capsule is the balls around
-// its ends and what of a cylinder lies between them; whatever is made of several sets is met where the first of them
-// is. Of a polygon, isect/ray_outline.h says what is met first in its plane, and its plane is crossed at one quotient.
+// there is one, -(n.o + d) / n.d, of a ball or an endless cylinder a root of each kind; of one half of a double cone,
+// through whose inside a line passes, one root. A capsule is the balls around its ends and what of a cylinder lies
+// between them; whatever is made of several sets is met where the first of them is. Of a polygon, isect/ray_outline.h
+// says what is met first in its plane, and its plane is crossed at one quotient.
 //
 // Source: Cyrus, Beck, Generalized two- and three-dimensional clipping, Computers & Graphics 3 (1978).
 
@@ -19,6 +20,7 @@
 
 #include <isect/line_triangle.h>
 #include <isect/numbers/place.h>
+#include <isect/parts/round_solid.h>
 #include <isect/ray_capsule.h>
 
 namespace isect {
@@ -58,6 +60,16 @@ inline void cut_by_roots(Chord& chord, const Quadratic<Exact>& f) {
   if (chord.none || f.a.sign() == 0) return;
   chord.from.push_back({-f.b, f.a, -1, f.discriminant});
   chord.to.push_back({-f.b, f.a, 1, f.discriminant});
+}
+
+/// The chord is where a t^2 + 2 b t + c <= 0 in the half of a double cone that the line enters iff `rate` is above 0.
+inline void cut_by_roots_of_half(Chord& chord, const Quadratic<Exact>& f, const Exact& rate) {
+  if (f.a.sign() > 0) return cut_by_roots(chord, f);
+  if (f.a.sign() == 0) return cut(chord, -f.c, Exact(-2.0) * f.b);
+  if (rate.sign() > 0)
+    chord.from.push_back({f.b, -f.a, 1, f.discriminant});
+  else
+    chord.to.push_back({f.b, -f.a, -1, f.discriminant});
 }
 
 inline Chord chord_of(const Course& line, const HalfSpaces& solid) {
@@ -134,6 +146,21 @@ std::optional<Place> first_in(const Straight<3, ends>& line, const Capsule<doubl
   }
   return first;
 }
+/// A cylinder or a cone: between the planes of its ends its side alone.
+template <bool ends, class Solid>
+requires requires(Solid solid) { round_solid::discs(solid); }
+std::optional<Place> first_in(const Straight<3, ends>& line, const Solid& solid) {
+  if (!round_solid::exists(solid)) return {};
+  const Exact3 d = round_solid::axis<Exact>(solid), u = line.template along<Exact>();
+  const Exact3 f = difference<Exact>(line.origin, round_solid::start(solid));
+  const Exact along = dot(f, d), rate = dot(u, d);
+  Chord chord;
+  cut(chord, along, rate);
+  cut(chord, dot(d, d) - along, -rate);
+  const Exact a = round_solid::form(solid, u, u), b = round_solid::form(solid, f, u), c = round_solid::beside(solid, f);
+  cut_by_roots_of_half(chord, {a, b, c, b * b - a * c}, rate);
+  return first_of(chord, line.range);
+}
 template <bool ends>
 std::optional<Place> first_in(const Straight<3, ends>& line, const Plane<double, 3>& plane) {
   if (!finite(plane) || plane.normal.isZero(0)) return {};
@@ -189,7 +216,8 @@ std::optional<Place> first_in(const Straight<3, ends>& line, const Polygon<doubl
 }  // namespace first_place_detail
 
 /// The least t at which a ray, a line or a segment with both ends as given meets a shape: half-spaces, a ball, a
-/// capsule, a plane, a point, a triangle, a segment, another ray or line; in the plane a polygon, by the even-odd rule.
+/// capsule, a cylinder, a cone, a plane, a point, a triangle, a segment, another ray or line; in the plane a polygon,
+/// by the even-odd rule.
 ///
 /// Exact, for all finite input of any magnitude. Where the range begins in the shape, it is where the range begins.
 /// Nothing where they have no point in common, where a whole line lies in what has no end, and, but for a polygon,

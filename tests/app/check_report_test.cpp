@@ -1,5 +1,6 @@
 // What a check leaves to read: one command that accepts, a page, JUnit XML, and a word where there is nothing.
 
+#include <algorithm>
 #include <cstring>
 #include <set>
 
@@ -93,7 +94,10 @@ TEST_CASE("each command that is printed accepts, for presets and scenes of any n
     for (const nlohmann::json& other : failures)  // what this one does not accept
       if (preset_of(other) == preset_of(f) && other["accept"] != command) CHECK(shell(other["accept"]).status <= 1);
     CHECK(shell(command).status == 0);
-    for (const nlohmann::json& left : failing()) CHECK(preset_of(left) != preset_of(f));
+    if (seen.size() > 2) continue;  // it accepts nothing else
+    const nlohmann::json left = failing();
+    CHECK(std::ranges::none_of(left, [&](const nlohmann::json& l) { return preset_of(l) == preset_of(f); }));
+    CHECK(left.size() + seen.size() >= names.size());
   }
   CHECK(seen.size() == names.size());
   CHECK_THAT(shell(check_all).out, StartsWith("ok: "));

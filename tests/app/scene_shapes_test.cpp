@@ -264,12 +264,69 @@ TEST_CASE("volumes fit their points, parts lie in their box, hierarchies hold al
   CHECK(clipped(R"({"triangle": "x", "points": [[1,0.5],[5,0.5],[1,-3.5]]})")["vertices"].size() == 4);
   CHECK(clipped(R"({"polygon": "x", "points": [[3,3],[4,3],[4,4]]})")["verdict"] == "nothing of x lies in W");
 
+  const std::string wall = R"({"plane": "E", "normal": [0,1], "d": -1},)";  // y >= 1 is kept
+  const auto above = [&](const std::string& what) {
+    return answers(shell, wall + what, R"([{"clip": "x", "to": "E"}])")[0];
+  };
+  const Json ray = above(R"({"ray": "x", "origin": [0,0], "dir": [1,0.5]})");
+  CHECK(ray["range"] == Json::parse(R"([2.0, "inf"])"));
+  CHECK(ray["verdict"] == "of x the part from t = 2 on lies where the normal of E points");
+  CHECK(above(R"({"line": "x", "origin": [0,0], "dir": [1,-0.5]})")["verdict"] ==
+        "of x the part up to t = −2 lies where the normal of E points");
+  CHECK(above(R"({"line": "x", "origin": [0,1], "dir": [1,0]})")["verdict"] ==
+        "of x all lies where the normal of E points");
+  CHECK(above(R"({"segment": "x", "from": [0,0], "to": [3,2]})")["range"] == Json::parse("[0.5, 1.0]"));
+  CHECK(above(R"({"segment": "x", "from": [0,0], "to": [3,1]})")["verdict"] ==
+        "of x one point lies where the normal of E points: t = 1");
+  CHECK(above(R"({"segment": "x", "from": [1e17,0], "to": [3,1.0000000000000002]})")["verdict"] !=
+        "of x one point lies where the normal of E points: t = 1");
+  CHECK(above(R"({"ray": "x", "origin": [0,0], "dir": [1,0]})")["verdict"] ==
+        "nothing of x lies where the normal of E points");
+  CHECK(above(R"({"triangle": "x", "points": [[0,0],[4,0],[0,4]]})")["verdict"] ==
+        "the part of x where the normal of E points has 3 corners");
+  CHECK(above(R"({"polygon": "x", "points": [[0,0],[4,0],[4,4],[0,4]]})")["vertices"] ==
+        Json::parse("[[4.0, 1.0], [4.0, 4.0], [0.0, 4.0], [0.0, 1.0]]"));
+
   const Json tree = answers(shell, R"({"point": "a", "at": [0,0]}, {"sphere": "b", "center": [5,0], "radius": 1},
     {"box": "c", "lo": [0,5], "hi": [1,6]}, {"ray": "r", "origin": [0,0], "dir": [1,0]})",
                             R"([{"hierarchy": "all"}, {"hierarchy": ["a", "b"]}])");
   CHECK(tree[0]["hierarchy"] == Json::parse(R"(["a", "b", "c"])"));  // a ray has no box
   CHECK(tree[0]["leaves"] == 3);
   CHECK(tree[1]["verdict"] == "3 nodes, depth 1");
+}
+
+TEST_CASE("cylinders and cones are asked as the core asks them, and what no test decides is told", "[scene]") {
+  const Shell shell;
+  const std::string pillar = R"({"cylinder": "A", "p": [0,0,0], "q": [0,4,0], "r": 2},)",
+                    cone = R"({"cone": "K", "apex": [0,3,0], "base": [0,0,0], "r": 4},)";
+  const auto with_pillar = [&](const std::string& other) { return verdict(shell, pillar + other); };
+  const auto with_cone = [&](const std::string& other) { return verdict(shell, cone + other); };
+  CHECK(with_pillar(R"({"point": "x", "at": [1,2,1]})") == "x lies inside A");
+  CHECK(with_pillar(R"({"point": "x", "at": [1.2,4,1.6]})") == "x lies outside A");  // by less than an ulp
+  CHECK(with_cone(R"({"point": "x", "at": [0,3,0]})") == "x lies on the boundary of K");
+  CHECK(with_pillar(R"({"sphere": "x", "center": [3,2,0], "radius": 1})") == "A and x touch");
+  CHECK(with_pillar(R"({"sphere": "x", "center": [0,2,0], "radius": 2})") == "x lies in A");
+  CHECK(with_cone(R"({"sphere": "x", "center": [0,1.25,0], "radius": 1.25})") == "K and x overlap");
+  CHECK(with_cone(R"({"sphere": "x", "center": [0,0,0], "radius": 4})") == "K lies in x");
+  CHECK(with_pillar(R"({"plane": "x", "normal": [0,1,0], "d": -4})") == "A and x touch");
+  CHECK(with_cone(R"({"plane": "x", "normal": [1,0,0], "d": 0})") == "x cuts K");
+  const Json along = answers(shell, pillar + R"({"segment": "x", "from": [-4,1,0], "to": [4,1,0]})", R"([["x", "A"]])");
+  CHECK(along[0]["result"] == Json::parse(R"({"hit": true, "t_in": 0.25, "t_out": 0.75})"));
+  CHECK(along[0]["query"]["kind"] == "ray_cylinder");
+  const Json first = answers(shell, pillar + cone + R"({"ray": "x", "origin": [-9,1.5,0], "dir": [1,0,0]})",
+                             R"([{"first hit": "x"}])");  // both at t = 7
+  CHECK(first[0]["verdict"] == "x meets A and K at the same t");
+  CHECK(with_cone(R"({"capsule": "x", "p": [0,0,0], "q": [0,1,0], "r": 1})") ==
+        "K and x: not decided, as no test is made for a cone and a capsule");
+  const Json cloud =
+      answers(shell, cone + R"({"cloud": "x", "points": [[0,0,0],[0,1,0],[4,0,0.5]]})", R"([["x", "K"]])");
+  CHECK(cloud[0]["verdict"] == "1 of 3 points of x lies inside K, 1 on its boundary");
+  CHECK(answers(shell, cone + R"({"point": "x", "at": [0,9,0]})", R"([{"hierarchy": "all"}])")[0]["leaves"] == 2);
+  CHECK_THAT(refused(shell, R"({"cylinder": "A", "p": [0,0,0], "q": [0,0,0], "r": 2})"),
+             Contains("give a q other than p"));
+  CHECK_THAT(refused(shell, R"({"cone": "K", "apex": [0,0,0], "base": [0,0,1], "r": -2})"), Contains("-2 is below 0"));
+  CHECK_THAT(refused(shell, R"({"cone": "K", "apex": [0,0], "base": [0,1], "r": 2})"),
+             Contains("a cone has three coordinates; there is none in the plane"));
 }
 
 TEST_CASE("a walk tells the lesson's steps on the scene's numbers", "[scene]") {

@@ -1,5 +1,8 @@
 #include <isect/first_place.h>
 
+#include <isect/ray_cone.h>
+#include <isect/ray_cylinder.h>
+
 #include <cmath>
 #include <limits>
 #include <random>
@@ -7,6 +10,8 @@
 #include "bench/line_triangle/oracle.h"
 #include "bench/random_rays.h"
 #include "bench/ray_capsule/oracle.h"
+#include "bench/ray_cylinder/families.h"
+#include "bench/ray_cylinder/oracle.h"
 #include "bench/ray_outline/oracle.h"
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"
@@ -34,7 +39,7 @@ bool is(const Place& place, const Rational& truth) {
   return true;
 }
 
-/// Whether it lies among doubles as where a line enters the capsule does.
+/// Whether it lies among doubles as where a line enters the convex solid does.
 bool enters(const Place& place, const oracle::LineInConvex& truth, double near) {
   for (int steps = -2; steps <= 2; ++steps) {
     const double t = bench::moved(near, steps);
@@ -96,6 +101,14 @@ TEST_CASE("shapes that are met in one point are met at one t, whatever they are"
   CHECK(met(Capsule<double, 3>{{6, 4, 1}, {9, 9, 1}, 5}) == 0);
   CHECK(met(Capsule<double, 3>{{6, 4, -9}, {6, 4, 9}, 5}) == 0);  // by its side
   CHECK(met(Capsule<double, 3>{{6, 4, 1}, {6, 4, 1}, 5}) == 0);   // without an axis
+  CHECK(met(Cylinder<double>{{6, 4, -9}, {6, 4, 9}, 5}) == 0);
+  CHECK(met(Cylinder<double>{{6, 4, -9}, {6, 4, 9}, std::nextafter(5., 6.)}) == -1);
+  CHECK(met(Cylinder<double>{{3, 0, 0}, {9, 0, 0}, 2}) == 0);  // by its end
+  CHECK(met(Cone<double>{{6, 4, 3}, {6, 4, -1}, 10}) == 0);    // halfway down its side
+  CHECK(met(Cone<double>{{6, 4, 3}, {6, 4, -1}, std::nextafter(10., 9.)}) == 1);
+  CHECK(met(Cone<double>{{3, 0, 1}, {9, 0, 1}, 1}) == 0);  // in its apex
+  CHECK_FALSE(first_place(ray, Cone<double>{{6, 4, 3}, {6, 4, 3}, 10}));
+  CHECK_FALSE(first_place(ray, Cylinder<double>{{6, 4, -9}, {6, 4, 9}, -5}));
   CHECK(met(Triangle<double, 3>{{Point<double, 3>{3, -9, -9}, {3, 9, -9}, {3, 0, 9}}}) == 0);
   CHECK(met(Triangle<double, 3>{{Point<double, 3>{3, -1, 1}, {3, 1, 1}, {3, 0, 1}}}) == 0);  // without area
   CHECK(met(Segment<double, 3>{{3, 0, 1}, {9, 9, 9}}) == 0);
@@ -153,6 +166,51 @@ TEST_CASE("where a line enters a ball or a capsule is among doubles where ration
     }
   }
   CHECK(checked > 300);
+}
+
+namespace {
+
+/// Counts what was checked.
+template <template <class> class Solid>
+void check_round(const bench::RayAndSolid<double, Solid<double>>& c, int& checked) {
+  const auto hit = first_hit(c.a, c.b);
+  const auto place = first_place(c.a, c.b);
+  REQUIRE(place.has_value() == hit.has_value());
+  if (!hit || c.a.direction.isZero(0)) return;
+  const oracle::LineInConvex truth = oracle::line_in(c.a, c.b);
+  const bool begins = std::isfinite(c.a.range.lo) && truth.holds(Rational(c.a.range.lo));
+  REQUIRE((begins ? compare(*place, place_at(c.a.range.lo)) == 0 : enters(*place, truth, *hit)));
+  ++checked;
+}
+
+template <template <class> class Solid>
+int check_round() {
+  int checked = 0;
+  for (const Numbers numbers : bench::all_numbers_and_ends) {
+    Random random(tests::seed() + 60 + static_cast<int>(numbers));
+    for (int i = 0; i < tests::cases(200, 20000); ++i) {
+      INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
+      const auto c = bench::ray_and_solid::of_any_numbers<double, Solid>(random, numbers);
+      // a line without direction may begin nowhere
+      if (!c.a.direction.isZero(0)) check_round<Solid>(c, checked);
+    }
+  }
+  for (const auto& drawn : bench::ray_and_solid_draws<double, Solid>) {
+    Random random(tests::seed());
+    for (int i = 0; i < tests::cases(100, 10000); ++i) {
+      INFO("seed " << tests::seed() << ", " << drawn.name << ", case " << i);
+      check_round<Solid>(drawn.draw(random), checked);
+    }
+  }
+  return checked;
+}
+
+}  // namespace
+
+TEST_CASE("where a line enters a cylinder or a cone is among doubles where rational arithmetic has it",
+          "[first_place]") {
+  CHECK(check_round<Cylinder>() > 400);
+  CHECK(check_round<Cone>() > 400);
 }
 
 TEST_CASE("where a line first meets a triangle, a segment or half-spaces is the rational number", "[first_place]") {

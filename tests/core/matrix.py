@@ -13,7 +13,7 @@ A pair is a public function of two shapes in a header of core/isect: its name is
   cases      hard cases for other libraries: tests/cases/<kind>.json, or lines of tests/cases/scenes
   free       a listener costs nothing: tests/core/zero_cost_trace.cpp ("-": it takes no listener)
   fuzz       the kind's fields in tests/fuzz/cases_fuzz.cpp, or a scene's objects in scenes_fuzz.cpp
-  scene      a scene asks it
+  scene      a scene asks it ("-": one of the two is no object of a scene)
   lesson     a lesson tells it
 A gap that tests/core/matrix_gaps.txt does not name fails, and so does a named gap that is none any more.
 """
@@ -49,14 +49,13 @@ OF_HEADER = {("ray_outline", "2"): ("Ray", "ray_outline"), ("line_triangle", "3"
 OBJECTS = {"Aabb": ["box"], "HalfSpaces": ["hull", "kdop", "obb", "frustum"], "Straight": ["line", "ray", "segment"],
            "TriangleMesh": ["mesh"], "Ring": ["polygon"], "Hull3": ["hull"]}
 
-# Scenes clip to boxes alone, and a clipped part is no verdict that their cases or the fuzzing tell.
+# A clipped part is no verdict that scenes' cases or their fuzzing tell.
 CLIPPED = ("clip_polygon", "clip_segment")
 # What scenes ask through another header: (header that they include, what it includes).
 THROUGH = {"sphere_half_spaces": "capsule_half_spaces", "triangle_half_spaces": "sphere_triangle"}
-# A convex polygon prepared for many questions is no object of a scene: outlines are asked as polygons of any form.
-NO_OBJECT = ("point_convex_polygon", "convex_polygons")
-# Shapes of isect/ask.h that are no objects of scenes, either.
-NO_OBJECT_YET = ("Cylinder", "Cone")
+# A convex polygon prepared for many questions is no object of a scene: outlines are asked as polygons of any form. Nor
+# is an interval.
+NO_OBJECT = ("point_convex_polygon", "convex_polygons", "interval_interval")
 
 Pair = collections.namedtuple("Pair", "header first second dimension")
 
@@ -125,8 +124,7 @@ class Evidence:
 
     def asked_by_scenes(self, pair):
         include = f"<isect/{THROUGH.get(pair.header, pair.header)}.h>"
-        drawn = pair.header not in NO_OBJECT and pair.second not in NO_OBJECT_YET and pair.first not in NO_OBJECT_YET
-        return include in self.scene and drawn and not (pair.header in CLIPPED and pair.second == "Plane")
+        return include in self.scene and pair.header not in NO_OBJECT
 
     def objects(self, pair):
         """Types of objects that a scene asks the pair of; none where it asks another question."""
@@ -153,7 +151,7 @@ class Evidence:
             "cases": kind is not None and (ROOT / f"tests/cases/{kind}.json").is_file() or self.in_lines(pair),
             "free": include in self.traced if takes_listener else None,
             "fuzz": kind is not None and f'"{kind}"' in self.fuzz or any({a, b} <= self.fuzzed for a, b in self.objects(pair)),
-            "scene": scene,
+            "scene": scene or (None if pair.header in NO_OBJECT else False),
             "lesson": include in self.lessons,
         }
 

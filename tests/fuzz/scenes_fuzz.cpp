@@ -43,6 +43,8 @@ const std::vector<TypeSpec>& specs() {
       {"box", true, {{"lo", point}, {"hi", point}}},
       {"obb", true, {{"center", point}, {"", axes}, {"half", point}}},
       {"capsule", true, {{"p", point}, {"q", point}, {"r", length}}},
+      {"cylinder", false, {{"p", point}, {"q", point}, {"r", length}}},
+      {"cone", false, {{"apex", point}, {"base", point}, {"r", length}}},
       {"triangle", true, {{"points", points}}},
       {"polygon", true, {{"points", points}}},
       {"kdop", true, {{"", slabs}}},

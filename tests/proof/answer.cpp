@@ -15,7 +15,7 @@ using Kind = Thing::Kind;
 
 bool is(const Posed& x, const std::set<std::string>& types) { return types.contains(x.type()); }
 const std::set<std::string> along_a_line = {"segment", "ray", "line"}, outlines = {"triangle", "polygon"},
-                            round = {"sphere", "capsule"};
+                            round = {"sphere", "capsule"}, asked_by_a_ball = {"box", "capsule", "cylinder", "cone"};
 
 bool is_point_like(const Thing& line) { return is_zero(line.points[1]); }
 
@@ -119,12 +119,14 @@ bool meets_from(Thing line, const Thing& body, const Rational& t) {
   return meet(line, body);
 }
 Json first_t(Times times, const Thing& line, const Thing& other) {
-  if (other.radius > 0) return border(times, [&](const Rational& t) { return meets_until(line, other, t); });
+  if (other.radius > 0 || other.kind == Kind::round)
+    return border(times, [&](const Rational& t) { return meets_until(line, other, t); });
   const auto part = part_in(line, other);
   return part && part->lo ? nearest_to(times, *part->lo) : Json(nullptr);
 }
 Json last_t(Times times, const Thing& line, const Thing& other) {
-  if (other.radius > 0) return negative(border(times, [&](const Rational& t) { return meets_from(line, other, -t); }));
+  if (other.radius > 0 || other.kind == Kind::round)
+    return negative(border(times, [&](const Rational& t) { return meets_from(line, other, -t); }));
   const auto part = part_in(line, other);
   return part && part->hi ? nearest_to(times, *part->hi) : Json(nullptr);
 }
@@ -232,22 +234,21 @@ Json of_sets(const Posed& a, const Posed& b) {
   const bool surface = a.thing.kind == Kind::surface || b.thing.kind == Kind::surface;
   if (surface && !is_full(a.thing) && !is_full(b.thing)) return {{"meet", meet(a.thing, b.thing)}};
   std::string r = relation(a.thing, b.thing);
-  if (a.type() == "sphere" && b.type() == "box")
-    r = r == "a_contains_b" ? "sphere_contains_box" : r == "b_contains_a" ? "box_contains_sphere" : r;
-  if (a.type() == "sphere" && b.type() == "capsule")
-    r = r == "a_contains_b" ? "sphere_contains_capsule" : r == "b_contains_a" ? "capsule_contains_sphere" : r;
+  if (a.type() == "sphere" && is(b, asked_by_a_ball))
+    r = r == "a_contains_b" ? "sphere_contains_" + b.type() : r == "b_contains_a" ? b.type() + "_contains_sphere" : r;
   return {{"relation", r}};
 }
 
 }  // namespace
 
 bool in_order(const std::string& a, const std::string& b) {
-  return !(b == "sphere" && (a == "box" || a == "capsule")) && !(b == "triangle" && a == "box");
+  return !(b == "sphere" && asked_by_a_ball.contains(a)) && !(b == "triangle" && a == "box");
 }
 
 std::optional<Json> answer(const Posed& a, const Posed& b, Times times) {
   const auto either = [&](const char* type) { return a.type() == type || b.type() == type; };
   const auto open = [](const Posed& x) { return x.type() == "mesh" && !x.thing.closed; };
+  if (!has_test(a.thing, b.thing)) return {};
   if ((open(a) || open(b)) && (either("point") || either("cloud"))) return {};
   if (a.type() == "cloud" || (b.type() == "cloud" && !either("plane"))) {
     const Posed &cloud = a.type() == "cloud" ? a : b, &other = a.type() == "cloud" ? b : a;

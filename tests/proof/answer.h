@@ -24,8 +24,8 @@ enum class Times { nearest, left_out };
 
 /// The fields of "result" that state the truth: "relation", "meet", "location", "evenodd", "on", "hit", "meeting" and
 /// others, with each "t" as the double nearest to it ("inf" beyond the largest). The two are in order. Nothing where
-/// the question has no answer: whether a point lies within a surface that is not closed. Times::left_out: any number
-/// stands for each t.
+/// the question has no answer: whether a point lies within a surface that is not closed, or the pair no test.
+/// Times::left_out: any number stands for each t.
 std::optional<Json> answer(const Posed& a, const Posed& b, Times = Times::nearest);
 
 /// The double nearest to the least number for which something holds that then holds for all greater ones; infinite

@@ -151,25 +151,12 @@ class Drawing {
         &Drawing::plane,   &Drawing::sphere,   &Drawing::box,     &Drawing::obb,     &Drawing::capsule,
         &Drawing::capsule, &Drawing::triangle, &Drawing::polygon, &Drawing::polygon, &Drawing::kdop,
         &Drawing::hull,    &Drawing::cloud};
-    static const std::vector<Maker> in_space = {&Drawing::point,
-                                                &Drawing::segment,
-                                                &Drawing::segment,
-                                                &Drawing::ray,
-                                                &Drawing::line,
-                                                &Drawing::plane,
-                                                &Drawing::sphere,
-                                                &Drawing::box,
-                                                &Drawing::obb,
-                                                &Drawing::capsule,
-                                                &Drawing::capsule,
-                                                &Drawing::triangle,
-                                                &Drawing::polygon_in_space,
-                                                &Drawing::kdop,
-                                                &Drawing::frustum,
-                                                &Drawing::hull,
-                                                &Drawing::hull,
-                                                &Drawing::mesh,
-                                                &Drawing::cloud};
+    static const std::vector<Maker> in_space = {
+        &Drawing::point,   &Drawing::segment,  &Drawing::segment, &Drawing::ray,      &Drawing::line,
+        &Drawing::plane,   &Drawing::sphere,   &Drawing::box,     &Drawing::obb,      &Drawing::capsule,
+        &Drawing::capsule, &Drawing::cylinder, &Drawing::cone,    &Drawing::triangle, &Drawing::polygon_in_space,
+        &Drawing::kdop,    &Drawing::frustum,  &Drawing::hull,    &Drawing::hull,     &Drawing::mesh,
+        &Drawing::cloud};
     return (this->*one_of(flat_ ? in_plane : in_space))();
   }
 
@@ -225,6 +212,20 @@ class Drawing {
   Json capsule() {
     const Place p = place(), q = out_.family == Family::flat && chance(0.3) ? p : place();
     return {{"capsule", ""}, {"p", list(p)}, {"q", list(q)}, {"r", extent()}};
+  }
+  /// With a little axis at least.
+  Json cylinder() {
+    const Place p = place();
+    return {{"cylinder", ""}, {"p", list(p)}, {"q", list(other_than(p))}, {"r", extent()}};
+  }
+  Json cone() {
+    const Place apex = place();
+    return {{"cone", ""}, {"apex", list(apex)}, {"base", list(other_than(apex))}, {"r", extent()}};
+  }
+  Place other_than(const Place& p) {
+    Place q = place();
+    if (q == p) q[whole(0, 2)] += p[0] > 0 ? -1 : 1;
+    return q;
   }
   Places some(int count) {
     Places all;
@@ -620,7 +621,7 @@ class Drawing {
     }
     const char* radius = o.contains("radius") ? "radius" : o.contains("r") ? "r" : nullptr;
     if (radius) {  // on its surface
-      Place p = place_of(o.contains("center") ? o["center"] : o["p"]);
+      Place p = place_of(o.contains("center") ? o["center"] : o.contains("p") ? o["p"] : o["base"]);
       p[whole(0, dimension() - 1)] += (chance(0.5) ? 1 : -1) * o[radius].get<double>();
       pool_.push_back(p);
     }

@@ -4,8 +4,9 @@
 //    scene_pairs [PAIRS]
 //
 // PAIRS: 4,000 if not given, with ISECT_LONG a million. ISECT_SEED is as for the other tests. Each verdict in words,
-// each t and each relation is compared. What is wrong or not decided is printed as a scene of one line that `isect
-// scene` reads, with the truth. Exit: 1 if there is any.
+// each t and each relation is compared. Each scene is a line of `isect query`, too, and must be answered there alike;
+// so must the query of two objects that asks the same. What is wrong or not decided is printed as a scene of one line
+// that `isect scene` reads, with the truth. Exit: 1 if there is any.
 
 #include <algorithm>
 #include <cstdio>
@@ -14,7 +15,9 @@
 #include <map>
 #include <set>
 
+#include "app/query/query.h"
 #include "app/scene/answered.h"
+#include "app/scene/line.h"
 #include "app/scene/shapes.h"
 #include "tests/proof/draw.h"
 #include "tests/proof/words.h"
@@ -51,6 +54,7 @@ class Judge {
       std::printf("%-44s %9ld %6ld %9ld\n", of.c_str(), n.asked, n.wrong, n.undecided);
     std::printf("%-44s %9ld %6ld %9ld\n", "all", all_.asked, all_.wrong, all_.undecided);
     for (const auto& [why, n] : refused_) std::printf("refused %ld times: %s\n", n, why.c_str());
+    std::printf("%ld pairs were asked by a query of two objects, too\n", queries_);
     std::printf("%.0f s, %.0f s of them the program's\n", seconds(), asking_);
     return all_.wrong + all_.undecided > 0 ? 1 : 0;
   }
@@ -113,17 +117,29 @@ class Judge {
           things.back().points.empty())  // a frustum whose planes are rounded
         return static_cast<void>(++refused_["a scene with an empty " + things.back().type]);
     }
-    for (const scene::Asked& asked : file.asked) {
-      const auto [a, b] = std::get<scene::PairAsked>(asked);
-      one_pair(drawn, context, a, b, things);
+    const Json line = Json::parse(scene::answer_line(text_of(drawn.objects, ask).dump(), 1).text);
+    for (std::size_t i = 0; i < file.asked.size(); ++i) {
+      const auto [a, b] = std::get<scene::PairAsked>(file.asked[i]);
+      one_pair(drawn, context, a, b, things, line.contains("result") ? line["result"][i] : Json());
     }
+  }
+
+  /// Whether `isect query` gives each field the same value; a scene may tell more.
+  bool same_by_query(const Json& query, const Json& result) {
+    const Json said = Json::parse(query::answer(query.dump(), 1).text);
+    ++queries_;
+    if (!said.contains("result")) return false;
+    for (const auto& [field, value] : said["result"].items())
+      if (!result.contains(field) || result[field] != value) return false;
+    return true;
   }
 
   static bool is_thin_hull(const Thing& t) { return t.type == "hull" && std::ranges::any_of(t.faces, &Face::equation); }
   static bool has_no_inside(const Thing& t) { return t.type == "mesh" && !t.closed; }
 
   void one_pair(const Drawn& drawn, const scene::Context& context, std::size_t a, std::size_t b,
-                const std::vector<Thing>& things) {
+                const std::vector<Thing>& things, const Json& as_line) {
+    if (!has_test(things[a], things[b])) return;
     const Named x = {context.object(a).name, things[a]}, y = {context.object(b).name, things[b]};
     for (const auto& [one, other] : {std::pair{&x, &y}, {&y, &x}})
       if (has_no_inside(one->thing) && (other->thing.type == "point" || other->thing.type == "cloud")) return;
@@ -137,6 +153,8 @@ class Judge {
       verdict = answer.json["verdict"].get<std::string>(), result = answer.json["result"];
       judged = judge(verdict, x, y);
       if (judged == Judged::right) wrong = wrong_in_result(result, answer.json.contains("query"), x, y);
+      if (!as_line.is_null() && as_line != answer.json) wrong = "line of a query";
+      if (answer.json.contains("query") && !same_by_query(answer.json["query"], result)) wrong = "query";
       if (!wrong.empty()) judged = Judged::wrong;
     } catch (const viz::BadInput& e) {
       verdict = std::string("error: ") + e.what();
@@ -162,6 +180,7 @@ class Judge {
 
   std::mt19937_64 random_;
   double asking_ = 0;
+  long queries_ = 0;
   std::map<std::string, Count> of_types_, of_families_;
   std::map<std::string, long> refused_;
   std::map<std::string, int> printed_;

@@ -4,6 +4,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "bench/ray_cylinder/oracle.h"
+#include "bench/sphere_cylinder/oracle.h"
+
 namespace isect::proof {
 
 Rational rational(double x) { return Rational(x); }
@@ -109,6 +112,12 @@ Thing Thing::read(const Json& o, bool flat, const Faces& planes) {
   } else if (type == "capsule") {
     t.points = {vec(o["p"]), vec(o["q"])}, t.radius = number(o, "r");
     close_faces(t);
+  } else if (type == "cylinder" || type == "cone") {
+    const auto at = [&](const char* field) { return Point<double, 3>(o[field][0], o[field][1], o[field][2]); };
+    const double r = o["r"];
+    t.kind = Kind::round;
+    t.solid = type == "cone" ? oracle::round_solid(Cone<double>{at("apex"), at("base"), r})
+                             : oracle::round_solid(Cylinder<double>{at("p"), at("q"), r});
   } else if (type == "box") {
     const Vec lo = vec(o["lo"]), hi = vec(o["hi"]);
     const Rational half = Rational(1, 2);
@@ -176,6 +185,43 @@ Thing Thing::read(const Json& o, bool flat, const Faces& planes) {
 }
 
 namespace {
+
+// Cylinders and cones.
+
+oracle::Rational exact(const Rational& x) { return oracle::Rational(x.get_mpq_t()); }
+oracle::Coordinates<3> exact(const Vec& x) { return {exact(x[0]), exact(x[1]), exact(x[2])}; }
+
+int place_in_round(const Vec& p, const Thing& round) {
+  const Location where = round.solid.locate(exact(p));
+  return where == Location::in ? -1 : where == Location::on ? 0 : 1;
+}
+
+bool line_meets_round(const Thing& line, const Thing& round) {
+  if (is_zero(line.points[1])) return place_in_round(line.points[0], round) <= 0;
+  const oracle::LineInConvex part = oracle::line_in(exact(line.points[0]), exact(line.points[1]), round.solid);
+  return part.meets() && (!line.range.hi || part.entered(exact(*line.range.hi))) &&
+         (!line.range.lo || part.stays(exact(*line.range.lo)));
+}
+
+Relation of_ball_and_round(const Thing& ball, const Thing& round) {
+  const Vec& c = ball.points[0];
+  return oracle::BallAndRoundSolid(Sphere<double, 3>{{c[0].get_d(), c[1].get_d(), c[2].get_d()}, ball.radius.get_d()},
+                                   round.solid)
+      .relation();
+}
+
+/// Adds the sides of a plane on which a disc across the axis has points.
+void add_sides(const Thing& plane, const oracle::Coordinates<3>& center, const oracle::Rational& radius,
+               const oracle::Coordinates<3>& axis, std::array<bool, 3>& result) {
+  const oracle::Coordinates<3> n = exact(plane.normal);
+  const oracle::Rational height = oracle::dot(n, center) + exact(plane.d), along = oracle::dot(n, axis);
+  // Its points reach as far as radius |n - (n.axis / axis.axis) axis| from that height
+  const oracle::Rational reach2 = radius * radius * (oracle::dot(n, n) - along * along / oracle::dot(axis, axis)),
+                         far2 = height * height;
+  if (far2 <= reach2 || height == 0) result[1] = true;
+  if (height < 0 || far2 < reach2) result[0] = true;
+  if (height > 0 || far2 < reach2) result[2] = true;
+}
 
 int orientation(const Vec& a, const Vec& b, const Vec& c) {
   return sgn(Rational((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])));
@@ -284,6 +330,8 @@ int place(const Vec& p, const Thing& t) {
       }
       return where;
     }
+    case Kind::round:
+      return place_in_round(p, t);
     case Kind::line:
       return distance2({p}, near(t, {p})) == 0 ? 0 : 1;
     case Kind::plane:
@@ -332,6 +380,10 @@ std::array<bool, 3> sides(const Thing& plane, const Thing& t) {
     if (!t.range.lo && slope != 0) result[1 - sgn(slope)] = true;
     if (!t.range.hi && slope != 0) result[1 + sgn(slope)] = true;
     if (t.range.lo && t.range.hi) result[1 + sgn(value(at(t, *t.range.hi)))] = true;
+  } else if (t.kind == Kind::round) {
+    const oracle::RoundSolid& s = t.solid;
+    add_sides(plane, s.start, s.at_start, s.d, result);
+    add_sides(plane, oracle::operator+(s.start, s.d), s.at_end, s.d, result);
   } else {
     const Rational n2 = dot(plane.normal, plane.normal);
     for (const Vec& p : corners(t)) {
@@ -361,6 +413,11 @@ bool meet(const Thing& a, const Thing& b) {
   }
   if (a.kind == Kind::plane) return sides(a, b)[1];
   if (b.kind == Kind::plane) return sides(b, a)[1];
+  if (b.kind == Kind::round) return meet(b, a);
+  if (a.kind == Kind::round) {
+    if (b.kind == Kind::line) return line_meets_round(b, a);
+    return of_ball_and_round(b, a) != Relation::disjoint;
+  }
   if (a.kind == Kind::surface) return triangles_met(a, b) > 0;
   if (b.kind == Kind::surface) return triangles_met(b, a) > 0;
   if (a.kind == Kind::region) return region_meets(a, b);
@@ -484,6 +541,11 @@ bool is_region(const Thing& a, const Thing& b) { return a.kind == Kind::region |
 }  // namespace
 
 bool interiors_meet(const Thing& a, const Thing& b) {
+  if (b.kind == Kind::round) return interiors_meet(b, a);
+  if (a.kind == Kind::round) {
+    const Relation r = of_ball_and_round(b, a);
+    return r != Relation::disjoint && r != Relation::touching;
+  }
   if (is_region(a, b)) {
     const std::optional<Points> thin_a = thin(a), thin_b = thin(b);
     if (thin_a && thin_b) {
@@ -511,7 +573,16 @@ bool interiors_meet(const Thing& a, const Thing& b) {
   return found.distance2 == 0 && interiors_meet(a.faces, b.faces, found.point);
 }
 
+bool has_test(const Thing& a, const Thing& b) {
+  if (b.kind == Kind::round) return a.kind != Kind::round && has_test(b, a);
+  return a.kind != Kind::round || b.kind == Kind::line || b.kind == Kind::plane || b.kind == Kind::cloud ||
+         b.type == "point" || b.type == "sphere";
+}
+
 bool lies_in(const Thing& a, const Thing& b) {
+  if (a.kind == Kind::round && b.kind == Kind::plane) return sides(b, a) == std::array{false, true, false};
+  if (a.kind == Kind::round) return of_ball_and_round(b, a) == Relation::b_inside_a;
+  if (b.kind == Kind::round) return of_ball_and_round(a, b) == Relation::a_inside_b;
   const Points all = corners(a);
   if (b.kind == Kind::plane) {
     if (a.kind == Kind::line) return place(a.points[0], b) == 0 && dot(a.points[1], b.normal) == 0;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/round_oracle.h"
 #include "tests/proof/polytope.h"
 
 namespace isect::proof {
@@ -21,6 +22,7 @@ struct Range {
 struct Thing {
   enum class Kind {
     body,     ///< convex and bounded: what lies within `radius` of the hull of `points`
+    round,    ///< a cylinder or a cone, `solid`
     line,     ///< origin + t direction, t in `range`
     plane,    ///< normal . x + d = 0
     region,   ///< in the plane: what `rings` go round an odd number of times, with the rings
@@ -40,6 +42,7 @@ struct Thing {
   std::vector<Points> rings = {};  ///< also the outline of a triangle or polygon in space
   std::vector<Points> triangles = {};
   bool closed = false;  ///< of a surface
+  oracle::RoundSolid solid = {};
 
   /// `planes`: those of a frustum, which are what its numbers are rounded to.
   static Thing read(const Json& object, bool flat, const Faces& planes = {});
@@ -47,6 +50,10 @@ struct Thing {
 
 Rational rational(double);
 Vec vec(const Json&);
+
+/// Whether a test says how the two lie: two round solids have none, nor has one with what is not a point, a line, a
+/// plane, a ball or a polytope with a volume.
+bool has_test(const Thing&, const Thing&);
 
 /// -1 in the interior, 0 on the boundary, 1 outside. What has no inside has a boundary alone.
 int place(const Vec&, const Thing&);
@@ -69,7 +76,8 @@ struct Crossing {
 };
 Crossing crossing(const Thing&, const Thing&);
 
-/// The part of a line in something else: by t, nothing if they have no common point. For what is not round; of what is
+/// The part of a line in something else: by t, nothing if they have no common point. For what is not round, nor has a
+/// radius; of what is
 /// not convex, only its beginning.
 std::optional<Range> part_in(const Thing& line, const Thing&);
 

@@ -230,7 +230,9 @@ std::string wrong_in_round(const Json& result, const Thing& line, const Thing& b
 
 std::string wrong_in_result(const Json& result, bool of_query, const Named& a, const Named& b) {
   const std::string relation = result.is_object() ? result.value("relation", "") : "";
-  const auto bounded = [](const Thing& t) { return t.kind == Kind::body || t.kind == Kind::region; };
+  const auto bounded = [](const Thing& t) {
+    return t.kind == Kind::body || t.kind == Kind::region || t.kind == Kind::round;
+  };
   const bool bodies = bounded(a.thing) && bounded(b.thing) &&
                       (!of_query || a.thing.type == b.thing.type);  // else a query has an order of its own
   const auto says = [&](Relation r) { return bodies && relation.ends_with(query::name(r)); };
@@ -240,7 +242,8 @@ std::string wrong_in_result(const Json& result, bool of_query, const Named& a, c
   if (line->thing.kind != Kind::line) std::swap(line, other);
   if (line->thing.kind != Kind::line || other->thing.kind == Kind::line) return "";
   if (is_zero(line->thing.points[1])) return "";
-  if (other->thing.radius > 0) return result.is_object() ? wrong_in_round(result, line->thing, other->thing) : "";
+  if (other->thing.radius > 0 || other->thing.kind == Kind::round)
+    return result.is_object() ? wrong_in_round(result, line->thing, other->thing) : "";
   const bool t_is_of_line = result.is_object() && result.value("ray_hit", true) && result.value("hit", true);
   if (!t_is_of_line) return "";
   std::optional<Range> part;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 
 #include <isect/ray_aabb.h>
 #include <isect/ray_obb.h>
@@ -61,6 +62,24 @@ TEST_CASE("the core's convex shapes become closed solids with the right corners"
   const Kdop<double, 3> cut = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}, {{-1, 1}, {-1, 1}, {-1, 1}, {-2, 2}}};
   CHECK(solid(cut, Role::first).vertices.size() == 12);  // two corners are cut off, three new ones each
   check_closed(solid(cut, Role::first));
+}
+
+TEST_CASE("cylinders and cones become closed solids of many sides, whose side is drawn without edges", "[solids]") {
+  const Solid pillar = solid(Cylinder<double>{{1, 2, 3}, {2, 4, 5}, 1.5}, Role::second),
+              cone = solid(Cone<double>{{0, 3, 0}, {0, 0, 1e-9}, 2}, Role::second);
+  check_closed(pillar);
+  check_closed(cone);
+  for (const Vec3& p : pillar.vertices) {
+    const Vec3 axis = Vec3(1, 2, 2) / 3, off = p - Vec3(1, 2, 3);
+    CHECK(off.cross(axis).norm() == Approx(1.5));
+    CHECK((std::abs(off.dot(axis)) < 1e-12 || off.dot(axis) == Approx(3)));
+  }
+  REQUIRE(pillar.round);
+  REQUIRE(cone.round);
+  CHECK(pillar.round->to == Vec3(2, 4, 5));
+  CHECK_FALSE(pillar.round->pointed);
+  CHECK(cone.round->pointed);
+  CHECK(cone.vertices.back() == Vec3(0, 3, 0));
 }
 
 TEST_CASE("a frustum's corners lie on three of its planes each", "[solids]") {

@@ -76,6 +76,11 @@ bool is_edge(const Shell& shell, const Shell::Edge& edge) {
   const Vec3 &a = shell.normals[edge.faces[0]], &b = shell.normals[edge.faces[1]];
   return !(a.dot(b) > 1 - 1e-12);
 }
+/// Where the side of a round solid bends: the faces beside the edge are sides, of which there are two in a quarter turn
+/// at least.
+bool is_bend(const Shell& shell, const Shell::Edge& edge) {
+  return edge.faces.size() == 2 && shell.normals[edge.faces[0]].dot(shell.normals[edge.faces[1]]) > 0.75;
+}
 
 /// From so many edges on a solid is round: only its silhouette is drawn strong, and its far side not at all.
 constexpr std::size_t fine_from = 60;
@@ -109,6 +114,7 @@ void draw_solid(Canvas& c, const Solid& solid, int index) {
   const Occluders others = fine && !shared ? around_solid(c.occluders, index, solid.vertices, false) : Occluders{};
   for (const Shell::Edge& edge : shell.edges) {
     if (!is_edge(shell, edge)) continue;
+    if (solid.round && is_bend(shell, edge) && !is_silhouette(shell, edge, c.view)) continue;
     const Side side = fine && !shared ? side_of(shell, edge, c.view) : Side::unclear;
     if (side == Side::back) continue;
     std::vector<Stretch> parts = stretches(edge.from, edge.to, c.view, side == Side::front ? others : around);

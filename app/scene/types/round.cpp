@@ -1,4 +1,4 @@
-// Balls and capsules.
+// Balls, capsules, cylinders and cones.
 
 #include <cmath>
 #include <numbers>
@@ -50,6 +50,23 @@ void draw_capsule(Drawing& d) {
   d.name(p, q);
 }
 
+/// The corners of boxes around the discs about both ends: a disc reaches along an axis as far as its own is from that.
+std::vector<Vec3> around_discs(const Vec3& p, double at_p, const Vec3& q, double at_q) {
+  constexpr double outwards = 1 + 0x1p-50;  // more than is rounded
+  const Vec3 axis = (q - p).stableNormalized();
+  const Vec3 reach =
+      outwards * Vec3(std::hypot(axis.y(), axis.z()), std::hypot(axis.z(), axis.x()), std::hypot(axis.x(), axis.y()));
+  return {p - at_p * reach, p + at_p * reach, q - at_q * reach, q + at_q * reach};
+}
+
+template <class X>
+void draw_round(Drawing& d) {
+  const viz::Solid solid = viz::solid(made<X>(d.s, d.o), d.role);
+  d.items.push_back(viz::Line{solid.round->from, solid.round->to, d.role, viz::Pen::construction});
+  d.items.push_back(solid);
+  d.name((solid.round->from + solid.round->to) / 2);
+}
+
 }  // namespace
 
 std::vector<TypeSpec> round_types() {
@@ -72,7 +89,28 @@ std::vector<TypeSpec> round_types() {
     const Vec3 p = s.point(o, "p"), q = s.point(o, "q");
     return std::pair<Vec3, Vec3>(q, p == q ? Vec3::UnitY() : across(q - p, s.flat));
   };
-  return {sphere, capsule};
+
+  TypeSpec cylinder = row<Cylinder<double>>(Type::cylinder);
+  cylinder.in_plane = "";
+  cylinder.extent = [](const Setting& s, const Object& o) {
+    const Cylinder<double> x = made<Cylinder<double>>(s, o);
+    return around_discs(x.p, x.radius, x.q, x.radius);
+  };
+  cylinder.draw = draw_round<Cylinder<double>>;
+  cylinder.radius_at = capsule.radius_at;
+
+  TypeSpec cone = row<Cone<double>>(Type::cone);
+  cone.in_plane = "";
+  cone.extent = [](const Setting& s, const Object& o) {
+    const Cone<double> x = made<Cone<double>>(s, o);
+    return around_discs(x.apex, 0, x.base, x.radius);
+  };
+  cone.draw = draw_round<Cone<double>>;
+  cone.radius_at = [](const Setting& s, const Object& o) {
+    const Cone<double> x = made<Cone<double>>(s, o);
+    return std::pair<Vec3, Vec3>(x.base, across(x.base - x.apex, false));
+  };
+  return {sphere, capsule, cylinder, cone};
 }
 
 }  // namespace isect::program::scene

@@ -10,7 +10,7 @@ namespace isect::program::scene {
 // The rows, a file each; in files and lists they stand in this order.
 
 std::vector<TypeSpec> straight_types();  ///< point, segment, ray, line, plane
-std::vector<TypeSpec> round_types();     ///< sphere, capsule
+std::vector<TypeSpec> round_types();     ///< sphere, capsule, cylinder, cone
 std::vector<TypeSpec> box_types();       ///< box, obb
 std::vector<TypeSpec> outline_types();   ///< triangle, polygon
 std::vector<TypeSpec> polytope_types();  ///< kdop, frustum, hull
