@@ -28,6 +28,9 @@
 //
 // Source: Schrijver, Theory of Linear and Integer Programming (1986), 12.2, for the elimination of t.
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <variant>
