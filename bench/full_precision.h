@@ -26,6 +26,13 @@ requires is_described<X> std::string full_precision(const X& x) {
   return all;
 }
 template <class S, int N>
+std::string full_precision(const Kdop<S, N>& x) {
+  std::string slabs = "slabs";
+  for (std::size_t i = 0; i < x.slabs.size(); ++i)
+    slabs += text(" normal", x.normals[i]) + " " + full_precision(x.slabs[i]);
+  return slabs;
+}
+template <class S, int N>
 std::string full_precision(const Triangle<S, N>& x) {
   return text("a", x.vertices[0], "b", x.vertices[1], "c", x.vertices[2]);
 }

@@ -119,7 +119,7 @@ Json polygon_polygon(Job& job) {
 
 template <class S>
 Json segment_polygon(Job& job) {
-  return related(relate(segment<S>(job.fields["segment"]), polygon<S>(job.fields["rings"])), "segment", "polygon");
+  return related(relate(segment<S, 2>(job.fields["segment"]), polygon<S>(job.fields["rings"])), "segment", "polygon");
 }
 
 template <class S>

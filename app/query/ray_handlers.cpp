@@ -160,7 +160,7 @@ Json ray_capsule(Job& job) {
 
 template <class S>
 Json segment_segment(Job& job) {
-  const Segment<S, 2> a = segment<S>(job.fields["a"]), b = segment<S>(job.fields["b"]);
+  const Segment<S, 2> a = segment<S, 2>(job.fields["a"]), b = segment<S, 2>(job.fields["b"]);
   if (job.variant == "parametric") {
     const auto point = run<segment_segment::ParametricEvent<S>>(
         job, [&](auto&& trace) { return segment_segment::parametric(a, b, trace); });

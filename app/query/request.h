@@ -141,10 +141,10 @@ Ring<S, N> ring(const Field& field) {
   return points;
 }
 
-template <class S>
-Segment<S, 2> segment(const Field& field) {
+template <class S, int N>
+Segment<S, N> segment(const Field& field) {
   const auto [p, q] = field.list_of<2>();
-  return {vector<S, 2>(p), vector<S, 2>(q)};
+  return {vector<S, N>(p), vector<S, N>(q)};
 }
 
 /// Names of a shape's fields in their order; none: those of isect/described.h.

@@ -1,5 +1,7 @@
 // Cylinders and cones.
 
+#include <isect/cone_half_spaces.h>
+#include <isect/cylinder_half_spaces.h>
 #include <isect/plane_cone.h>
 #include <isect/plane_cone_methods.h>
 #include <isect/plane_cylinder.h>
@@ -18,6 +20,7 @@
 #include <isect/sphere_cylinder_methods.h>
 #include "app/query/events.h"
 #include "app/query/handlers.h"
+#include "app/query/results.h"
 
 namespace isect::query {
 
@@ -49,6 +52,8 @@ template <> struct Names<sphere_cone::Nearest> {
 template <> struct EventNames<sphere_cone::Reach> : Named<"Reach", "nearest sign"> {};
 template <> struct EventNames<sphere_cone::Contained> : Named<"Contained", "ball cone"> {};
 template <class S> struct EventNames<sphere_cone::InProfile<S>> : Named<"InProfile", "along beside distance"> {};
+template <> struct EventNames<round_half_spaces::Shadow> : Named<"Shadow", "reach"> {};
+template <> struct EventNames<round_half_spaces::Contained> : Named<"Contained", "round other"> {};
 // clang-format on
 
 namespace {
@@ -113,6 +118,20 @@ Json ray_cone(Job& job) {
   return telling_empty(stretch_in(part), c, "cone");
 }
 
+template <class Event, class S, class Solid>
+Json segment_and(Job& job, const Solid& c, const char* solid) {
+  const Segment<S, 3> s = segment<S, 3>(job.fields["segment"]);
+  return telling_empty(stretch_in(run<Event>(job, [&](auto&& trace) { return intersect(s, c, trace); })), c, solid);
+}
+template <class S>
+Json segment_cylinder(Job& job) {
+  return segment_and<ray_cylinder::Event, S>(job, cylinder<S>(job.fields), "cylinder");
+}
+template <class S>
+Json segment_cone(Job& job) {
+  return segment_and<ray_cone::Event, S>(job, cone<S>(job.fields), "cone");
+}
+
 template <class S>
 Json plane_cylinder(Job& job) {
   const Plane<S, 3> p = plane<S, 3>(job.fields);
@@ -169,6 +188,22 @@ Json sphere_cone(Job& job) {
                        c, "cone");
 }
 
+/// The other solid is a k-DOP, with normals of any directions.
+template <class Event, class S, class Solid>
+Json and_solid(Job& job, const Solid& c, const char* solid) {
+  const HalfSpaces other = half_spaces_of(kdop<S, 3>(job.fields["normals"], job.fields["slabs"]));
+  const Relation r = run<Event>(job, [&](auto&& trace) { return relate(c, other, trace); });
+  return telling_empty(related(r, solid, "solid"), c, solid);
+}
+template <class S>
+Json cylinder_solid(Job& job) {
+  return and_solid<cylinder_half_spaces::Event, S>(job, cylinder<S>(job.fields), "cylinder");
+}
+template <class S>
+Json cone_solid(Job& job) {
+  return and_solid<cone_half_spaces::Event, S>(job, cone<S>(job.fields), "cone");
+}
+
 }  // namespace
 
 const std::vector<Handler>& round_handlers() {
@@ -181,6 +216,10 @@ const std::vector<Handler>& round_handlers() {
       ISECT_HANDLER(sphere_cone, "center radius apex base r", {"exact", "by_profile"}),
       ISECT_HANDLER(ray_cylinder, "origin dir p q r [tmin] [tmax]", {"exact", "quadratic"}),
       ISECT_HANDLER(ray_cone, "origin dir apex base r [tmin] [tmax]", {"exact", "quadratic"}),
+      ISECT_HANDLER(segment_cylinder, "segment p q r", {"exact"}),
+      ISECT_HANDLER(segment_cone, "segment apex base r", {"exact"}),
+      ISECT_HANDLER(cylinder_solid, "p q r normals slabs", {"exact"}),
+      ISECT_HANDLER(cone_solid, "apex base r normals slabs", {"exact"}),
   };
   return table;
 }

@@ -29,6 +29,8 @@
 #include <isect/bvh_pairs.h>
 #include <isect/capsule_capsule.h>
 #include <isect/capsule_half_spaces.h>
+#include <isect/cone_half_spaces.h>
+#include <isect/cylinder_half_spaces.h>
 #include <isect/half_spaces.h>
 #include <isect/line_line.h>
 #include <isect/line_triangle.h>
@@ -136,6 +138,13 @@ template <class X>
 inline constexpr bool is_plane_triangle = false;
 template <class S>
 inline constexpr bool is_plane_triangle<Triangle<S, 2>> = true;
+
+template <class X>
+inline constexpr bool is_round = false;
+template <class S>
+inline constexpr bool is_round<Cylinder<S>> = true;
+template <class S>
+inline constexpr bool is_round<Cone<S>> = true;
 
 template <class X>
 inline constexpr bool is_solid = false;
@@ -246,11 +255,11 @@ Answer in_order(const Sphere<S, N>& a, const Sphere<S, N>& b) {
 }
 template <class S>
 Answer in_order(const Triangle<S, 3>& a, const Triangle<S, 3>& b) {
-  if (!finite(a) || !finite(b)) return answer(Relation::disjoint);
-  const auto solid = [](const Triangle<S, 3>& x) {
-    return triangle_half_spaces::detail::solid_of(cast<double>(x), 3, NoTrace());
-  };
-  return answer(relate(solid(a), solid(b)));
+  return answer(relate(solid_of(a), solid_of(b)));
+}
+template <class S, class B>
+requires detail::is_round<B> Answer in_order(const Triangle<S, 3>& a, const B& b) {
+  return answer(reversed(relate(b, solid_of(a))));
 }
 template <class S>
 Answer in_order(const Polygon<S, 2>& a, const Sphere<S, 2>& b) {
@@ -312,7 +321,7 @@ Answer in_order(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
 }
 template <class S, class B>
 requires(
-    detail::is_line<B> || requires(Triangle<S, 3> x, B b) { intersects(x, b); } ||
+    detail::is_line<B> || detail::is_round<B> || requires(Triangle<S, 3> x, B b) { intersects(x, b); } ||
     requires(Triangle<S, 3> x, B b) { intersects(b, x); }) Answer in_order(const TriangleMesh<S>& a, const B& b) {
   int count = 0;
   std::optional<double> first;
@@ -324,6 +333,8 @@ requires(
       const std::optional<S> t = first_hit(b, x);
       if (t && (!first || *t < *first)) first = t;
       count += t.has_value();
+    } else if constexpr (detail::is_round<B>) {
+      count += intersects(b, solid_of(x));
     } else if constexpr (requires { intersects(x, b); }) {
       count += intersects(x, b);
     } else {

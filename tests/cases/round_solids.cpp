@@ -1,5 +1,7 @@
-// Cylinders and cones against points, planes, balls and rays.
+// Cylinders and cones against points, planes, balls, rays, segments and convex solids.
 
+#include "bench/cylinder_half_spaces/families.h"
+#include "bench/cylinder_half_spaces/oracle.h"
 #include "bench/plane_cylinder/families.h"
 #include "bench/plane_cylinder/oracle.h"
 #include "bench/point_cylinder/families.h"
@@ -93,6 +95,70 @@ void add_balls(CaseFile& file, const std::string& name) {
     if (!finite(c.a) || !finite(c.b)) return {};
     return ask(c);
   });
+}
+
+/// Both ends as given.
+template <class S, class Solid>
+Case segment_and_solid(const Segment<S, 3>& segment, const Solid& solid) {
+  const Json in = both({{"segment", {json<S, 3>(segment.p), json<S, 3>(segment.q)}}}, fields(solid));
+  if (!finite(segment) || !finite(solid)) return policy(in, is_f32<S>);
+  const bool point = segment.p == segment.q, exists = oracle::round_solid(solid).exists;
+  const oracle::LineInConvex line = exists && !point ? oracle::line_in(segment, solid)
+                                                     : oracle::LineInConvex([](const Rational&) { return false; }, {});
+  const bool hit = point ? oracle::locate(segment.p, solid) != Location::out : line.meets({0, 1});
+  if (!hit) return {in, {{"hit", false}, {"t_in", nullptr}, {"t_out", nullptr}}, is_f32<S>};
+  const auto end = [&](int t) -> double { return point || line.holds(t) ? t : line.passes_at(t == 1); };
+  return {in, {{"hit", true}, {"t_in", json(end(0))}, {"t_out", json(end(1))}}, is_f32<S>};
+}
+template <template <class> class Solid>
+void add_segments(CaseFile& file) {
+  const auto ask = [](const auto& c) {
+    using S = typename std::decay_t<decltype(c.a.origin)>::Scalar;
+    return segment_and_solid(Segment<S, 3>{c.a.origin, c.a.at(S(2))}, c.b);
+  };
+  by_families(file, 1, bench::ray_and_solid_draws<double, Solid>, bench::ray_and_solid_draws<float, Solid>, ask);
+  by_numbers(file, 1, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
+    const auto c = bench::ray_and_solid::of_any_numbers<S, Solid>(random, numbers);
+    const Segment<S, 3> segment = {c.a.origin, c.a.direction};
+    if (!finite(segment) || !finite(c.b)) return {};
+    return segment_and_solid(segment, c.b);
+  });
+}
+
+template <class S>
+Json fields(const Kdop<S, 3>& kdop) {
+  Json lo = Json::array(), hi = Json::array();
+  for (const Interval<S>& slab : kdop.slabs) lo.push_back(json(slab.lo)), hi.push_back(json(slab.hi));
+  return {{"normals", json<S, 3>(kdop.normals)}, {"slabs", {{"lo", lo}, {"hi", hi}}}};
+}
+template <class S, class Solid>
+Case solid_and_kdop(const Solid& solid, const Kdop<S, 3>& kdop, const std::string& name) {
+  const Json in = both(cases::fields(solid), fields(kdop));
+  if (!finite(solid) || !finite(kdop)) return policy(in, is_f32<S>);
+  const Relation r = oracle::relation(solid, kdop);
+  const std::string relation = r == Relation::a_inside_b   ? "solid_contains_" + name
+                               : r == Relation::b_inside_a ? name + "_contains_solid"
+                                                           : word(r);
+  return {in, {{"intersects", r != Relation::disjoint}, {"relation", relation}}, is_f32<S>};
+}
+template <template <class> class Solid>
+void add_solids(CaseFile& file, const std::string& name) {
+  const auto ask = [&](const auto& c) { return solid_and_kdop(c.a, c.b, name); };
+  by_families(file, 1, bench::solid_and_kdop_draws<double, Solid>, bench::solid_and_kdop_draws<float, Solid>, ask);
+  by_numbers(file, 1, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
+    const auto c = bench::solid_and_kdop::of_any_numbers<S, Solid>(random, numbers);
+    if (!finite(c.a) || !finite(c.b)) return {};
+    return ask(c);
+  });
+}
+
+Kdop<double, 3> box(const Point<double, 3>& lo, const Point<double, 3>& hi) {
+  Kdop<double, 3> kdop;
+  for (int i = 0; i < 3; ++i) {
+    kdop.normals.push_back(Vector<double, 3>::Unit(i));
+    kdop.slabs.push_back({lo[i], hi[i]});
+  }
+  return kdop;
 }
 
 }  // namespace
@@ -251,6 +317,101 @@ CaseFile ray_cone() {
   add("1e-300 beside 1e300", {-1e300, 1e-300, 0}, {1e300, 0, 0}, {{0, 0, 0}, {1, 0, 0}, 1e-300});
   add("a radius that is not finite", {2, -9, 0}, {0, 4, 0}, {lying.apex, lying.base, inf});
   add_rays<Cone>(file);
+  return file;
+}
+
+CaseFile segment_cylinder() {
+  CaseFile file("segment_cylinder");
+  using P = Point<double, 3>;
+  const Cylinder<double> lying = {{-3, 0, 0}, {3, 0, 0}, 5}, thin = {{-.1, -.1, 0}, {.3, .3, 0}, 0};
+  const auto add = [&](const char* note, P p, P q, const Cylinder<double>& c) {
+    file.add(note, segment_and_solid<double>({p, q}, c));
+  };
+  add("through both sides", {1, -9, 0}, {1, 7, 0}, lying);
+  add("ends on the side, by 3, 4 and 5", {1, 9, 8}, {1, 3, 4}, lying);
+  add("ends an ulp before the side", {1, 9, 8}, {1, 3, std::nextafter(4., 5.)}, lying);
+  add("ends on an end", {-9, 1, 0}, {-3, 1, 0}, lying);
+  add("ends an ulp before an end", {-9, 1, 0}, {std::nextafter(-3., -4.), 1, 0}, lying);
+  add("within", {-1, 0, 0}, {2, 1, 0}, lying);
+  add("touches the rim in passing, on integers", {-4, 3, 3}, {-2, 3, 5}, lying);
+  add("along the side", {-9, 3, 4}, {9, 3, 4}, lying);
+  add("a point on the side", {1, 3, 4}, {1, 3, 4}, lying);
+  add("a point an ulp outside", {1, 3, std::nextafter(4., 5.)}, {1, 3, std::nextafter(4., 5.)}, lying);
+  add("whose direction is no vector of doubles", {.1, -1e16, 0}, {.1, 1e-3, 0}, lying);
+  add("from end to end of the range", {-most, 0, 0}, {most, 0, 0}, lying);
+  add("radius 0: a segment, crossed in tenths", {.1, .1, -1}, {.1, .1, .3}, thin);
+  add("radius 0: a segment, missed by the least", {.1, .1, -1}, {.1, .1, -least}, thin);
+  add_segments<Cylinder>(file);
+  return file;
+}
+
+CaseFile segment_cone() {
+  CaseFile file("segment_cone");
+  using P = Point<double, 3>;
+  const Cone<double> lying = {{0, 0, 0}, {4, 0, 0}, 4}, thin = {{-.1, -.1, 0}, {.3, .3, 0}, 0};
+  const auto add = [&](const char* note, P p, P q, const Cone<double>& c) {
+    file.add(note, segment_and_solid<double>({p, q}, c));
+  };
+  add("through both sides", {2, -9, 0}, {2, 7, 0}, lying);
+  add("ends on the side", {2, -9, 0}, {2, -2, 0}, lying);
+  add("ends an ulp before the side", {2, -9, 0}, {2, std::nextafter(-2., -3.), 0}, lying);
+  add("ends at the apex", {-9, 4, 0}, {0, 0, 0}, lying);
+  add("ends before the apex by the least", {-9, 4, 0}, {0, least, 0}, lying);
+  add("ends on the base", {9, 1, 0}, {4, 1, 0}, lying);
+  add("within", {2, 0, 0}, {3, 1, 0}, lying);
+  add("along a line of the side", {-1, -1, 0}, {9, 9, 0}, lying);
+  add("along a line of the side, raised by an ulp", {-1, std::nextafter(-1., 0.), 0}, {9, std::nextafter(9., 10.), 0},
+      lying);
+  add("only through the other half of the double cone", {-2, -9, 0}, {-2, 9, 0}, lying);
+  add("a point on the rim", {4, 0, 4}, {4, 0, 4}, lying);
+  add("whose direction is no vector of doubles", {2, -1e16, 0}, {2, 1e-3, 0}, lying);
+  add("from end to end of the range", {-most, 0, 0}, {most, 0, 0}, lying);
+  add("radius 0: a segment, crossed in tenths", {.1, .1, -1}, {.1, .1, .3}, thin);
+  add_segments<Cone>(file);
+  return file;
+}
+
+CaseFile cylinder_solid() {
+  CaseFile file("cylinder_solid");
+  const Cylinder<double> upright = {{0, 0, -3}, {0, 0, 3}, 5};
+  const auto add = [&](const char* note, const Kdop<double, 3>& solid) {
+    file.add(note, solid_and_kdop<double>(upright, solid, "cylinder"));
+  };
+  add("an edge along the side, by 3, 4 and 5", box({3, 4, -1}, {9, 9, 1}));
+  add("an edge an ulp beside the side", box({3, std::nextafter(4., 5.), -1}, {9, 9, 1}));
+  add("a corner on the rim", box({3, 4, 3}, {9, 9, 9}));
+  add("a face on an end", box({-1, -1, 3}, {1, 1, 9}));
+  add("a face an ulp beyond an end", box({-1, -1, std::nextafter(3., 4.)}, {1, 1, 9}));
+  add("around it", box({-5, -5, -3}, {5, 5, 3}));
+  add("around it, but for an ulp", box({-5, -5, -3}, {5, std::nextafter(5., 4.), 3}));
+  add("in it, up to the rims", box({-3, -4, -3}, {3, 4, 3}));
+  add("in it but for an ulp", box({-3, -4, -3}, {3, std::nextafter(4., 5.), 3}));
+  add("a plate on an end", box({-9, -9, 3}, {9, 9, 3}));
+  add("a line of the side, lengthened", box({5, 0, -9}, {5, 0, 9}));
+  add("a point of the rim", box({3, 4, 3}, {3, 4, 3}));
+  add_solids<Cylinder>(file, "cylinder");
+  return file;
+}
+
+CaseFile cone_solid() {
+  CaseFile file("cone_solid");
+  const Cone<double> upright = {{0, 0, 2}, {0, 0, 0}, 10};
+  const auto add = [&](const char* note, const Kdop<double, 3>& solid) {
+    file.add(note, solid_and_kdop<double>(upright, solid, "cone"));
+  };
+  add("a corner on the side, by 3, 4 and 5", box({3, 4, 1}, {9, 9, 9}));
+  add("a corner an ulp beside the side", box({3, std::nextafter(4., 5.), 1}, {9, 9, 9}));
+  add("a face on the apex", box({-1, -1, 2}, {1, 1, 9}));
+  add("a corner on the apex", box({0, 0, 2}, {1, 1, 9}));
+  add("an edge below the base by the least", box({-1, -1, -9}, {1, 1, -least}));
+  add("beyond the apex, in the other half of the double cone", box({-1, -1, 3}, {1, 1, 4}));
+  add("around it", box({-10, -10, 0}, {10, 10, 2}));
+  add("around it, but for an ulp", box({-10, -10, 0}, {10, 10, std::nextafter(2., 1.)}));
+  add("in it", box({-3, -4, 0}, {3, 4, 1}));
+  add("in it but for an ulp", box({-3, -4, 0}, {3, 4, std::nextafter(1., 2.)}));
+  add("a segment through the apex, beside all else", box({-9, 0, 2}, {9, 0, 2}));
+  add("a point of the rim", box({6, 8, 0}, {6, 8, 0}));
+  add_solids<Cone>(file, "cone");
   return file;
 }
 

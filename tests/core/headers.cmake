@@ -46,6 +46,7 @@ set(tested_by
   ray_sphere_roots=ray_sphere
   ray_sphere_settle=ray_sphere
   root=ray_capsule
+  round_half_spaces=cylinder_half_spaces
   slabs=ray_aabb
   round_solid=point_cylinder
   sphere_cone_methods=sphere_cone

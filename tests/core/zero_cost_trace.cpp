@@ -1,6 +1,6 @@
 // Compiled by zero_cost_trace.cmake, with and without the core's trace lines: the calls of some headers, named by
-// INTERSECT, METHODS, RELATE, CAPSULES, ROUND, RAYS, CLIPS, LINES, STRAIGHTS, OUTLINES, POINTS, SOLIDS, PIECES or
-// POLYGONS. LISTEN adds a listener.
+// INTERSECT, METHODS, RELATE, CAPSULES, ROUND, RAYS, CLIPS, LINES, STRAIGHTS, OUTLINES, POINTS, SOLIDS, ROUND_SOLIDS,
+// PIECES or POLYGONS. LISTEN adds a listener.
 
 #if defined(INTERSECT)
 #include <isect/ray_sphere.h>
@@ -60,6 +60,9 @@
 #include <isect/capsule_half_spaces.h>
 #include <isect/half_spaces.h>
 #include <isect/sphere_half_spaces.h>
+#elif defined(ROUND_SOLIDS)
+#include <isect/cone_half_spaces.h>
+#include <isect/cylinder_half_spaces.h>
 #elif defined(PIECES)
 #include <isect/sphere_triangle.h>
 #include <isect/triangle_half_spaces.h>
@@ -193,6 +196,9 @@ Relation call(const Plane<double, 3>& a, const HalfSpaces& b) { return relate(a,
 Location call(const Point<double, 3>& a, const HalfSpaces& b) { return locate(a, b HEAR(half_spaces::Event)); }
 Relation call(const Ball& a, const HalfSpaces& b) { return relate(a, b HEAR(sphere_half_spaces::Event)); }
 Relation call(const Capsule<double, 3>& a, const HalfSpaces& b) { return relate(a, b HEAR(capsule_half_spaces::Event)); }
+#elif defined(ROUND_SOLIDS)
+Relation call(const Cylinder<double>& a, const HalfSpaces& b) { return relate(a, b HEAR(cylinder_half_spaces::Event)); }
+Relation call(const Cone<double>& a, const HalfSpaces& b) { return relate(a, b HEAR(cone_half_spaces::Event)); }
 #elif defined(PIECES)
 using Piece = Triangle<double, 3>;
 Relation call(const Ball& a, const Piece& b) { return relate(a, b HEAR(sphere_triangle::Event)); }

@@ -69,6 +69,10 @@ const std::vector<KindSpec>& specs() {
       {"plane_cone", 3, 3, {{"normal", direction}, {"d", length}, {"apex", point}, {"base", point}, {"r", length}}},
       {"sphere_cylinder", 3, 3, {{"center", point}, {"radius", length}, {"p", point}, {"q", point}, {"r", length}}},
       {"sphere_cone", 3, 3, {{"center", point}, {"radius", length}, {"apex", point}, {"base", point}, {"r", length}}},
+      {"segment_cylinder", 3, 3, {{"segment", segment}, {"p", point}, {"q", point}, {"r", length}}},
+      {"segment_cone", 3, 3, {{"segment", segment}, {"apex", point}, {"base", point}, {"r", length}}},
+      {"cylinder_solid", 3, 3, {{"p", point}, {"q", point}, {"r", length}, {"normals", normals}, {"slabs", slabs}}},
+      {"cone_solid", 3, 3, {{"apex", point}, {"base", point}, {"r", length}, {"normals", normals}, {"slabs", slabs}}},
       {"triangle_box", 3, 3, {{"tri", polygon}, {"lo", point}, {"hi", point}}},
   };
   return all;

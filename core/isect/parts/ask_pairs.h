@@ -155,6 +155,13 @@ Relation outlines(const Polygon<S, 2>& a, const Polygon<S, 2>& b) {
   return within ? Relation::overlapping : r;
 }
 
+/// Any triangle in space as half-spaces.
+template <class S>
+HalfSpaces solid_of(const Triangle<S, 3>& x) {
+  if (!finite(x)) return {{half_spaces::detail::nothing()}};
+  return triangle_half_spaces::detail::solid_of(cast<double>(x), 3, NoTrace());
+}
+
 /// A box that holds the shape, where one is quickly found.
 template <class X>
 std::optional<Aabb<double, 3>> around(const X&) {
@@ -181,6 +188,14 @@ std::optional<Aabb<double, 3>> around(const Capsule<S, 3>& x) {
 template <class S>
 std::optional<Aabb<double, 3>> around(const Sphere<S, 3>& x) {
   return around(Capsule<S, 3>{x.center, x.center, x.radius});
+}
+template <class S>
+std::optional<Aabb<double, 3>> around(const Cylinder<S>& x) {
+  return around(Capsule<S, 3>{x.p, x.q, x.radius});
+}
+template <class S>
+std::optional<Aabb<double, 3>> around(const Cone<S>& x) {
+  return around(Capsule<S, 3>{x.apex, x.base, x.radius});
 }
 
 }  // namespace isect::ask_pairs

@@ -243,23 +243,25 @@ int common(int count, const Text& text, Trace&& trace) {
       count, text, [](int) { return true; }, trace);
 }
 
-/// The sign of d - r, where d is the origin's distance from the common points, of which there is one; r >= 0.
-template <class Text, class Trace>
-int distance(int count, const Text& text, double r, Trace&& trace) {
+/// The sign of how far the origin's distance from the common points, of which there is one, exceeds a limit that is
+/// `above_0`, or 0. `excess` is operator()<W>(square, scale) -> W: square / scale less the limit's square, times what
+/// is above 0. In a plane, `dimension` 2, as the rows' normals are.
+template <class Text, class Excess, class Trace>
+int distance(int count, int dimension, const Text& text, bool above_0, const Excess& excess, Trace&& trace) {
   using namespace detail;
   const Rows rows(count, text);
   std::vector<char> beyond;  // those that do not hold at the origin
   for (int i = 0; i < count; ++i)
     beyond.push_back(sign_of_long([&]<class W>() -> W { return rows.template row<W>(i)[3]; }, trace) < 0);
 
-  int most = r > 0 ? -1 : 0;
+  int most = above_0 ? -1 : 0;
   const auto take = [&](int sign) { most = std::max(most, sign); };
   for (int i = 0; i < count && most < 1; ++i) {
     if (!beyond[static_cast<std::size_t>(i)]) continue;
     take(sign_of_long(
         [&]<class W>() -> W {
           const Row<W> x = rows.template row<W>(i);
-          return x[3] * x[3] - W(r) * W(r) * dot(normal(x), normal(x));
+          return excess.template operator()<W>(x[3] * x[3], dot(normal(x), normal(x)));
         },
         trace));
   }
@@ -287,11 +289,11 @@ int distance(int count, const Text& text, double r, Trace&& trace) {
             Components<W, 3> foot;  // w_y a - w_x b: its square is the sum that is asked for
             for (std::size_t k = 0; k < 3; ++k) foot[k] = y[3] * a[k] - x[3] * b[k];
             const Components<W, 3> n = cross(a, b);
-            return dot(foot, foot) - W(r) * W(r) * dot(n, n);
+            return excess.template operator()<W>(dot(foot, foot), dot(n, n));
           },
           trace));
     }
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < count && dimension == 3; ++i)
     for (int j = i + 1; j < count; ++j)
       for (int k = j + 1; k < count && most < 1; ++k) {
         if (!beyond[static_cast<std::size_t>(i)] && !beyond[static_cast<std::size_t>(j)] &&
@@ -317,11 +319,18 @@ int distance(int count, const Text& text, double r, Trace&& trace) {
             [&]<class W>() -> W {
               const Components<W, 3> x = at.template operator()<W>();
               const W d = det.template operator()<W>();
-              return dot(x, x) - W(r) * W(r) * (d * d);
+              return excess.template operator()<W>(dot(x, x), d * d);
             },
             trace));
       }
   return most;
+}
+
+/// The sign of d - r, where d is the origin's distance from the common points, of which there is one; r >= 0.
+template <class Text, class Trace>
+int distance(int count, const Text& text, double r, Trace&& trace) {
+  const auto excess = [r]<class W>(const W& square, const W& scale) -> W { return square - W(r) * W(r) * scale; };
+  return distance(count, 3, text, r > 0, excess, trace);
 }
 
 /// Whether there is a corner of what they have in common and `holds` says yes of each. holds(x, d) gets two texts: the

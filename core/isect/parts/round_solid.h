@@ -62,6 +62,17 @@ W beside(const Cone<double>& c, const Components<W, 3>& f) {
   return form<W>(c, f, f);
 }
 
+/// The same of f / k, times k^2.
+template <Filtered W>
+W beside(const Cylinder<double>& c, const Components<W, 3>& f, const W& k) {
+  const Components<W, 3> d = axis<W>(c);
+  return form<W>(c, f, f) - W(c.radius) * W(c.radius) * (k * k) * dot(d, d);
+}
+template <Filtered W>
+W beside(const Cone<double>& c, const Components<W, 3>& f, const W&) {
+  return form<W>(c, f, f);
+}
+
 /// Where a point lies: the signs of f.d, of (f - d).d, and of what the side's equation says.
 struct Signs {
   int first, last, side;
