@@ -53,9 +53,10 @@ void tell_cloud_on(const Shaped& a, const Shaped& b, const std::vector<Location>
 /// Where a ray, line or segment first meets a polygon in space that is bent: whose corners lie in no one plane, so that
 /// it is the triangles that it is cut into.
 void along_surface(const Shaped& a, const Shaped& polygon, Told&);
-/// How a surface (A) of triangles lies to a ball or a capsule that has a volume: its own points count, not what it may
-/// enclose.
-Relation relate_surface(const Triangles&, const Capsule<double, 3>&);
+/// How a surface (A) of triangles lies to a ball or a capsule, a cylinder or a cone that has a volume: its own points
+/// count, not what it may enclose.
+template <class Round>
+Relation relate_surface(const Triangles&, const Round&);
 /// The corners of an outline that goes once round a convex area, counter-clockwise, however often it names a corner or
 /// a point of a side; nothing of another outline.
 std::optional<Ring<double, 2>> convex_corners(const Ring<double, 2>&);

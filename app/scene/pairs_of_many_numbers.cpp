@@ -121,7 +121,10 @@ std::vector<Pair> pairs_of_many_numbers() {
   for (const Type shape : {kdop, hull, capsule}) table.push_back({point, shape, nullptr, In::both, point_in});
   for (const Type shape : {box, sphere, obb, kdop, hull, capsule})
     table.push_back({cloud, shape, nullptr, In::both, cloud_in});
-  for (const Type shape : {cylinder, cone}) table.push_back({cloud, shape, nullptr, In::space, cloud_in});
+  for (const Type shape : {cylinder, cone}) {
+    table.push_back({cloud, shape, nullptr, In::space, cloud_in});
+    table.push_back({mesh, shape, nullptr, In::space, triangles_met});
+  }
   for (const Type shape : {triangle, polygon}) table.push_back({cloud, shape, nullptr, In::plane, cloud_in});
   for (const Type thin : {point, ray, line, segment, cloud})
     table.push_back({cloud, thin, nullptr, In::both, cloud_on});

@@ -69,20 +69,36 @@ Relation to_solid(const Triangles& triangles, const HalfSpaces& solid) {
   return most > 0 ? Relation::overlapping : most == 0 ? Relation::touching : Relation::disjoint;
 }
 
+/// Those of a ball's or a capsule's, a cylinder's or a cone's axis, where that is all of it.
+HalfSpaces axis_of(const Capsule<double, 3>& x) { return half_spaces_of(Segment<double, 3>{x.p, x.q}); }
+HalfSpaces axis_of(const Cylinder<double>& x) { return half_spaces_of(Segment<double, 3>{x.p, x.q}); }
+HalfSpaces axis_of(const Cone<double>& x) { return half_spaces_of(Segment<double, 3>{x.apex, x.base}); }
+
+/// Calls use(round) with what is round; false if it is not.
+bool if_round(const Shaped& o, const auto& use) {
+  if (o.type() == Type::sphere || o.type() == Type::capsule) return use(capsule_in_space(o.setting, o.object)), true;
+  if (o.type() == Type::cylinder) return use(std::get<Cylinder<double>>(o.shape<3>())), true;
+  if (o.type() == Type::cone) return use(std::get<Cone<double>>(o.shape<3>())), true;
+  return false;
+}
+
 /// How they lie, where the exact test is at hand; else whether they meet.
 void polygon_and(const Shaped& a, const Shaped& b, Told& out) {
   const Triangles& triangles = a.surface();
-  const bool round = b.type() == Type::sphere || b.type() == Type::capsule;
   const std::optional<HalfSpaces> flat = plate(a);
   std::optional<HalfSpaces> other;
-  if (round) {
-    const Capsule<double, 3> capsule = capsule_in_space(b.setting, b.object);
-    if (capsule.radius > 0) return give(relate_surface(triangles, capsule), out);
-    other = half_spaces_of(Segment<double, 3>{capsule.p, capsule.q});
-  } else if (b.type() == Type::triangle || b.type() == Type::polygon) {
+  std::optional<Relation> to_round;
+  const bool round = if_round(b, [&](const auto& x) {
+    if (x.radius > 0)
+      to_round = relate_surface(triangles, x);
+    else
+      other = axis_of(x);
+  });
+  if (to_round) return give(*to_round, out);
+  if (b.type() == Type::triangle || b.type() == Type::polygon) {
     if (b.type() == Type::polygon) static_cast<void>(b.surface());  // refuses one without an area
     other = plate(b);
-  } else {
+  } else if (!round) {
     other = b.faces();
   }
   if (other && flat) return give(relate(*flat, *other), out);
@@ -145,10 +161,21 @@ void along_surface(const Shaped& a, const Shaped& polygon, Told& out) {
   tell_bent(polygon, out);
 }
 
-Relation relate_surface(const std::vector<Triangle<double, 3>>& triangles, const Capsule<double, 3>& round) {
+namespace {
+
+Relation to_triangle(const Capsule<double, 3>& x, const Triangle<double, 3>& t) { return relate(x, t); }
+template <class Round>
+Relation to_triangle(const Round& x, const Triangle<double, 3>& t) {
+  return relate(x, ask_pairs::solid_of(t));
+}
+
+}  // namespace
+
+template <class Round>
+Relation relate_surface(const Triangles& triangles, const Round& round) {
   bool inside = true, touch = false, overlap = false;
   for (const Triangle<double, 3>& t : triangles) {
-    const Relation r = relate(round, t);
+    const Relation r = to_triangle(round, t);
     inside &= r == Relation::b_inside_a, touch |= r == Relation::touching;
     overlap |= r == Relation::b_inside_a || r == Relation::overlapping;
   }
@@ -158,13 +185,17 @@ Relation relate_surface(const std::vector<Triangle<double, 3>>& triangles, const
                    : Relation::disjoint;
 }
 
+template Relation relate_surface(const Triangles&, const Capsule<double, 3>&);
+template Relation relate_surface(const Triangles&, const Cylinder<double>&);
+template Relation relate_surface(const Triangles&, const Cone<double>&);
+
 std::vector<Pair> pairs_of_polygons() {
   using enum Type;
   const auto in = Pair::In::space;
   std::vector<Pair> table = {{point, polygon, nullptr, in, bent_or_not<point_and_polygon>},
                              {cloud, polygon, nullptr, in, bent_or_not<cloud_and_polygon>},
                              {mesh, polygon, nullptr, in, bent_or_not<mesh_and_polygon>}};
-  for (const Type other : {sphere, box, obb, capsule, triangle, polygon, kdop, hull, frustum})
+  for (const Type other : {sphere, box, obb, capsule, cylinder, cone, triangle, polygon, kdop, hull, frustum})
     table.push_back({polygon, other, nullptr, in, bent_or_not<polygon_and>});
   return table;
 }

@@ -88,7 +88,8 @@ std::vector<Pair> pairs_of_solids() {
   }
   for (const Type round : {cylinder, cone}) {
     for (const Type solid : {box, obb, kdop, frustum, hull}) add(round, solid, In::space, relate);
-    for (const Type other : {capsule, triangle, polygon, mesh, cone}) add(round, other, In::space, untested);
+    add(triangle, round, In::space, relate);
+    for (const Type other : {capsule, cone}) add(round, other, In::space, untested);
   }
   add(cylinder, cylinder, In::space, untested);
   for (const Type solid : {obb, kdop}) add(solid, polygon, In::plane, relate);

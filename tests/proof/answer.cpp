@@ -21,7 +21,8 @@ bool is_point_like(const Thing& line) { return is_zero(line.points[1]); }
 
 /// Whether a body or a surface has a volume; in the plane an area.
 bool is_full(const Thing& t) {
-  return t.radius > 0 || (t.kind == Kind::body && !t.faces.empty() && std::ranges::none_of(t.faces, &Face::equation));
+  return t.radius > 0 || t.kind == Kind::round ||
+         (t.kind == Kind::body && !t.faces.empty() && std::ranges::none_of(t.faces, &Face::equation));
 }
 
 Json number(double x) {

@@ -51,8 +51,8 @@ struct Thing {
 Rational rational(double);
 Vec vec(const Json&);
 
-/// Whether a test says how the two lie: two round solids have none, nor has one with what is not a point, a line, a
-/// plane, a ball or a polytope with a volume.
+/// Whether a test says how the two lie, and the truth is found in reasonable time: two round solids have none, nor has
+/// one with a capsule; a polytope of many faces is not judged beside one.
 bool has_test(const Thing&, const Thing&);
 
 /// -1 in the interior, 0 on the boundary, 1 outside. What has no inside has a boundary alone.
