@@ -117,9 +117,42 @@ int reach(const Solid& solid, const HalfSpaces& between, Trace&& trace) {
   return inequalities::distance(static_cast<int>(edges.size()), 2, shadow, true, excess, trace);
 }
 
+/// The sign of a_i.x + w_i at the disc's point over face i where it is highest, 1, or lowest, -1.
+template <class Solid, class Trace>
+int extreme(const Solid& solid, const Disc& disc, const HalfSpaces& other, std::size_t i, int way, Trace&& trace) {
+  const auto row = [&]<class W>() -> inequalities::Row<W> {
+    return sphere_half_spaces::detail::seen_from(other.faces, disc.center).template operator()<W>(static_cast<int>(i));
+  };
+  const int center = sign_of_long([&]<class W>() -> W { return row.template operator()<W>()[3]; }, trace);
+  if (center == way || disc.radius == 0) return center;
+  return way * sign_of_long(
+                   [&]<class W>() -> W {
+                     const inequalities::Row<W> seen = row.template operator()<W>();
+                     const Components<W, 3> d = axis<W>(solid), across = cross(inequalities::detail::normal(seen), d);
+                     return W(disc.radius) * W(disc.radius) * dot(across, across) - seen[3] * seen[3] * dot(d, d);
+                   },
+                   trace);
+}
+/// Whether all of the round solid is outside face i.
+template <class Solid, class Trace>
+bool beyond_face(const Solid& solid, const HalfSpaces& other, std::size_t i, Trace&& trace) {
+  return std::ranges::all_of(round_solid::discs(solid),
+                             [&](const Disc& disc) { return extreme(solid, disc, other, i, 1, trace) < 0; });
+}
+/// Whether the round solid lies in the other.
+template <class Solid, class Trace>
+bool contained(const Solid& solid, const HalfSpaces& other, Trace&& trace) {
+  for (const Disc& disc : round_solid::discs(solid))
+    for (std::size_t i = 0; i < other.faces.size(); ++i)
+      if (extreme(solid, disc, other, i, -1, trace) < 0) return false;
+  return true;
+}
+
 /// 1: they have no common point. 0: one, but none interior to the round solid. -1: one that is. The radius is above 0.
 template <class Solid, class Trace>
 int meeting(const Solid& solid, const HalfSpaces& other, Trace&& trace) {
+  for (std::size_t i = 0; i < other.faces.size(); ++i)  // most are beyond one
+    if (beyond_face(solid, other, i, trace)) return 1;
   HalfSpaces between = other;
   for (const std::size_t end : {0, 1}) between.faces.push_back(beyond(solid, end));
   if (!has_a_point(between, trace)) return 1;
@@ -135,24 +168,6 @@ int meeting(const Solid& solid, const HalfSpaces& other, Trace&& trace) {
   trace(Shadow{reached});
   if (reached >= 0) return std::min(least, reached);
   return at_start || all_in_plane(1) ? 0 : -1;
-}
-
-/// Whether the round solid lies in the other.
-template <class Solid, class Trace>
-bool contained(const Solid& solid, const HalfSpaces& other, Trace&& trace) {
-  for (const Disc& disc : round_solid::discs(solid)) {
-    const auto rows = sphere_half_spaces::detail::seen_from(other.faces, disc.center);
-    for (int i = 0; i < half_spaces::detail::count(other.faces); ++i) {
-      if (sign_of_long([&]<class W>() -> W { return rows.template operator()<W>(i)[3]; }, trace) < 0) return false;
-      const auto room = [&]<class W>() -> W {
-        const inequalities::Row<W> row = rows.template operator()<W>(i);
-        const Components<W, 3> d = axis<W>(solid), across = cross(inequalities::detail::normal(row), d);
-        return row[3] * row[3] * dot(d, d) - W(disc.radius) * W(disc.radius) * dot(across, across);
-      };
-      if (sign_of_long(room, trace) < 0) return false;
-    }
-  }
-  return true;
 }
 
 /// Whether the other lies in the round solid.
