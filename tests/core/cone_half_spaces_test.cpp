@@ -98,6 +98,10 @@ TEST_CASE("a cone beside boxes, frusta and hulls", "[cone_half_spaces]") {
   tests::half_spaces_round_pairs::check_forms<Cone<double>>();
 }
 
+TEST_CASE("a cone lies alike however many faces the solid is given by", "[cone_half_spaces]") {
+  tests::half_spaces_round_pairs::check_many_faces<Cone<double>>();
+}
+
 TEST_CASE("a cone beside a half-space, a segment and a point", "[cone_half_spaces]") {
   tests::half_spaces_round_pairs::check_thin_and_endless<Cone>();
 }

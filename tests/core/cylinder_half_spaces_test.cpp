@@ -95,6 +95,10 @@ TEST_CASE("a cylinder beside boxes, frusta and hulls", "[cylinder_half_spaces]")
   tests::half_spaces_round_pairs::check_forms<Cylinder<double>>();
 }
 
+TEST_CASE("a cylinder lies alike however many faces the solid is given by", "[cylinder_half_spaces]") {
+  tests::half_spaces_round_pairs::check_many_faces<Cylinder<double>>();
+}
+
 TEST_CASE("a cylinder beside a half-space, a segment and a point", "[cylinder_half_spaces]") {
   tests::half_spaces_round_pairs::check_thin_and_endless<Cylinder>();
 }

@@ -88,6 +88,29 @@ void check_forms() {
     CHECK(seen[static_cast<std::size_t>(r)] > 5);
 }
 
+/// Sums of a solid's faces follow from these, however many: edges and corners touch most of them.
+template <class Solid>
+void check_many_faces() {
+  Random random(tests::seed());
+  for (int i = 0; i < tests::cases(100, 10000); ++i) {
+    INFO("seed " << tests::seed() << ", case " << i);
+    const Solid a = bench::solid<Solid>(random, Numbers::grid);
+    const Aabb<double, 3> box = bench::box<double, 3>(random, Numbers::grid);
+    const HalfSpaces few = half_spaces_of(box);
+    HalfSpaces many = few;
+    for (int k = 0; k < 25 && !empty(box); ++k) {
+      half_spaces::Level sum = {Vector<double, 3>::Zero(), random.one_in(4) ? 1.0 : 0.0};
+      for (int term = 0; term < 3; ++term) {
+        const auto& face = std::get<half_spaces::Level>(few.faces[static_cast<std::size_t>(random.below(6))].form);
+        const double weight = random.below(3);
+        sum.normal += weight * face.normal, sum.d += weight * face.d;
+      }
+      many.faces.insert(many.faces.begin() + random.below(static_cast<int>(many.faces.size()) + 1), {sum});
+    }
+    REQUIRE(relate(a, many) == relate(a, few));
+  }
+}
+
 /// A half-space says what its plane does, a segment what the line's test says, and a point where it lies: solids that
 /// never end, and such as have no volume.
 template <template <class> class Solid>

@@ -2,29 +2,32 @@
 // A cylinder or a cone (isect/parts/round_solid.h) against a convex solid P given by half-spaces (isect/half_spaces.h).
 //
 // Look along the axis d: at a cone from its apex, at a cylinder from infinitely far away. Of all points between the
-// planes of both ends those in the round solid are just those that hide a point of the disc at its end, or lie on it.
-// So the round solid meets P iff the disc meets the shadow that is cast on its plane by what of P lies between the
-// planes. (A cone's apex casts none, nor does what lies in the plane there; whether P holds it is asked apart.)
+// planes of both ends those in the round solid are just those that hide a point of the disc at its far end, or lie in
+// it. So it meets P iff that disc meets the shadow that is cast on its plane by what of P lies between the planes.
+// (What lies in the plane of a cone's apex casts none; whether P holds the apex is asked apart.)
 //
-// Let x lie in the disc's plane, y lead to it from the disc's center, and b_i be the value of a_i.x + w_i >= 0 at the
-// center. On the way from x to the eye that grows like a_i.y + b_i + t g_i, t >= 0, with
+// The shadow. Let P's faces, and both planes, be a_i.x + w_i >= 0, let b_i be the value there of the disc's center, and
+// let y lead from the center to a point of the disc's plane. On the way from that point to the eye a_i.x + w_i changes
+// like a_i.y + b_i + t g_i, with
 //
-//   cylinder   g_i = -a_i.d,      cone   g_i = b_i - a_i.d   (as seen from the apex, where lengths are 1 / (1 + t)).
+//   cylinder   g_i = -a_i.d,      cone   g_i = b_i - a_i.d,   where all is divided by 1 + t.
 //
-// So x lies in the shadow iff some t satisfies all, those of the planes at the ends among them: iff (Fourier, Motzkin)
+// So the point lies in the shadow iff some t satisfies all, that is, iff (Fourier, Motzkin)
 //
 //   a_i.y + b_i >= 0 where g_i = 0,   and   g_i (a_j.y + b_j) - g_j (a_i.y + b_i) >= 0 where g_i > 0 > g_j.
 //
-// Of the latter only those matter whose two faces share a point of P between the planes, as for a capsule. As y lies
-// across d, only that part of a normal a counts; turned by a right angle, it is a x d / |d|. So |d| times the distance
-// of the shadow from the center is what isect/parts/inequalities.h finds for the normals a x d, in the plane.
+// Of the latter only those matter whose two faces share a point of P between the planes: elsewhere both are never 0 at
+// once, so that no point of the shadow reaches the limit. As y lies across d, only what of a normal a does so counts;
+// turned by a right angle, that is a x d / |d|. So with the normals a x d, in the plane, isect/parts/inequalities.h
+// finds how far the shadow is from the center, over |d|; squared, that is compared with r^2 / d.d.
 //
-// Interiors. What hides the disc's inner points, strictly between the planes, is the interior of the round solid. P has
-// a point there iff its shadow has one within the disc, and it has points beyond either plane, on the other's side: if
-// one of P hides an inner point but lies in the plane of an end, those near it on the way to one that does not do, too.
+// Interiors. What hides a point within the disc's rim, and lies strictly between the planes, is the interior of the
+// round solid. It has a point of P iff the shadow has one within the rim, and what of P lies between the planes is not
+// all in one of them: if a point of P hides one within the rim, but lies in such a plane, those near it on the way to a
+// point of P that does not are interior.
 //
 // The round solid lies in P iff both its discs do, by their lowest points over each face (isect/parts/plane_round.h),
-// and P in the round solid iff its corners do and it is bounded.
+// and P in the round solid iff its corners do and it is bounded. Of radius 0 it is a segment.
 //
 // Source: Schrijver, Theory of Linear and Integer Programming (1986), 12.2, for the elimination of t.
 
@@ -114,9 +117,42 @@ int reach(const Solid& solid, const HalfSpaces& between, Trace&& trace) {
   return inequalities::distance(static_cast<int>(edges.size()), 2, shadow, true, excess, trace);
 }
 
+/// The sign of a_i.x + w_i at the disc's point over face i where it is highest, 1, or lowest, -1.
+template <class Solid, class Trace>
+int extreme(const Solid& solid, const Disc& disc, const HalfSpaces& other, std::size_t i, int way, Trace&& trace) {
+  const auto row = [&]<class W>() -> inequalities::Row<W> {
+    return sphere_half_spaces::detail::seen_from(other.faces, disc.center).template operator()<W>(static_cast<int>(i));
+  };
+  const int center = sign_of_long([&]<class W>() -> W { return row.template operator()<W>()[3]; }, trace);
+  if (center == way || disc.radius == 0) return center;
+  return way * sign_of_long(
+                   [&]<class W>() -> W {
+                     const inequalities::Row<W> seen = row.template operator()<W>();
+                     const Components<W, 3> d = axis<W>(solid), across = cross(inequalities::detail::normal(seen), d);
+                     return W(disc.radius) * W(disc.radius) * dot(across, across) - seen[3] * seen[3] * dot(d, d);
+                   },
+                   trace);
+}
+/// Whether all of the round solid is outside face i.
+template <class Solid, class Trace>
+bool beyond_face(const Solid& solid, const HalfSpaces& other, std::size_t i, Trace&& trace) {
+  return std::ranges::all_of(round_solid::discs(solid),
+                             [&](const Disc& disc) { return extreme(solid, disc, other, i, 1, trace) < 0; });
+}
+/// Whether the round solid lies in the other.
+template <class Solid, class Trace>
+bool contained(const Solid& solid, const HalfSpaces& other, Trace&& trace) {
+  for (const Disc& disc : round_solid::discs(solid))
+    for (std::size_t i = 0; i < other.faces.size(); ++i)
+      if (extreme(solid, disc, other, i, -1, trace) < 0) return false;
+  return true;
+}
+
 /// 1: they have no common point. 0: one, but none interior to the round solid. -1: one that is. The radius is above 0.
 template <class Solid, class Trace>
 int meeting(const Solid& solid, const HalfSpaces& other, Trace&& trace) {
+  for (std::size_t i = 0; i < other.faces.size(); ++i)  // most are beyond one
+    if (beyond_face(solid, other, i, trace)) return 1;
   HalfSpaces between = other;
   for (const std::size_t end : {0, 1}) between.faces.push_back(beyond(solid, end));
   if (!has_a_point(between, trace)) return 1;
@@ -132,24 +168,6 @@ int meeting(const Solid& solid, const HalfSpaces& other, Trace&& trace) {
   trace(Shadow{reached});
   if (reached >= 0) return std::min(least, reached);
   return at_start || all_in_plane(1) ? 0 : -1;
-}
-
-/// Whether the round solid lies in the other.
-template <class Solid, class Trace>
-bool contained(const Solid& solid, const HalfSpaces& other, Trace&& trace) {
-  for (const Disc& disc : round_solid::discs(solid)) {
-    const auto rows = sphere_half_spaces::detail::seen_from(other.faces, disc.center);
-    for (int i = 0; i < half_spaces::detail::count(other.faces); ++i) {
-      if (sign_of_long([&]<class W>() -> W { return rows.template operator()<W>(i)[3]; }, trace) < 0) return false;
-      const auto room = [&]<class W>() -> W {
-        const inequalities::Row<W> row = rows.template operator()<W>(i);
-        const Components<W, 3> d = axis<W>(solid), across = cross(inequalities::detail::normal(row), d);
-        return row[3] * row[3] * dot(d, d) - W(disc.radius) * W(disc.radius) * dot(across, across);
-      };
-      if (sign_of_long(room, trace) < 0) return false;
-    }
-  }
-  return true;
 }
 
 /// Whether the other lies in the round solid.
