@@ -139,10 +139,10 @@ Ring<S, N> ring(const Field& field) {
   return points;
 }
 
-template <class S>
-Segment<S, 2> segment(const Field& field) {
+template <class S, int N = 2>
+Segment<S, N> segment(const Field& field) {
   const auto [p, q] = field.list_of<2>();
-  return {vector<S, 2>(p), vector<S, 2>(q)};
+  return {vector<S, N>(p), vector<S, N>(q)};
 }
 
 /// origin, dir, tmin = 0, tmax = inf
