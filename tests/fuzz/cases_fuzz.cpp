@@ -18,7 +18,21 @@ namespace {
 using Json = nlohmann::json;
 
 /// How a field looks, and how it changes when all lengths do: a length or a point does, a direction does not.
-enum class Form { point, direction, length, interval, polygon, rings, box, obb, slabs, normals, segment, capsule, convex };
+enum class Form {
+  point,
+  direction,
+  length,
+  interval,
+  polygon,
+  rings,
+  box,
+  obb,
+  slabs,
+  normals,
+  segment,
+  capsule,
+  convex
+};
 struct FieldSpec {
   const char* name;
   Form form;
