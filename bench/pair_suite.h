@@ -39,17 +39,24 @@ class PairContest {
     session.aim({.work = test_ + ": wrong verdicts", .kind = Target::wrong, .test = test_, .at_most = 0});
   }
 
+  /// Only pairs of which this holds, as the core's promise asks for.
+  PairContest& only(bool (*wanted)(const A&, const B&)) { return wanted_ = wanted, *this; }
+
   /// Each is asked of a and b. enter_peers(contest, family) enters other libraries.
   template <class Naive, class Exact, class Truly, class Peers = NoPeer>
   void run(const Naive& naive, const Exact& exact, const Truly& truly, const Peers& enter_peers = {}) {
     namespace draws = pair_draws;
-    const auto compete = [&](const char* name, const char* note, std::function<Case(Random&)> draw) {
+    const auto compete = [&](const char* name, const char* note, const std::function<Case(Random&)>& any) {
+      const auto draw = [any, wanted = wanted_](Random& random) {
+        for (;;)
+          if (Case c = any(random); wanted == nullptr || wanted(c.a, c.b)) return c;
+      };
       CaseFamily<Case> family = {test_,
                                  "double",
                                  name,
                                  note,
                                  std::string_view(name) != "ordinary",
-                                 std::move(draw),
+                                 draw,
                                  [&](const Case& c) { return truth_that(truly(c.a, c.b)); },
                                  [](const Case& c) { return full_precision(c); }};
       family.most_cases = most_;
@@ -74,6 +81,7 @@ class PairContest {
   Session& session_;
   std::string test_;
   long most_;
+  bool (*wanted_)(const A&, const B&) = nullptr;
 };
 
 }  // namespace isect::bench
