@@ -160,6 +160,8 @@ line or plane that it spans: a plate that pierces a box overlaps it. "interiors_
 every axis each box begins before the other ends. A box with lo above hi is empty: "empty" names it.
 The sphere of bounding_volume_fit has a center near that of the smallest ball, and the least radius for it;
 smallest_sphere is the smallest ball, but for rounding. robust of ray_sphere is another name of exact.
+t_in and t_out of segment_plane are the part with normal . x + d >= 0. points of polygon_plane and polygon_box is what is
+left of a convex polygon there, or in the box; a and b of convex_polygons are convex and have areas.
 With --strict an empty shape is an error that names its field, and so are a plane without a normal and an obb whose axes
 depend on each other.
 A line with "objects" in place of "kind" is a whole scene, as `isect scene --help` tells: {{"objects": [{{"sphere": "A",

@@ -8,6 +8,11 @@
 #include "bench/contest.h"
 #include "bench/ordinary_shapes.h"
 
+namespace isect {
+template <class S>
+struct Hull3;
+}
+
 namespace isect::bench {
 
 template <class S>
@@ -40,6 +45,35 @@ template <class S, int N>
 std::string full_precision(const Ring<S, N>& x) {
   std::string all = "ring";
   for (const Point<S, N>& v : x) all += text(" vertex", v);
+  return all;
+}
+template <class S, int N>
+std::string full_precision(const Segment<S, N>& x) {
+  return text("p", x.p, "q", x.q);
+}
+template <class S, int N>
+std::string full_precision(const Polygon<S, N>& x) {
+  std::string all = "rings:";
+  for (const Ring<S, N>& ring : x.rings) (all += ' ') += full_precision(ring);
+  return all;
+}
+template <class S, int N>
+std::string full_precision(const Kdop<S, N>& x) {
+  std::string all = "slabs:";
+  for (std::size_t i = 0; i < x.slabs.size(); ++i)
+    all += text(" normal", x.normals[i]), (all += ' ') += full_precision(x.slabs[i]);
+  return all;
+}
+template <class S>
+std::string full_precision(const Frustum<S>& x) {
+  std::string all = "planes:";
+  for (const Plane<S, 3>& plane : x.planes) (all += ' ') += full_precision(plane);
+  return all;
+}
+template <class S>
+std::string full_precision(const Hull3<S>& x) {
+  std::string all = "hull:";
+  for (const Point<S, 3>& v : x.vertices) all += text(" vertex", v);
   return all;
 }
 template <class A, class B>

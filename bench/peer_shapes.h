@@ -6,7 +6,9 @@
 // throughout. Both stop the program at NaN and infinities, EPICK also at a number that overflows on the way (the
 // squares of "scale"), and are not asked there.
 
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include <isect/shapes.h>
 #include "bench/peer.h"
@@ -52,6 +54,26 @@ template <class K, class S>
 typename K::Ray_3 cgal(const Ray<S, 3>& ray) {
   return {cgal<K>(ray.origin), cgal_vector<K>(ray.direction)};
 }
+template <class K, class S>
+typename K::Segment_3 cgal(const Segment<S, 3>& s) {
+  return {cgal<K>(s.p), cgal<K>(s.q)};
+}
+template <class K, class S>
+typename K::Plane_3 cgal(const Plane<S, 3>& p) {
+  return {double(p.normal[0]), double(p.normal[1]), double(p.normal[2]), double(p.d)};
+}
+template <class K, class S>
+typename K::Triangle_3 cgal(const Triangle<S, 3>& t) {
+  return {cgal<K>(t.vertices[0]), cgal<K>(t.vertices[1]), cgal<K>(t.vertices[2])};
+}
+template <class K, class S>
+typename K::Point_2 cgal(const Point<S, 2>& p) {
+  return {double(p[0]), double(p[1])};
+}
+template <class K, class S>
+typename K::Segment_2 cgal(const Segment<S, 2>& s) {
+  return {cgal<K>(s.p), cgal<K>(s.q)};
+}
 /// CGAL keeps the squared radius: rounded, but for EPECK.
 template <class K, class S>
 typename K::Sphere_3 cgal(const Sphere<S, 3>& ball) {
@@ -66,6 +88,35 @@ btVector3 bullet(const V& v) {
   return {static_cast<btScalar>(v[0]), static_cast<btScalar>(v[1]), static_cast<btScalar>(v[2])};
 }
 #endif
+
+/// Asks a question of CGAL's shapes of both, ask(a, b), in each kernel; none without CGAL.
+template <class Ask>
+struct ByCgal {
+  const char* question;
+  Ask ask;
+
+  template <class S, class Case>
+  void operator()([[maybe_unused]] Contest<S, Case>& contest, [[maybe_unused]] std::string_view family) const {
+#ifdef ISECT_HAS_CGAL
+    each_kernel(family, [&]<class K>(K, const char* kernel) {
+      enter(
+          contest, "CGAL", (std::string(question) + ", " + kernel).c_str(),
+          [](const Case& c) { return std::pair(cgal<K>(c.a), cgal<K>(c.b)); },
+          [ask = ask](const auto& c) { return ask(c.first, c.second); });
+    });
+#endif
+  }
+};
+template <class Ask>
+ByCgal(const char*, Ask) -> ByCgal<Ask>;
+/// Whether they have a common point; its sphere is a surface.
+inline constexpr ByCgal meet_by_cgal = {"do_intersect", [](const auto& a, const auto& b) {
+#ifdef ISECT_HAS_CGAL
+                                          return CGAL::do_intersect(a, b);
+#else
+                                          return &a == &b;  // never asked
+#endif
+                                        }};
 
 /// Both shapes of a case, as `convert` makes them.
 template <class S, class Case, class Convert, class Ask>

@@ -1,6 +1,8 @@
 // Polygons, hulls and fits.
 
+#include <isect/clip_polygon.h>
 #include <isect/convex_hull.h>
+#include <isect/convex_polygons.h>
 #include <isect/fit.h>
 #include <isect/fit_tight.h>
 #include <isect/point_convex_polygon.h>
@@ -16,6 +18,11 @@
 namespace isect::query {
 
 // clang-format off
+template <> struct EventNames<clip_polygon::Side> : Named<"Side", "index sign"> {};
+template <class S, int N> struct EventNames<clip_polygon::Crossing<S, N>> : Named<"Crossing", "index point"> {};
+template <> struct EventNames<convex_polygons::Edge> : Named<"Edge", "of_b index"> {};
+template <> struct EventNames<convex_polygons::Farthest> : Named<"Farthest", "edge vertex side"> {};
+template <> struct EventNames<convex_polygons::Contained> : Named<"Contained", "b_in_a a_in_b"> {};
 template <> struct EventNames<convex_hull_2d::Remaining> : Named<"Remaining", "count"> {};
 template <class S> struct EventNames<convex_hull_2d::Added<S>> : Named<"Added", "p"> {};
 template <class S> struct EventNames<convex_hull_2d::Removed<S>> : Named<"Removed", "p next turn"> {};
@@ -118,6 +125,46 @@ Json polygon_polygon(Job& job) {
 }
 
 template <class S>
+ConvexPolygon<S> convex_polygon(const Field& field) {
+  const auto convex = make_convex(ring<S, 2>(field));
+  if (!convex) field.refuse("it is not convex with an area");
+  return *convex;
+}
+template <class S>
+Json convex_polygons(Job& job) {
+  const ConvexPolygon<S> a = convex_polygon<S>(job.fields["a"]), b = convex_polygon<S>(job.fields["b"]);
+  return related(run<convex_polygons::Event>(job, [&](auto&& trace) { return relate(a, b, trace); }));
+}
+
+/// What is left of a polygon, from the first of its vertices that is kept, or of its edges that is cut, on.
+template <class S, int N>
+Json left_of(const Ring<S, N>& ring) {
+  return {{"hit", !ring.empty()}, {"points", numbers<S, N>(ring)}};
+}
+
+template <class S>
+Json polygon_plane(Job& job) {
+  return in_dimension(job.fields["normal"], [&]<int N>() -> Json {
+    const Ring<S, N> outline = ring<S, N>(job.fields["polygon"]);
+    const Plane<S, N> p = plane<S, N>(job.fields);
+    using Event = clip_polygon::Event<S, N>;
+    if (job.variant == "sutherland_hodgman")
+      return left_of<S, N>(
+          run<Event>(job, [&](auto&& trace) { return clip_polygon::sutherland_hodgman(outline, p, trace); }));
+    return left_of<S, N>(run<Event>(job, [&](auto&& trace) { return clip(outline, p, trace); }));
+  });
+}
+
+template <class S>
+Json polygon_box(Job& job) {
+  return in_dimension(job.fields["lo"], [&]<int N>() -> Json {
+    const Ring<S, N> outline = ring<S, N>(job.fields["polygon"]);
+    const Aabb<S, N> b = box<S, N>(job.fields);
+    return left_of<S, N>(run<clip_polygon::Event<S, N>>(job, [&](auto&& trace) { return clip(outline, b, trace); }));
+  });
+}
+
+template <class S>
 Json segment_polygon(Job& job) {
   return related(relate(segment<S, 2>(job.fields["segment"]), polygon<S>(job.fields["rings"])), "segment", "polygon");
 }
@@ -193,6 +240,9 @@ const std::vector<Handler>& polygon_handlers() {
           pip, "rings point",
           {"exact", "crossings", "winding", "convex", "slabs", "trapezoids", "crossings_naive", "winding_naive"}),
       ISECT_HANDLER(polygon_polygon, "a b", {"exact"}),
+      ISECT_HANDLER(convex_polygons, "a b", {"exact"}),
+      ISECT_HANDLER(polygon_plane, "polygon normal d", {"exact", "sutherland_hodgman"}),
+      ISECT_HANDLER(polygon_box, "polygon lo hi", {"exact"}),
       ISECT_HANDLER(segment_polygon, "segment rings", {"exact"}),
       ISECT_HANDLER(convex_hull2d, "points", {"exact"}),
       ISECT_HANDLER(polygon_normal, "polygon", {"exact"}),

@@ -1,5 +1,6 @@
 // Rays and segments.
 
+#include <isect/clip_segment.h>
 #include <isect/line_triangle.h>
 #include <isect/ray_aabb.h>
 #include <isect/ray_plane.h>
@@ -10,6 +11,7 @@
 #include <isect/ray_outline.h>
 #include <isect/ray_polygon.h>
 #include <isect/ray_sphere_methods.h>
+#include <isect/segment_plane.h>
 #include <isect/segment_segment.h>
 #include "app/query/events.h"
 #include "app/query/handlers.h"
@@ -79,6 +81,8 @@ template <class S> struct EventNames<ray_polygon::Normal<S>> : Named<"Normal", "
 template <class S> struct EventNames<ray_polygon::InPlane<S>> : Named<"InPlane", "t point"> {};
 template <class S> struct EventNames<ray_polygon::InRange<S>> : Named<"InRange", "t holds"> {};
 template <class S> struct EventNames<ray_polygon::Projected<S>> : Named<"Projected", "dropped point"> {};
+template <> struct EventNames<clip_segment::Outcodes> : Named<"Outcodes", "p q"> {};
+template <class S> struct EventNames<clip_segment::Narrowed<S>> : Named<"Narrowed", "axis upper heading t range holds"> {};
 template <> struct EventNames<ray_outline::Start> : Named<"Start", "location"> {};
 template <> struct EventNames<ray_outline::Nearer> : Named<"Nearer", "ring index corner"> {};
 // clang-format on
@@ -159,6 +163,28 @@ Json ray_capsule(Job& job) {
 }
 
 template <class S>
+Json segment_plane(Job& job) {
+  return in_dimension(job.fields["segment"].list_of<2>()[0], [&]<int N>() -> Json {
+    const Segment<S, N> s = segment<S, N>(job.fields["segment"]);
+    const Plane<S, N> p = plane<S, N>(job.fields);
+    return segment_and_plane(intersect(s, p),
+                             run<clip_segment::Event>(job, [&](auto&& trace) { return clip(s, p, trace); }));
+  });
+}
+
+template <class S>
+Json segment_box(Job& job) {
+  return in_dimension(job.fields["segment"].list_of<2>()[0], [&]<int N>() -> Json {
+    const Segment<S, N> s = segment<S, N>(job.fields["segment"]);
+    const Aabb<S, N> b = box<S, N>(job.fields);
+    if (job.variant == "liang_barsky")
+      return stretch(run<clip_segment::LiangBarskyEvent<S>>(
+          job, [&](auto&& trace) { return clip_segment::liang_barsky(s, b, trace); }));
+    return stretch(run<ray_aabb::Event>(job, [&](auto&& trace) { return clip(s, b, trace); }));
+  });
+}
+
+template <class S>
 Json segment_segment(Job& job) {
   const Segment<S, 2> a = segment<S, 2>(job.fields["a"]), b = segment<S, 2>(job.fields["b"]);
   if (job.variant == "parametric") {
@@ -208,6 +234,8 @@ const std::vector<Handler>& ray_handlers() {
       ISECT_HANDLER(ray_plane, "origin dir normal d [tmin] [tmax]", {"exact", "textbook"}),
       ISECT_HANDLER(ray_obb, "origin dir c u e [tmin] [tmax]", {"exact", "projections"}),
       ISECT_HANDLER(ray_capsule, "origin dir p q r [tmin] [tmax]", {"exact"}),
+      ISECT_HANDLER(segment_plane, "segment normal d", {"exact"}),
+      ISECT_HANDLER(segment_box, "segment lo hi", {"exact", "liang_barsky"}),
       ISECT_HANDLER(segment_segment, "a b", {"exact", "parametric"}),
       ISECT_HANDLER(ray_outline, "origin dir rings [tmin] [tmax]", {"exact"}),
       ISECT_HANDLER(line_triangle, "origin dir tri [tmin] [tmax]", {"exact"}),

@@ -141,7 +141,7 @@ Ring<S, N> ring(const Field& field) {
   return points;
 }
 
-template <class S, int N>
+template <class S, int N = 2>
 Segment<S, N> segment(const Field& field) {
   const auto [p, q] = field.list_of<2>();
   return {vector<S, N>(p), vector<S, N>(q)};

@@ -108,6 +108,18 @@ Json ray_and_plane(const RayPlane<S>& shared, Ray<S, N> ray, const Plane<S, N>& 
   return result;
 }
 
+/// Whether a segment meets the plane, and the part of it that lies where the normal points to.
+template <class S>
+Json segment_and_plane(const RayPlane<S>& shared, const std::optional<Interval<S>>& above) {
+  return {{"parallel", shared.parallel},
+          {"coplanar", shared.coplanar},
+          {"line_hit", shared.line.has_value() || shared.coplanar},
+          {"t", number(shared.line)},
+          {"hit", shared.meets},
+          {"t_in", above ? number(above->lo) : nullptr},
+          {"t_out", above ? number(above->hi) : nullptr}};
+}
+
 template <class S>
 Json line_and_polygon(const RayPolygon<S>& shared) {
   return {{"parallel", !shared.line},

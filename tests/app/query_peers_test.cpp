@@ -83,7 +83,7 @@ TEST_CASE("there are own cases of every kind, and naive methods fail on a good s
     CHECK(of_kind[kind] >= 30);
     ++kinds;
   }
-  CHECK(kinds == 46);
+  CHECK(kinds == 51);
 
   const std::map<std::string, std::vector<const char*>> naive = {{"capsule_capsule", {"clamped"}},
                                                                  {"pip", {"crossings_naive", "winding_naive"}},
@@ -92,6 +92,7 @@ TEST_CASE("there are own cases of every kind, and naive methods fail on a good s
                                                                  {"ray_plane", {"textbook"}},
                                                                  {"ray_polygon", {"projected"}},
                                                                  {"ray_sphere", {"quadratic", "half_b", "haines"}},
+                                                                 {"segment_box", {"liang_barsky"}},
                                                                  {"segment_segment", {"parametric"}},
                                                                  {"sphere_box", {"accumulate"}},
                                                                  {"sphere_capsule", {"clamped", "by_pythagoras"}},

@@ -153,6 +153,11 @@ inline std::string contradiction(const Question& q, const Json& result) {
       if (off(given, value)) return key + ", more than 4 ulp";
     } else if (key == "point" && q.expected["relation"] == "cross") {
       if (off(given[0], value[0]) || off(given[1], value[1])) return key + ", more than 4 ulp";
+    } else if (key == "points") {
+      if (given.size() != value.size()) return key;
+      for (std::size_t i = 0; i < value.size(); ++i)
+        for (std::size_t k = 0; k < value[i].size(); ++k)
+          if (off(given[i][k], value[i][k])) return key + ", more than 4 ulp";
     } else if (key == "normal") {
       for (int i = 0; i < 3; ++i)
         if (!(std::abs(peer_number(given[i]) - peer_number(value[i])) <= (f32 ? 0x1p29 : 1) * 4e-16)) return key;

@@ -175,8 +175,8 @@ CaseFile pip() {
       const bench::PolygonCase<S> c = rings.draw(random);
       return located<S>(c.point, {*c.ring});
     };
-    file.family(name, 6, [&](Random& r) { return draw.template operator()<double>(r); });
-    file.family(std::string(name) + ", in floats", 3, [&](Random& r) { return draw.template operator()<float>(r); });
+    file.family(name, 3, [&](Random& r) { return draw.template operator()<double>(r); });
+    file.family(std::string(name) + ", in floats", 2, [&](Random& r) { return draw.template operator()<float>(r); });
   }
   const auto almost = [&]<class S>(Random& random) -> std::optional<Case> {
     const Ring<S, 2> ring = bench::polygon_families::star<S>(random, 6);
@@ -184,8 +184,8 @@ CaseFile pip() {
     return almost_on_an_edge(p, ring) ? std::optional(located<S>(p, {ring})) : std::nullopt;
   };
   const char* nearer = "nearer to an edge than rounding sees";
-  file.family(nearer, 20, [&](Random& r) { return almost.template operator()<double>(r); });
-  file.family(std::string(nearer) + ", in floats", 10, [&](Random& r) { return almost.template operator()<float>(r); });
+  file.family(nearer, 8, [&](Random& r) { return almost.template operator()<double>(r); });
+  file.family(std::string(nearer) + ", in floats", 4, [&](Random& r) { return almost.template operator()<float>(r); });
   by_numbers(file, 2, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
     const Rings<S> rings = tests::random_rings<S>(random, numbers);
     std::size_t vertices = 0;
@@ -227,7 +227,7 @@ CaseFile ray_polygon() {
   add("a triangle of size 1e-300", {2e-301, 2e-301, 1e-300}, {0, 0, -1}, {{0, 0, 0}, {1e-300, 0, 0}, {0, 1e-300, 0}});
   add("a triangle of size 1e300", {2e299, 2e299, 1e300}, {0, 0, -1}, {{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}});
   const auto ask = [](const auto& c) { return ray_and_polygon(c.a, c.b); };
-  by_families(file, 4, bench::ray_polygon_draws<double>, bench::ray_polygon_draws<float>, ask);
+  by_families(file, 3, bench::ray_polygon_draws<double>, bench::ray_polygon_draws<float>, ask);
   return file;
 }
 

@@ -97,10 +97,10 @@ CaseFile obb_obb() {
   add("axes of length 1e-150", {{0, 0}, 1e-150 * aligned, {1, 1}}, {{3e-150, 0}, 1e-150 * diagonal, {1, 1}});
   add("axes of length 1e150", {{0, 0}, 1e150 * aligned, {1, 1}}, {{3e150, 0}, 1e150 * diagonal, {1, 1}});
   const auto ask = [](const auto& c) { return obbs(c.a, c.b); };
-  by_families(file, 4, bench::obb_obb_draws<double>, bench::obb_obb_draws<float>, ask);
+  by_families(file, 3, bench::obb_obb_draws<double>, bench::obb_obb_draws<float>, ask);
   for (const auto& f : bench::obb_obb_draws<double>)
     if (std::string_view(f.name).find("-at-") != std::string_view::npos)
-      file.family(std::string(f.name) + ", more of it", 12, [&](Random& r) { return ask(f.draw(r)); });
+      file.family(std::string(f.name) + ", more of it", 4, [&](Random& r) { return ask(f.draw(r)); });
   by_numbers(file, 2, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
     const Obb<S, 2> a = bench::obb<S, 2>(random, numbers), b = bench::obb<S, 2>(random, numbers);
     if (!finite(a) || !finite(b)) return {};
@@ -127,7 +127,7 @@ CaseFile kdop_kdop() {
     for (const Vector<S, 3>& n : all) a.push_back(slab(n, c.a)), b.push_back(slab(n, c.b));
     return kdops<S, 3>(all, a, b);
   };
-  by_families(file, 8, bench::kdop_kdop_draws<double>, bench::kdop_kdop_draws<float>, tetrahedra);
+  by_families(file, 6, bench::kdop_kdop_draws<double>, bench::kdop_kdop_draws<float>, tetrahedra);
   return file;
 }
 
@@ -151,10 +151,10 @@ CaseFile triangle_box() {
       {{-.3, 0, 0}, {before, 1, 1}});
   for (const bool edges : {false, true}) {
     const std::string note = edges ? "an edge at an edge, but for rounding" : "the plane at a corner, but for rounding";
-    file.family(note, 8, [&](Random& r) { return almost_touching<double>(r, edges); });
-    file.family(note + ", in floats", 4, [&](Random& r) { return almost_touching<float>(r, edges); });
+    file.family(note, 6, [&](Random& r) { return almost_touching<double>(r, edges); });
+    file.family(note + ", in floats", 3, [&](Random& r) { return almost_touching<float>(r, edges); });
   }
-  by_numbers(file, 4, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
+  by_numbers(file, 3, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
     const auto [triangle, box] = tests::triangle_box_pairs::pair<S, 3>(random, numbers);
     if (!finite(triangle) || !finite(box)) return {};
     return triangle_and_box(triangle, box);

@@ -75,7 +75,7 @@ CaseFile convex_hull2d() {
     const auto draw = [kind = kind]<class S>(Random& r) {
       return hull_of(tests::clouds::cloud<S>(r, kind, Numbers::decimal, 10));
     };
-    file.family(name, 4, [&](Random& r) { return draw.template operator()<double>(r); });
+    file.family(name, 3, [&](Random& r) { return draw.template operator()<double>(r); });
     file.family(std::string(name) + ", in floats", 2, [&](Random& r) { return draw.template operator()<float>(r); });
   }
   by_numbers(file, 2, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
@@ -103,7 +103,7 @@ CaseFile polygon_normal() {
   add("the smallest numbers there are", {{0, 0, 0}, {least, 0, 0}, {0, least, 0}});
   add("a small quad far away",
       {{1e4, 1e4, 1e4}, {1e4 + .1, 1e4, 1e4 + .05}, {1e4 + .1, 1e4 + .1, 1e4 + .1}, {1e4, 1e4 + .1, 1e4 + .05}});
-  by_numbers(file, 5, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
+  by_numbers(file, 4, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
     const Ring<S, 3> ring = tests::area_rings::random_ring<S, 3>(random, numbers);
     return finite(ring) ? std::optional(normal_of(ring)) : std::nullopt;
   });
@@ -123,7 +123,7 @@ CaseFile bounding_volume_fit() {
   add("the smallest numbers there are", {P{0, 0, 0}, P{least, 0, 0}, P{0, least, 2 * least}});
   add("1e-300 beside 1e300", {P{1e-300, 1e-300, 0}, P{1e300, 0, 1e-300}, P{0, 1e300, 0}});
   file.family("a turned brick", 4, brick);
-  by_numbers(file, 4, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
+  by_numbers(file, 3, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
     const auto draw = [&]<int N>() -> std::optional<Case> {
       const auto points = tests::clouds::cloud<S, N>(random, numbers);
       return finite(points) ? std::optional(fits(points)) : std::nullopt;

@@ -114,7 +114,7 @@ CaseFile orient2d() {
   add("the same, one point moved by the least number", {-most, -most}, {most, most}, {0, least});
   add("zeros of either sign", {0, -0.}, {-0., 0}, {1, 1});
   const auto ask = [](const auto& c) { return turn(c.a, c.b, c.c); };
-  by_families(file, 8, bench::orient2d_draws<double>, bench::orient2d_draws<float>, ask);
+  by_families(file, 6, bench::orient2d_draws<double>, bench::orient2d_draws<float>, ask);
   return file;
 }
 

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include <isect/numbers/counted.h>
+#include "bench/clip_polygon/oracle.h"
 #include "bench/random_shapes.h"
-#include "bench/rational.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -48,28 +48,6 @@ Plane<S, N> plane(Random& random, Numbers numbers, const Ring<S, N>& r) {
   const S d = -p.normal.dot(r[random.below(static_cast<int>(r.size()))]);
   if (std::isfinite(d)) p.d = d;
   return p;
-}
-
-template <class S, int N>
-Rational height(const Plane<S, N>& p, const Point<S, N>& x) {
-  return oracle::dot(oracle::rational<S, N>(p.normal), oracle::rational<S, N>(x)) + Rational(p.d);
-}
-
-/// The vertices that clipping should give, as rationals, walking edge by edge with parameters.
-template <class S, int N>
-std::vector<oracle::Coordinates<N>> truth(const Ring<S, N>& r, const Plane<S, N>& p) {
-  using oracle::operator-;
-  using oracle::operator+;
-  using oracle::operator*;
-  std::vector<oracle::Coordinates<N>> kept;
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    const Point<S, N>&a = r[i], &b = r[(i + 1) % r.size()];
-    const Rational from = height(p, a), to = height(p, b);
-    const auto x = oracle::rational<S, N>(a), y = oracle::rational<S, N>(b);
-    if (from >= 0) kept.push_back(x);
-    if (from != 0 && to != 0 && (from > 0) != (to > 0)) kept.push_back(x + Rational(from / (from - to)) * (y - x));
-  }
-  return kept;
 }
 
 template <int N>
@@ -197,12 +175,15 @@ TEMPLATE_TEST_CASE_SIG("which vertices survive, and the new ones, are those of r
       if (p.normal == Vector<S, N>::Zero()) continue;
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const Ring<S, N> got = clip(r, p);
-      const auto expected = truth(r, p);
+      const auto expected = oracle::clipped<S, N>(r, p);
       REQUIRE(got.size() == expected.size());
       for (std::size_t k = 0; k < got.size(); ++k)
         for (int j = 0; j < N; ++j) worst = std::max(worst, oracle::ulps(got[k][j], expected[k][j]));
       int above = 0, within = 0;
-      for (const Point<S, N>& v : r) above += height(p, v) >= 0, within += height(p, v) == 0;
+      for (const Point<S, N>& v : r) {
+        const Rational height = oracle::height<S, N>(p, oracle::rational<S, N>(v));
+        above += height >= 0, within += height == 0;
+      }
       kept += above, lost += static_cast<int>(r.size()) - above, on += within,
           cut += static_cast<int>(got.size()) - above;
 

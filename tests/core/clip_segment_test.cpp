@@ -4,8 +4,8 @@
 #include <limits>
 
 #include <isect/numbers/counted.h>
+#include "bench/clip_segment/oracle.h"
 #include "bench/random_rays.h"
-#include "bench/rational.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -58,33 +58,9 @@ Case<S, N> draw(Random& random, Numbers numbers) {
   return c;
 }
 
-struct Stretch {
-  std::optional<Rational> lo, hi;  ///< nothing: without end
-};
-
-/// The kept part of the range, by the heights at t = 0 and t = 1, and a division.
-template <class S>
-std::optional<Stretch> truth(const Interval<S>& range, const Rational& at_0, const Rational& at_1) {
-  if (!(range.lo <= range.hi)) return {};
-  Stretch result;
-  if (!std::isinf(range.lo)) result.lo = Rational(range.lo);
-  if (!std::isinf(range.hi)) result.hi = Rational(range.hi);
-  if (at_0 == at_1) return at_0 >= 0 ? std::optional(result) : std::nullopt;
-  const Rational t = at_0 / (at_0 - at_1);
-  if (at_1 > at_0 && (!result.lo || *result.lo < t)) result.lo = t;
-  if (at_1 < at_0 && (!result.hi || *result.hi > t)) result.hi = t;
-  if (result.lo && result.hi && *result.lo > *result.hi) return {};
-  return result;
-}
-
-template <class S, int N>
-Rational height(const Plane<S, N>& plane, const oracle::Coordinates<N>& x) {
-  return oracle::dot(oracle::rational<S, N>(plane.normal), x) + Rational(plane.d);
-}
-
 /// How far the ends of a stretch are from the truth; infinite ends must be so.
 template <class S>
-double distance(const Interval<S>& kept, const Stretch& expected) {
+double distance(const Interval<S>& kept, const oracle::Kept& expected) {
   const auto at = [](S t, const std::optional<Rational>& end) {
     if (!end) return std::isinf(t) ? 0 : inf;
     return oracle::ulps(t, *end);
@@ -166,9 +142,9 @@ TEMPLATE_TEST_CASE_SIG("segment and box: every answer is that of rational arithm
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const auto o = oracle::rational<S, N>(c.ray.origin), d = oracle::rational<S, N>(c.ray.direction);
       const Interval<S> unit = {S(0), S(1)};
-      const Rational h_0 = height<S, N>(c.plane, o), h_d = height<S, N>(c.plane, o + d);
-      const Rational h_1 = height<S, N>(c.plane, oracle::rational<S, N>(c.segment.q));
-      const std::optional<Stretch> expected[] = {truth(c.ray.range, h_0, h_d), truth(unit, h_0, h_1)};
+      const Rational h_0 = oracle::height<S, N>(c.plane, o), h_d = oracle::height<S, N>(c.plane, o + d);
+      const std::optional<oracle::Kept> expected[] = {oracle::kept_above(c.ray.range, h_0, h_d),
+                                                      oracle::clipped(c.segment, c.plane)};
       const std::optional<Interval<S>> got[] = {clip(c.ray, c.plane), clip(c.segment, c.plane)};
       const Interval<S> ranges[] = {c.ray.range, unit};
       for (int k = 0; k < 2; ++k) {
@@ -204,19 +180,7 @@ TEMPLATE_TEST_CASE_SIG("segments are clipped at boxes as rational arithmetic cli
       for (int k = 0; k < N; ++k)  // ends on faces, edges and corners
         if (random.one_in(3)) s.q[k] = random.one_in(2) ? box.lo[k] : box.hi[k];
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
-      std::optional<Stretch> expected = Stretch{Rational(0), Rational(1)};
-      for (int k = 0; k < N && expected; ++k)
-        for (const int side : {1, -1}) {
-          const Rational bound = Rational(side > 0 ? box.lo[k] : box.hi[k]);
-          const auto part =
-              truth(Interval<S>{S(0), S(1)}, side * (Rational(s.p[k]) - bound), side * (Rational(s.q[k]) - bound));
-          if (!part || !expected) {
-            expected.reset();
-            break;
-          }
-          expected = Stretch{std::max(*expected->lo, *part->lo), std::min(*expected->hi, *part->hi)};
-          if (*expected->lo > *expected->hi) expected.reset();
-        }
+      const std::optional<oracle::Kept> expected = oracle::clipped(s, box);
       const auto got = clip(s, box);
       REQUIRE(got.has_value() == expected.has_value());
       kept += got.has_value(), lost += !got;

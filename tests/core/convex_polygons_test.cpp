@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "bench/convex_polygons/families.h"
+#include "bench/convex_polygons/oracle.h"
 #include "tests/catch.h"
 #include "tests/core/growth.h"
 #include "tests/core/hull_oracle.h"
@@ -15,7 +17,7 @@
 namespace convex_polygons_test {
 using namespace isect;
 using bench::Numbers;
-using oracle::Rational;
+namespace convex_polygon_families = bench::convex_polygon_families;
 
 namespace {
 
@@ -28,63 +30,6 @@ ConvexPolygon<S> convex(std::initializer_list<std::array<double, 2>> vertices) {
 template <class S>
 ConvexPolygon<S> box(double x0, double y0, double x1, double y1) {
   return convex<S>({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
-}
-
-using Vertices = std::vector<oracle::Coordinates<2>>;
-
-Rational cross(const oracle::Coordinates<2>& a, const oracle::Coordinates<2>& b, const oracle::Coordinates<2>& p) {
-  return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
-}
-Rational area(const Vertices& v) {
-  Rational sum = 0;
-  for (std::size_t i = 0; i < v.size(); ++i) sum += cross({0, 0}, v[i], v[(i + 1) % v.size()]);
-  return sum;
-}
-/// Half-plane by half-plane, closed (Sutherland, Hodgman).
-Vertices clipped(Vertices v, const Vertices& by) {
-  using oracle::operator+, oracle::operator-, oracle::operator*;
-  for (std::size_t i = 0; i < by.size(); ++i) {
-    Vertices kept;
-    for (std::size_t j = 0; j < v.size(); ++j) {
-      const auto &p = v[j], &q = v[(j + 1) % v.size()];
-      const Rational s = cross(by[i], by[(i + 1) % by.size()], p), t = cross(by[i], by[(i + 1) % by.size()], q);
-      if (s >= 0) kept.push_back(p);
-      if (sign(s) * sign(t) < 0) kept.push_back(p + Rational(s / (s - t)) * (q - p));
-    }
-    v = kept;
-  }
-  return v;
-}
-
-template <class S>
-Relation truth(const ConvexPolygon<S>& a, const ConvexPolygon<S>& b) {
-  Vertices v, w;
-  for (const Point<S, 2>& p : a.vertices) v.push_back(oracle::rational(p));
-  for (const Point<S, 2>& p : b.vertices) w.push_back(oracle::rational(p));
-  const Vertices common = clipped(v, w);
-  if (common.empty()) return Relation::disjoint;
-  const Rational shared = area(common), of_a = area(v), of_b = area(w);
-  if (shared == of_a && shared == of_b) return Relation::equal;
-  if (shared == of_a) return Relation::a_inside_b;
-  if (shared == of_b) return Relation::b_inside_a;
-  return shared == 0 ? Relation::touching : Relation::overlapping;
-}
-
-/// The hull of a few points, some of them vertices of `other`, or on its edges but for rounding, or within it.
-template <class S>
-std::optional<ConvexPolygon<S>> random_polygon(bench::Random& random, Numbers numbers, const Ring<S, 2>& other) {
-  Ring<S, 2> r;
-  const auto any = [&] { return other[random.below(static_cast<int>(other.size()))]; };
-  const bool near = !other.empty() && random.one_in(2);
-  for (int n = 3 + random.below(random.one_in(4) ? 12 : 3); n > 0; --n) {
-    Point<S, 2> p = bench::vector<S, 2>(random, numbers);
-    const S t = static_cast<S>(random.integer(0, 4)) / 4;
-    if (near && !random.one_in(3)) p = any() * (S(1) - t) + any() * t;
-    if (near && random.one_in(8)) p[0] = bench::moved(p[0], random.integer(-1, 1));
-    r.push_back(p);
-  }
-  if (near && random.one_in(6)) r = other;
-  return make_convex(oracle::hull(r));
 }
 
 /// Whether the witness holds in rationals.
@@ -154,12 +99,12 @@ TEMPLATE_TEST_CASE("relations agree with the common part in rationals", "[convex
   for (const Numbers numbers : bench::all_numbers)
     for (int i = 0; i < tests::cases(250, 30000); ++i) {
       INFO("seed " << tests::seed() << ", family " << static_cast<int>(numbers) << ", case " << i);
-      const auto a = random_polygon<S>(random, numbers, {});
+      const auto a = convex_polygon_families::of_any_numbers<S>(random, numbers, {});
       if (!a) continue;
-      const auto b = random_polygon<S>(random, numbers, a->vertices);
+      const auto b = convex_polygon_families::of_any_numbers<S>(random, numbers, a->vertices);
       if (!b) continue;
       const Relation relation = relate(*a, *b);
-      REQUIRE(relation == truth(*a, *b));
+      REQUIRE(relation == oracle::relation(*a, *b));
       ++counts[static_cast<int>(relation)], ++all;
 
       Record<convex_polygons::Event> record;

@@ -8,7 +8,7 @@
 A pair is a public function of two shapes in a header of core/isect: its name is the question. It is proved by
   oracle     a test of its header that finds the truth in rationals
   families   hard cases that are drawn: in bench/<header>, in that test, or by the judge of scenes, tests/proof
-  suite      a suite of measurements, bench/<header>/suite.cpp
+  suite      a suite of measurements in bench includes its header and measures a test by its name (`measured_as`)
   query      a kind of `isect query`, or a scene as one of its lines
   cases      hard cases for other libraries: tests/cases/<kind>.json, or lines of tests/cases/scenes
   free       a listener costs nothing: tests/core/zero_cost_trace.cpp ("-": it takes no listener)
@@ -19,6 +19,7 @@ A gap that tests/core/matrix_gaps.txt does not name fails, and so does a named g
 """
 
 import collections
+import functools
 import json
 import pathlib
 import re
@@ -38,12 +39,19 @@ SIGNATURE = re.compile(r"\b(%s)\(const ([\w:]+)(?:<([^>]*)>)?& ?\w*,\s*(?:const 
 KIND_OF = {"Aabb": "box", "HalfSpaces": "solid", "Straight": "line", "Hull3": "hull", "TriangleMesh": "mesh"}
 # Kinds that are not called by both shapes: (first, second, dimension).
 OTHER_KINDS = {("Point", "Polygon", "2"): "pip", ("Point", "Ring", "2"): "pip", ("Point", "ConvexPolygon", "2"): "pip",
-               ("Ray", "Polygon", "3"): "ray_polygon",
+               ("Ray", "Polygon", "3"): "ray_polygon", ("Segment", "Polygon", "3"): None,  # its kind is of the plane
+               ("Ring", "Plane", "2, 3"): "polygon_plane", ("Ring", "Aabb", "2, 3"): "polygon_box",
+               ("ConvexPolygon", "ConvexPolygon", "2"): "convex_polygons",
                ("Ray", "Ring", "3"): "ray_polygon", ("Ray", "Triangle", "3"): "ray_polygon"}
 
 # Kinds that are called as their headers.
 OF_HEADER = {("ray_outline", "2"): ("Ray", "ray_outline"), ("line_triangle", "3"): ("Ray", "line_triangle"),
              ("point_plane", "2, 3"): ("Plane", "point_plane")}
+
+# What suites call a shape, where that is not its name in small letters; and tests that are not called by both shapes.
+SUITE_OF = {"HalfSpaces": "half-spaces", "Straight": "line", "Hull3": "hull", "TriangleMesh": "mesh",
+            "ConvexPolygon": "convex-polygon"}
+OTHER_TESTS = {("Point", "Polygon"): "point-in-polygon", ("Point", "ConvexPolygon"): "point-in-convex-polygon"}
 
 # What scenes call a shape: the types of objects that it stands for.
 OBJECTS = {"Aabb": ["box"], "HalfSpaces": ["hull", "kdop", "obb", "frustum"], "Straight": ["line", "ray", "segment"],
@@ -80,6 +88,7 @@ def public(source):
     return source
 
 
+@functools.cache
 def pairs():
     """Each pair with its questions, in the order of the headers."""
     found = {}
@@ -98,8 +107,22 @@ def pairs():
     return found
 
 
+def measured_as(pair):
+    """The name of its test in the report. Where several headers ask the same two shapes, the header's name follows."""
+    shapes = pair[1:3]
+    name = "-".join(SUITE_OF.get(s, s.lower()) for s in shapes)
+    header = pair.header.replace("_", "-")
+    others = [p for p in pairs() if p[1:3] == shapes and p != pair]
+    if name != header and any(p.header != pair.header for p in others):
+        name += " " + header
+    if pair.dimension == "3" and any(p.header == pair.header for p in others):
+        name += " in space"
+    return OTHER_TESTS.get(shapes, name)
+
+
 class Evidence:
     def __init__(self):
+        self.suites = [all_text(p.parent.relative_to(ROOT), "*.*") for p in sorted(ROOT.glob("bench/*/suite.cpp"))]
         self.kinds = set(re.findall(r"ISECT_HANDLER\(\s*(\w+)", all_text("app/query", "*_handlers.cpp")))
         self.kinds |= set(re.findall(r'\{"(\w+)", *"', all_text("app/query", "*_handlers.cpp")))
         self.fuzz = text(ROOT / "tests/fuzz/cases_fuzz.cpp")
@@ -137,6 +160,11 @@ class Evidence:
         asked = self.objects(pair)
         return bool(asked) and all(any((a, b, d) in self.lines for a, b in asked) for d in pair.dimension.split(", "))
 
+    def measured(self, pair):
+        """A ring is asked as a polygon of one: by the same code."""
+        names = {measured_as(p) for p in (pair, pair._replace(second=pair.second.replace("Ring", "Polygon")))}
+        return any(f"<isect/{pair.header}.h>" in suite and any(f'"{n}"' in suite for n in names) for suite in self.suites)
+
     def of(self, pair):
         include, kind = f"<isect/{pair.header}.h>", self.kind(pair)
         tests = "\n".join(t for t in self.tests if include in t)
@@ -146,7 +174,7 @@ class Evidence:
         return {
             "oracle": bool(re.search(r"oracle|Rational|\btruth\b", tests)),
             "families": "family" in all_text(bench, "*.*") or bool(re.search("famil|all_numbers", tests)) or scene and pair.header not in CLIPPED,
-            "suite": (bench / "suite.cpp").is_file(),
+            "suite": self.measured(pair),
             "query": f"`{kind}`" if kind else "scene" if scene else False,
             "cases": kind is not None and (ROOT / f"tests/cases/{kind}.json").is_file() or self.in_lines(pair),
             "free": include in self.traced if takes_listener else None,

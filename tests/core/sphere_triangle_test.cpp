@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "bench/half_spaces/oracle.h"
+#include "bench/sphere_triangle/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 
@@ -14,27 +14,6 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 using Vec = Vector<double, 3>;
 using oracle::operator*, oracle::operator+, oracle::operator-;
-
-/// The least distance of two segments among all that may be it, and 0 where one passes through the triangle.
-oracle::Rational distance2(const oracle::Stretch<3>& segment, const Triangle<double, 3>& triangle) {
-  std::array<oracle::Place, 3> v;
-  for (std::size_t i = 0; i < 3; ++i) v[i] = oracle::rational(triangle.vertices[i]);
-  std::optional<oracle::Rational> least;
-  const auto take = [&](const oracle::Rational& d2) {
-    if (!least || d2 < *least) least = d2;
-  };
-  for (std::size_t i = 0; i < 3; ++i)
-    take(oracle::distance2<3>(segment, oracle::Stretch<3>{v[i], v[(i + 1) % 3] - v[i]}));
-  const oracle::Place n = oracle::cross(v[1] - v[0], v[2] - v[0]);
-  if (oracle::dot(n, n) == 0) return *least;
-  const oracle::Sides sides = oracle::sides(triangle);
-  if (oracle::part(segment.p, segment.at(1), sides)) return 0;
-  for (const oracle::Place& end : {segment.p, segment.at(1)}) {
-    const oracle::Place foot = end - (sides[0].at(end) / oracle::dot(n, n)) * n;
-    if (oracle::holds(sides, foot)) take(oracle::distance2<3>(foot, end));
-  }
-  return *least;
-}
 
 /// The points of a segment, or the point that it is.
 oracle::Sides segment_sides(const Capsule<double, 3>& segment) {
@@ -53,7 +32,7 @@ oracle::Sides segment_sides(const Capsule<double, 3>& segment) {
 }
 
 Relation relation(const Capsule<double, 3>& capsule, const Triangle<double, 3>& triangle) {
-  const oracle::Rational r(capsule.radius), d2 = distance2(oracle::stretch(capsule), triangle);
+  const oracle::Rational r(capsule.radius), d2 = oracle::distance2(oracle::stretch(capsule), triangle);
   if (d2 > r * r) return Relation::disjoint;
   if (r == 0) return reversed(oracle::relation(triangle, segment_sides(capsule)));
   bool held = true;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <isect/convex_hull.h>
 #include "app/query/query.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/source.h"
@@ -17,7 +18,21 @@ namespace {
 using Json = nlohmann::json;
 
 /// How a field looks, and how it changes when all lengths do: a length or a point does, a direction does not.
-enum class Form { point, direction, length, interval, polygon, rings, box, obb, slabs, normals, segment, capsule };
+enum class Form {
+  point,
+  direction,
+  length,
+  interval,
+  polygon,
+  rings,
+  box,
+  obb,
+  slabs,
+  normals,
+  segment,
+  capsule,
+  convex
+};
 struct FieldSpec {
   const char* name;
   Form form;
@@ -51,6 +66,11 @@ const std::vector<KindSpec>& specs() {
       {"ray_outline", 2, 2, {{"origin", point}, {"dir", direction}, {"rings", rings}}},
       {"line_triangle", 3, 3, {{"origin", point}, {"dir", direction}, {"tri", polygon}}},
       {"segment_segment", 2, 2, {{"a", segment}, {"b", segment}}},
+      {"segment_plane", 2, 3, {{"segment", segment}, {"normal", direction}, {"d", length}}},
+      {"segment_box", 2, 3, {{"segment", segment}, {"lo", point}, {"hi", point}}},
+      {"convex_polygons", 2, 2, {{"a", convex}, {"b", convex}}},
+      {"polygon_plane", 2, 3, {{"polygon", polygon}, {"normal", direction}, {"d", length}}},
+      {"polygon_box", 2, 3, {{"polygon", polygon}, {"lo", point}, {"hi", point}}},
       {"polygon_polygon", 2, 2, {{"a", rings}, {"b", rings}}},
       {"segment_polygon", 2, 2, {{"segment", segment}, {"rings", rings}}},
       {"point_box", 2, 3, {{"point", point}, {"lo", point}, {"hi", point}}},
@@ -108,6 +128,16 @@ Json field(Source& source, Form form, int n, const char* kind) {
       Json rings = Json::array();
       for (int i = source.below(3); i >= 0; --i) rings.push_back(points(source, source.below(9), n));
       return rings;
+    }
+    case Form::convex: {
+      isect::Ring<double, 2> drawn = {{0, 0}, {1, 0}, {0, 1}};
+      for (int i = source.below(7); i > 0; --i) {
+        const double x = source.number();
+        drawn.push_back({x, source.number()});
+      }
+      Json vertices = Json::array();
+      for (const auto& v : isect::convex_hull(drawn)) vertices.push_back({v[0], v[1]});
+      return vertices;
     }
     case Form::slabs:
       return {{"lo", list(source, slab_count)}, {"hi", list(source, slab_count)}};
@@ -185,7 +215,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
 
   const Json answer = result(request);
-  if (exact) require(verdicts(answer) == verdicts(result(larger)), "scaling changes no verdict", request.dump());
+  const bool certain = request["kind"] != "polygon_box";  // which cuts what an earlier cut rounded
+  if (exact && certain)
+    require(verdicts(answer) == verdicts(result(larger)), "scaling changes no verdict", request.dump());
 
   static constexpr const char* pairs[][2] = {{"a", "b"}, {"alo", "blo"}, {"ahi", "bhi"}, {"c1", "c2"}, {"r1", "r2"}};
   if (answer.contains("relation") && (request.contains("b") || request.contains("blo") || request.contains("c2"))) {

@@ -1,0 +1,182 @@
+// Rays and segments against polygons in the plane and in space, and segments against each other: whether they meet, as
+// people write it and exactly.
+
+#include <isect/polygon_polygon.h>
+#include <isect/ray_outline.h>
+#include <isect/segment_polygon.h>
+#include <isect/segment_segment.h>
+
+#include "bench/pair_suite.h"
+#include "bench/peer_shapes.h"
+#include "bench/polygon_polygon/oracle.h"
+#include "bench/ray_outline/oracle.h"
+
+namespace isect::bench::outlines_suite {
+namespace {
+
+using oracle::P2, oracle::Rational, oracle::rational, oracle::operator+, oracle::operator-;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// p + t d with t from 0 to `most`, as rays and segments are to most code.
+template <int N>
+struct Line {
+  Point<double, N> p;
+  Vector<double, N> d;
+  double most;
+};
+template <int N>
+Line<N> line(const Ray<double, N>& ray) {
+  return {ray.origin, ray.direction, infinity};
+}
+template <int N>
+Line<N> line(const Segment<double, N>& s) {
+  return {s.p, s.q - s.p, 1};
+}
+/// The same in rationals, without rounding.
+template <int N>
+struct TrueLine {
+  oracle::Coordinates<N> p, d;
+  Interval<double> range;
+};
+template <int N>
+TrueLine<N> true_line(const Ray<double, N>& ray) {
+  return {rational(ray.origin), rational(ray.direction), ray.range};
+}
+template <int N>
+TrueLine<N> true_line(const Segment<double, N>& s) {
+  return {rational(s.p), rational(s.q) - rational(s.p), {0, 1}};
+}
+
+double cross(const Vector<double, 2>& a, const Vector<double, 2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// Even-odd, by crossings with a division.
+bool inside(const Point<double, 2>& p, const Ring<double, 2>& ring) {
+  bool in = false;
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    const Point<double, 2>&a = ring[i], &b = ring[j];
+    if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]) + a[0]) in = !in;
+  }
+  return in;
+}
+/// Whether it crosses an edge, or starts within.
+bool meets(const Line<2>& l, const Ring<double, 2>& ring) {
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    const Vector<double, 2> e = ring[j] - ring[i], f = ring[i] - l.p;
+    const double determinant = cross(l.d, e);
+    if (determinant == 0) continue;
+    const double t = cross(f, e) / determinant, u = cross(f, l.d) / determinant;
+    if (0 <= t && t <= l.most && 0 <= u && u <= 1) return true;
+  }
+  return inside(l.p, ring);
+}
+
+bool truly_meets(const TrueLine<2>& l, const Polygon<double, 2>& polygon) {
+  if (oracle::dot(l.d, l.d) == 0) return oracle::locate(l.p, rational(polygon)) != Location::out;
+  return oracle::first_hit(l.p, l.d, l.range, rational(polygon)).has_value();
+}
+
+template <class Straight, class Exact>
+void in_plane(Session& session, const char* test, const Exact& exact) {
+  using Outline = Polygon<double, 2>;
+  PairContest<Straight, Outline>(session, test)  // Boost has no rays
+      .run([](const Straight& s, const Outline& p) { return meets(line(s), p.rings[0]); }, exact,
+           [](const Straight& s, const Outline& p) { return truly_meets(true_line(s), p); });
+}
+
+/// The same by each overlap of stretches, as all relations of both are found.
+template <class Straight>
+void related_in_plane(Session& session, const char* test) {
+  using Outline = Polygon<double, 2>;
+  const auto truly = [](const Straight& s, const Outline& p) {
+    const TrueLine<2> l = true_line(s);
+    if (oracle::dot(l.d, l.d) == 0) return truly_meets(l, p);
+    const std::optional<Rational> end = std::isinf(l.range.hi) ? std::nullopt : std::optional<Rational>(1);
+    return oracle::line_polygon_truth(l.p, l.d, Rational(0), end, p) != Relation::disjoint;
+  };
+  PairContest<Straight, Outline>(session, test, 1 << 11)
+      .run([](const Straight& s, const Outline& p) { return meets(line(s), p.rings[0]); },
+           [](const Straight& s, const Outline& p) { return intersects(s, p); }, truly);
+}
+
+/// Where it crosses Newell's plane, without the coordinate along which that is steepest.
+bool crosses(const Line<3>& l, const Ring<double, 3>& ring) {
+  Vector<double, 3> n = Vector<double, 3>::Zero();
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+    for (int k = 0; k < 3; ++k) {
+      const int y = (k + 1) % 3, z = (k + 2) % 3;
+      n[k] += (ring[j][y] - ring[i][y]) * (ring[j][z] + ring[i][z]);
+    }
+  const double along = n.dot(l.d), t = n.dot(ring[0] - l.p) / along;
+  if (along == 0 || !(0 <= t && t <= l.most)) return false;
+  int axis = 0;
+  n.cwiseAbs().maxCoeff(&axis);
+  const int x = axis == 0 ? 1 : 0, y = axis == 2 ? 1 : 2;
+  const Point<double, 3> at = l.p + t * l.d;
+  Ring<double, 2> outline;
+  for (const Point<double, 3>& v : ring) outline.emplace_back(v[x], v[y]);
+  return inside({at[x], at[y]}, outline);
+}
+const Ring<double, 3>& ring_of(const Ring<double, 3>& ring) { return ring; }
+const Ring<double, 3>& ring_of(const Polygon<double, 3>& polygon) { return polygon.rings[0]; }
+
+/// `in_it`: whether what lies in the plane may meet the polygon, too.
+template <class Straight, class Outline, bool in_it, class Exact>
+void in_space(Session& session, const char* test, const Exact& exact) {
+  const auto truly = [](const Straight& s, const Outline& p) {
+    const TrueLine<3> l = true_line(s);
+    const Ring<double, 3>& ring = ring_of(p);
+    const oracle::RayPolygon across = oracle::ray_polygon(l.p, l.d, l.range, ring);
+    if (across.flat || !across.coplanar || !in_it) return across.hit;
+    std::vector<oracle::Coordinates<3>> v;
+    for (const Point<double, 3>& x : ring) v.push_back(rational(x));
+    const int axis = oracle::steepest(oracle::newell(v)), x = axis == 0 ? 1 : 0, y = axis == 2 ? 1 : 2;
+    Polygon<double, 2> outline = {{{}}};
+    for (const Point<double, 3>& corner : ring) outline.rings[0].emplace_back(corner[x], corner[y]);
+    return truly_meets({{l.p[x], l.p[y]}, {l.d[x], l.d[y]}, l.range}, outline);
+  };
+  PairContest<Straight, Outline>(session, test)  // no peer asks this
+      .run([](const Straight& s, const Outline& p) { return crosses(line(s), ring_of(p)); }, exact, truly);
+}
+
+void segments(Session& session) {
+  using Edge = Segment<double, 2>;
+  const auto parametric = [](const Edge& a, const Edge& b) {
+    const Vector<double, 2> d = a.q - a.p, e = b.q - b.p, f = b.p - a.p;
+    const double determinant = cross(d, e), t = cross(f, e) / determinant, u = cross(f, d) / determinant;
+    return determinant != 0 && 0 <= t && t <= 1 && 0 <= u && u <= 1;
+  };
+  const auto truly = [](const Edge& a, const Edge& b) {
+    const auto on = [](const P2& x, const Edge& s) {  // a ring of two corners
+      return oracle::locate(x, std::vector{rational(s.p), rational(s.q)}) == Location::on;
+    };
+    if (on(rational(a.p), b) || on(rational(a.q), b) || on(rational(b.p), a) || on(rational(b.q), a)) return true;
+    const P2 d = rational(a.q) - rational(a.p), e = rational(b.q) - rational(b.p), f = rational(b.p) - rational(a.p);
+    namespace of = oracle::polygon_polygon;
+    const Rational determinant = of::cross2(d, e);
+    if (determinant == 0) return false;
+    const Rational t = of::cross2(f, e) / determinant, u = of::cross2(f, d) / determinant;
+    return 0 <= t && t <= 1 && 0 <= u && u <= 1;
+  };
+  PairContest<Edge, Edge>(session, "segment-segment")
+      .run(
+          parametric, [](const Edge& a, const Edge& b) { return intersects(a, b); }, truly, peers::meet_by_cgal);
+}
+
+}  // namespace
+
+void measure(Session& session) {
+  const auto hits = [](const auto& s, const auto& p) { return first_hit(s, p).has_value(); };
+  in_plane<Ray<double, 2>>(session, "ray-polygon ray-outline", hits);
+  in_plane<Segment<double, 2>>(session, "segment-polygon ray-outline", hits);
+  related_in_plane<Ray<double, 2>>(session, "ray-polygon polygon-polygon");
+  related_in_plane<Segment<double, 2>>(session, "segment-polygon polygon-polygon");
+  in_space<Ray<double, 3>, Polygon<double, 3>, true>(session, "ray-polygon ray-outline in space", hits);
+  in_space<Segment<double, 3>, Polygon<double, 3>, true>(session, "segment-polygon ray-outline in space", hits);
+  const auto crossed = [](const auto& s, const auto& p) { return intersect(s, p).t.has_value(); };
+  in_space<Segment<double, 3>, Polygon<double, 3>, false>(session, "segment-polygon", crossed);
+  in_space<Segment<double, 3>, Ring<double, 3>, false>(session, "segment-ring", crossed);
+  segments(session);
+}
+
+}  // namespace isect::bench::outlines_suite
