@@ -26,16 +26,11 @@ std::string full_precision(const Point<S, N>& x) {
 template <class X>
 requires is_described<X> std::string full_precision(const X& x) {
   std::string all;
-  each_field(x,
-             [&](const auto& field, const auto& value) { all += (all.empty() ? "" : " ") + text(field.name, value); });
+  each_field(x, [&](const auto& field, const auto& value) {
+    if (!all.empty()) all += ' ';
+    all += text(field.name, value);
+  });
   return all;
-}
-template <class S, int N>
-std::string full_precision(const Kdop<S, N>& x) {
-  std::string slabs = "slabs";
-  for (std::size_t i = 0; i < x.slabs.size(); ++i)
-    slabs += text(" normal", x.normals[i]) + " " + full_precision(x.slabs[i]);
-  return slabs;
 }
 template <class S, int N>
 std::string full_precision(const Triangle<S, N>& x) {
@@ -46,10 +41,6 @@ std::string full_precision(const Ring<S, N>& x) {
   std::string all = "ring";
   for (const Point<S, N>& v : x) all += text(" vertex", v);
   return all;
-}
-template <class S, int N>
-std::string full_precision(const Segment<S, N>& x) {
-  return text("p", x.p, "q", x.q);
 }
 template <class S, int N>
 std::string full_precision(const Polygon<S, N>& x) {

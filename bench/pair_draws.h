@@ -99,6 +99,14 @@ Capsule<double, N> drawn(Source s, const Capsule<double, N>*) {
   const Point<double, N> p = s.vector<N>(), q = s.vector<N>();
   return {p, q, s.length() / 2};
 }
+inline Cylinder<double> drawn(Source s, const Cylinder<double>*) {
+  const Point<double, 3> p = s.vector(), q = s.vector();
+  return {p, q, s.length() / 2};
+}
+inline Cone<double> drawn(Source s, const Cone<double>*) {
+  const Point<double, 3> apex = s.vector(), base = s.vector();
+  return {apex, base, s.length()};
+}
 template <int N>
 Aabb<double, N> drawn(Source s, const Aabb<double, N>*) {
   const Point<double, N> a = s.vector<N>(), b = s.vector<N>();
@@ -265,6 +273,8 @@ template <int N>
 void move(Segment<double, N>& x, const Vector<double, N>& v) {
   x.p += v, x.q += v;
 }
+inline void move(Cylinder<double>& x, const Vector<double, 3>& v) { x.p += v, x.q += v; }
+inline void move(Cone<double>& x, const Vector<double, 3>& v) { x.apex += v, x.base += v; }
 template <int N>
 void move(Ray<double, N>& x, const Vector<double, N>& v) {
   x.origin += v;

@@ -3,8 +3,13 @@
 #include <isect/line_line.h>
 #include <isect/line_triangle.h>
 #include <isect/ray_capsule.h>
+#include <isect/ray_cone.h>
+#include <isect/ray_cylinder.h>
 #include <isect/ray_half_spaces.h>
 #include <isect/segment_sphere.h>
+
+#include <isect/ray_cone_methods.h>
+#include <isect/ray_cylinder_methods.h>
 
 #include "bench/half_spaces/bodies.h"
 #include "bench/line_triangle/oracle.h"
@@ -12,6 +17,7 @@
 #include "bench/pair_suite.h"
 #include "bench/peer_shapes.h"
 #include "bench/ray_capsule/oracle.h"
+#include "bench/ray_cylinder/oracle.h"
 
 namespace isect::bench::lines_suite {
 namespace {
@@ -73,6 +79,21 @@ void capsules(Session& session, const char* test) {
   PairContest<Straight, Rod>(session, test)  // no peer asks this
       .run(
           by_distance, [](const Straight& s, const Rod& c) { return intersects(s, c); }, truly);
+}
+
+bool by_quadratic(const Beam& ray, const Cylinder<double>& x) { return ray_cylinder::quadratic(ray, x).has_value(); }
+bool by_quadratic(const Beam& ray, const Cone<double>& x) { return ray_cone::quadratic(ray, x).has_value(); }
+
+template <class Round>
+void round_solids(Session& session, const char* test) {
+  const auto truly = [](const Edge& s, const Round& x) {
+    const oracle::RoundSolid solid = oracle::round_solid(x);
+    if (s.p == s.q) return solid.locate(rational(s.p)) != Location::out;
+    return solid.exists && oracle::line_in(s, x).meets({0, 1});
+  };
+  PairContest<Edge, Round>(session, test)  // no peer asks this
+      .run([](const Edge& s, const Round& x) { return by_quadratic(segment<double, 3>(s.p, s.q), x); },
+           [](const Edge& s, const Round& x) { return intersects(s, x); }, truly);
 }
 
 /// Cyrus and Beck.
@@ -153,6 +174,8 @@ void lines(Session& session) {
 void measure(Session& session) {
   capsules<Beam>(session, "ray-capsule");
   capsules<Edge>(session, "segment-capsule");
+  round_solids<Cylinder<double>>(session, "segment-cylinder");
+  round_solids<Cone<double>>(session, "segment-cone");
   solids<Beam>(session, "ray-half-spaces");
   solids<Edge>(session, "segment-half-spaces");
   balls(session);

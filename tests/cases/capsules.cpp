@@ -48,7 +48,7 @@ CaseFile sphere_capsule() {
   add("the smallest ball beside the longest capsule", {{0, 2 * least}, least}, {{-most, 0}, {most, 0}, least});
   add("lengths that overflow", {{0, most}, most / 2}, {{-most, 0}, {most, 0}, most / 2});
   const auto ask = [](const auto& c) { return ball_and_capsule(c.a, c.b); };
-  by_families(file, 6, bench::sphere_capsule_draws<double>, bench::sphere_capsule_draws<float>, ask);
+  by_families(file, 4, bench::sphere_capsule_draws<double>, bench::sphere_capsule_draws<float>, ask);
   return file;
 }
 
@@ -79,7 +79,7 @@ CaseFile capsule_capsule() {
   add("an empty one in the other", lying, {{-1, 0, 0}, {1, 0, 0}, -1});
   add("lengths that overflow", {{-most, 0, 0}, {most, 0, 0}, most / 2}, {{0, -most, most}, {0, most, most}, most / 2});
   const auto ask = [](const auto& c) { return capsules(c.a, c.b); };
-  by_families(file, 4, bench::capsule_capsule_draws<double>, bench::capsule_capsule_draws<float>, ask);
+  by_families(file, 3, bench::capsule_capsule_draws<double>, bench::capsule_capsule_draws<float>, ask);
   return file;
 }
 

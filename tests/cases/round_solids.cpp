@@ -27,7 +27,7 @@ Case point_in(const Point<S, 3>& p, const Solid& solid) {
 template <template <class> class Solid>
 void add_points(CaseFile& file) {
   const auto ask = [](const auto& c) { return point_in(c.a, c.b); };
-  by_families(file, 3, bench::point_and_solid_draws<double, Solid>, bench::point_and_solid_draws<float, Solid>, ask);
+  by_families(file, 2, bench::point_and_solid_draws<double, Solid>, bench::point_and_solid_draws<float, Solid>, ask);
   by_numbers(file, 2, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
     const auto c = bench::point_and_solid::of_any_numbers<S, Solid>(random, numbers);
     if (!finite(c.a) || !finite(c.b)) return {};
@@ -68,7 +68,7 @@ Case plane_and_solid(const Plane<S, 3>& plane, const Solid& solid) {
 template <template <class> class Solid>
 void add_planes(CaseFile& file) {
   const auto ask = [](const auto& c) { return plane_and_solid(c.a, c.b); };
-  by_families(file, 2, bench::plane_and_solid_draws<double, Solid>, bench::plane_and_solid_draws<float, Solid>, ask);
+  by_families(file, 1, bench::plane_and_solid_draws<double, Solid>, bench::plane_and_solid_draws<float, Solid>, ask);
   by_numbers(file, 2, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
     const auto c = bench::plane_and_solid::of_any_numbers<S, Solid>(random, numbers);
     if (!finite(c.a) || !finite(c.b) || c.a.normal.isZero(0)) return {};
