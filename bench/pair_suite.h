@@ -22,7 +22,7 @@ struct NoPeer {
   void operator()(auto&, std::string_view) const {}
 };
 
-/// Whether two questions get one answer.
+/// What an answer says, but for its value.
 template <class Answer>
 auto verdict_of(const Answer& answer) {
   return said(answer).verdict;

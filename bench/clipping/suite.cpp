@@ -11,6 +11,7 @@
 #include "bench/convex_polygons/oracle.h"
 #include "bench/pair_suite.h"
 #include "bench/peer_shapes.h"
+#include "bench/straight_lines.h"
 #ifdef ISECT_PEERS
 #include "bench/clipping/peers.h"
 #endif
@@ -24,24 +25,6 @@ using Box = Aabb<double, 3>;
 using Wall = Plane<double, 3>;
 using oracle::Rational, oracle::rational, oracle::operator+;
 
-/// p + t d with t from 0 to `most`, as rays and segments are to most code.
-struct Line {
-  Point<double, 3> p;
-  Vector<double, 3> d;
-  double most;
-};
-Line line(const Beam& ray) { return {ray.origin, ray.direction, std::numeric_limits<double>::infinity()}; }
-Line line(const Edge& s) { return {s.p, s.q - s.p, 1}; }
-/// Where it is at t = 0 and at t = 1, and the range of t.
-struct TrueLine {
-  oracle::Coordinates<3> at_0, at_1;
-  Interval<double> range;
-};
-TrueLine true_line(const Beam& ray) {
-  return {rational(ray.origin), rational(ray.origin) + rational(ray.direction), ray.range};
-}
-TrueLine true_line(const Edge& s) { return {rational(s.p), rational(s.q), {0, 1}}; }
-
 /// What is kept of all t that were, by one height; whether anything is.
 bool keep(Interval<double>& kept, double height, double rate) {
   if (rate > 0) kept.lo = std::max(kept.lo, -height / rate);
@@ -53,19 +36,19 @@ bool keep(Interval<double>& kept, double height, double rate) {
 template <class Straight>
 void at_boxes(Session& session, const char* test) {
   const auto by_sides = [](const Straight& s, const Box& b) {
-    const Line l = line(s);
+    const Line<3> l = line(s);
     Interval<double> kept = {0, l.most};
     for (int i = 0; i < 3; ++i)
       if (!keep(kept, l.p[i] - b.lo[i], l.d[i]) || !keep(kept, b.hi[i] - l.p[i], -l.d[i])) return false;
     return true;
   };
   const auto truly = [](const Straight& s, const Box& b) {
-    const TrueLine l = true_line(s);
+    const TrueLine<3> l = true_line(s);
     std::optional<Rational> lo, hi;
     for (int i = 0; i < 3; ++i)
       for (const int side : {1, -1}) {
         const Rational bound(side > 0 ? b.lo[i] : b.hi[i]);
-        const auto part = oracle::kept_above(l.range, side * (l.at_0[i] - bound), side * (l.at_1[i] - bound));
+        const auto part = oracle::kept_above(l.range, side * (l.p[i] - bound), side * (l.p[i] + l.d[i] - bound));
         if (!part) return false;
         if (part->lo && (!lo || *lo < *part->lo)) lo = part->lo;
         if (part->hi && (!hi || *hi > *part->hi)) hi = part->hi;
@@ -80,13 +63,13 @@ void at_boxes(Session& session, const char* test) {
 template <class Straight>
 void at_planes(Session& session, const char* test) {
   const auto by_quotient = [](const Straight& s, const Wall& w) {
-    const Line l = line(s);
+    const Line<3> l = line(s);
     Interval<double> kept = {0, l.most};
     return keep(kept, w.normal.dot(l.p) + w.d, w.normal.dot(l.d));
   };
   const auto truly = [](const Straight& s, const Wall& w) {
-    const TrueLine l = true_line(s);
-    return oracle::kept_above(l.range, oracle::height<double, 3>(w, l.at_0), oracle::height<double, 3>(w, l.at_1))
+    const TrueLine<3> l = true_line(s);
+    return oracle::kept_above(l.range, oracle::height<double, 3>(w, l.p), oracle::height<double, 3>(w, l.p + l.d))
         .has_value();
   };
   PairContest<Straight, Wall>(session, test)  // no peer asks this

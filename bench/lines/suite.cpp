@@ -18,6 +18,7 @@
 #include "bench/peer_shapes.h"
 #include "bench/ray_capsule/oracle.h"
 #include "bench/ray_cylinder/oracle.h"
+#include "bench/straight_lines.h"
 
 namespace isect::bench::lines_suite {
 namespace {
@@ -25,28 +26,10 @@ namespace {
 using Beam = Ray<double, 3>;
 using Edge = Segment<double, 3>;
 using Vec = Vector<double, 3>;
-using oracle::Rational, oracle::rational, oracle::operator+, oracle::operator-, oracle::operator*;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// p + t d with t from 0 to `most`, as rays and segments are to most code.
-struct Line {
-  Point<double, 3> p;
-  Vec d;
-  double most;
-};
-Line line(const Beam& ray) { return {ray.origin, ray.direction, infinity}; }
-Line line(const Edge& s) { return {s.p, s.q - s.p, 1}; }
-/// The same in rationals, without rounding.
-struct TrueLine {
-  oracle::Place p, d;
-  Interval<double> range;
-};
-TrueLine true_line(const Beam& ray) { return {rational(ray.origin), rational(ray.direction), ray.range}; }
-TrueLine true_line(const Edge& s) { return {rational(s.p), rational(s.q) - rational(s.p), {0, 1}}; }
+using oracle::Rational, oracle::rational, oracle::operator+;
 
 /// The squared distance of a line and a segment (Ericson, 2005, 5.1.9).
-double distance2(const Line& a, const Point<double, 3>& p, const Point<double, 3>& q, double most = 1) {
+double distance2(const Line<3>& a, const Point<double, 3>& p, const Point<double, 3>& q, double most = 1) {
   const Vec e = q - p, r = a.p - p;
   const double aa = a.d.squaredNorm(), ee = e.squaredNorm(), f = e.dot(r), c = a.d.dot(r), b = a.d.dot(e);
   double s = 0, t = 0;
@@ -71,7 +54,7 @@ void capsules(Session& session, const char* test) {
     return distance2(line(s), c.p, c.q) <= c.radius * c.radius;
   };
   const auto truly = [](const Straight& s, const Rod& c) {
-    const TrueLine l = true_line(s);
+    const TrueLine<3> l = true_line(s);
     if (oracle::dot(l.d, l.d) == 0)
       return oracle::at_most(oracle::distance2<3>(l.p, oracle::stretch(c)), Rational(c.radius));
     return oracle::line_in_capsule(s, c).meets(l.range);
@@ -100,7 +83,7 @@ void round_solids(Session& session, const char* test) {
 template <class Straight>
 void solids(Session& session, const char* test) {
   const auto by_planes = [](const Straight& s, const Body& b) {
-    const Line l = line(s);
+    const Line<3> l = line(s);
     double lo = 0, hi = l.most;
     for (const Plane<double, 3>& plane : b.planes) {
       const double height = plane.normal.dot(l.p) + plane.d, rate = plane.normal.dot(l.d);
@@ -111,7 +94,7 @@ void solids(Session& session, const char* test) {
     return lo <= hi;
   };
   const auto truly = [](const Straight& s, const Body& b) {
-    const TrueLine l = true_line(s);
+    const TrueLine<3> l = true_line(s);
     const Rational far = boost::multiprecision::pow(boost::multiprecision::mpz_int(2), 5000);  // beyond every solid
     return oracle::part(l.p, l.p + l.d, sides_of(b), 0, std::isinf(l.range.hi) ? far : Rational(1)).has_value();
   };
@@ -138,11 +121,11 @@ template <class Straight>
 void triangles(Session& session, const char* test) {
   using Three = Triangle<double, 3>;
   const auto moller_trumbore = [](const Straight& s, const Three& x) {
-    const Line l = line(s);
+    const Line<3> l = line(s);
     return naive::crosses(l.p, l.d, l.most, x);
   };
   const auto truly = [](const Straight& s, const Three& x) {
-    const TrueLine l = true_line(s);
+    const TrueLine<3> l = true_line(s);
     const oracle::Corners v = oracle::corners(x);
     if (oracle::dot(l.d, l.d) == 0) return oracle::in_triangle(l.p, v);
     return oracle::first_hit(l.p, l.d, l.range, v).has_value();

@@ -10,43 +10,12 @@
 #include "bench/peer_shapes.h"
 #include "bench/polygon_polygon/oracle.h"
 #include "bench/ray_outline/oracle.h"
+#include "bench/straight_lines.h"
 
 namespace isect::bench::outlines_suite {
 namespace {
 
-using oracle::P2, oracle::Rational, oracle::rational, oracle::operator+, oracle::operator-;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// p + t d with t from 0 to `most`, as rays and segments are to most code.
-template <int N>
-struct Line {
-  Point<double, N> p;
-  Vector<double, N> d;
-  double most;
-};
-template <int N>
-Line<N> line(const Ray<double, N>& ray) {
-  return {ray.origin, ray.direction, infinity};
-}
-template <int N>
-Line<N> line(const Segment<double, N>& s) {
-  return {s.p, s.q - s.p, 1};
-}
-/// The same in rationals, without rounding.
-template <int N>
-struct TrueLine {
-  oracle::Coordinates<N> p, d;
-  Interval<double> range;
-};
-template <int N>
-TrueLine<N> true_line(const Ray<double, N>& ray) {
-  return {rational(ray.origin), rational(ray.direction), ray.range};
-}
-template <int N>
-TrueLine<N> true_line(const Segment<double, N>& s) {
-  return {rational(s.p), rational(s.q) - rational(s.p), {0, 1}};
-}
+using oracle::P2, oracle::Rational, oracle::rational, oracle::operator-;
 
 double cross(const Vector<double, 2>& a, const Vector<double, 2>& b) { return a[0] * b[1] - a[1] * b[0]; }
 
@@ -84,7 +53,7 @@ void in_plane(Session& session, const char* test, const Exact& exact) {
            [](const Straight& s, const Outline& p) { return truly_meets(true_line(s), p); });
 }
 
-/// The same by each overlap of stretches, as all relations of both are found.
+/// By the core's relation of both, which asks how their stretches overlap.
 template <class Straight>
 void related_in_plane(Session& session, const char* test) {
   using Outline = Polygon<double, 2>;
