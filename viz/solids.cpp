@@ -85,7 +85,8 @@ std::vector<int> numbered(int first, int last) {
 }  // namespace
 
 Solid solid(const Cylinder<double>& x, Role role) {
-  Solid result = {circle(x.p, x.q - x.p, x.radius), {numbered(0, round_sides), numbered(round_sides, 2 * round_sides)}, role};
+  Solid result = {
+      circle(x.p, x.q - x.p, x.radius), {numbered(0, round_sides), numbered(round_sides, 2 * round_sides)}, role};
   std::ranges::copy(circle(x.q, x.q - x.p, x.radius), std::back_inserter(result.vertices));
   for (int i = 0; i < round_sides; ++i) {
     const int next = (i + 1) % round_sides;

@@ -111,9 +111,10 @@ std::string where(const Context& c, const ClipAsked& asked) {
   return c.object(asked.to).type == Type::plane ? fmt::format("where the normal of {} points", name) : "in " + name;
 }
 
-/// "the part from *t* = 1 to 2"
-std::string part_in_words(const Interval<double>& part) {
-  const bool begins = std::isfinite(part.lo), ends = std::isfinite(part.hi);
+/// "the part from *t* = 1 to 2". Beside a plane it may have no end; in a box an infinite one is too large for a number.
+std::string part_in_words(const Interval<double>& part, const Object& to) {
+  const bool bounded = to.type == Type::box;
+  const bool begins = bounded || std::isfinite(part.lo), ends = bounded || std::isfinite(part.hi);
   if (!begins && !ends) return "all";
   if (!begins) return fmt::format("the part up to *t* = {}", viz::shown(part.hi));
   if (!ends) return fmt::format("the part from *t* = {} on", viz::shown(part.lo));
@@ -146,7 +147,7 @@ void tell_line(const Context& c, const ClipAsked& asked, Answered& out) {
                     ? Verdict{Verdict::Kind::on, fmt::format("of {} one point lies {}: *t* = {}", c.name(asked.what),
                                                              where(c, asked), viz::shown(part->lo))}
                     : Verdict{Verdict::Kind::yes, fmt::format("of {} {} lies {}", c.name(asked.what),
-                                                              part_in_words(*part), where(c, asked))};
+                                                              part_in_words(*part, to), where(c, asked))};
 }
 
 void tell_outline(const Context& c, const ClipAsked& asked, Answered& out) {

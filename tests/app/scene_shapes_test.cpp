@@ -306,7 +306,8 @@ TEST_CASE("cylinders and cones are asked as the core asks them, and what no test
   CHECK(with_cone(R"({"point": "x", "at": [0,3,0]})") == "x lies on the boundary of K");
   CHECK(with_pillar(R"({"sphere": "x", "center": [3,2,0], "radius": 1})") == "A and x touch");
   CHECK(with_pillar(R"({"sphere": "x", "center": [0,2,0], "radius": 2})") == "x lies in A");
-  CHECK(with_cone(R"({"sphere": "x", "center": [0,1.25,0], "radius": 1.25})") == "K and x overlap");
+  CHECK(with_cone(R"({"sphere": "x", "center": [0,1.25,0], "radius": 1.25})") == "x lies in K");
+  CHECK(with_cone(R"({"sphere": "x", "center": [0,1.5,0], "radius": 1.5})") == "K and x overlap");
   CHECK(with_cone(R"({"sphere": "x", "center": [0,0,0], "radius": 4})") == "K lies in x");
   CHECK(with_pillar(R"({"plane": "x", "normal": [0,1,0], "d": -4})") == "A and x touch");
   CHECK(with_cone(R"({"plane": "x", "normal": [1,0,0], "d": 0})") == "x cuts K");

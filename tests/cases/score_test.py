@@ -55,7 +55,7 @@ def main():
     hard = ("vanishes", "different points", "empty ball", "1e-300 beside", "decimal", "scale", "touch", "invalid")
     expect(all(any(h in line for h in hard) for line in told if line.startswith("wrong:")), "where it is hard", told)
     status, told = scored([sys.executable, "-c", NAIVE], "--cases", HERE / "capsule_capsule.json")
-    expect(status == 0 and "77 cannot be asked" in told[0], "what cannot be asked is not wrong", told)
+    expect(status == 0 and "67 cannot be asked" in told[0], "what cannot be asked is not wrong", told)
 
     for text, what in {
         "": "it ended after 0 of 85",
