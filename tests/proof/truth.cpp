@@ -565,7 +565,7 @@ bool is_region(const Thing& a, const Thing& b) { return a.kind == Kind::region |
 }  // namespace
 
 bool interiors_meet(const Thing& a, const Thing& b) {
-  if (b.kind == Kind::round) return interiors_meet(b, a);
+  if (b.kind == Kind::round && a.kind != Kind::surface) return interiors_meet(b, a);
   if (a.kind == Kind::round && b.kind != Kind::surface) {
     const Relation r = of_round(a, b);
     return r != Relation::disjoint && r != Relation::touching;
@@ -598,9 +598,12 @@ bool interiors_meet(const Thing& a, const Thing& b) {
 }
 
 bool has_test(const Thing& a, const Thing& b) {
-  if (b.kind == Kind::round) return a.kind != Kind::round && has_test(b, a);
   constexpr std::size_t most_faces = 16;  // their cube is the time that the truth of them takes
-  return a.kind != Kind::round || (b.type != "capsule" && b.faces.size() <= most_faces);
+  const auto is_round = [](const Thing& t) { return t.type == "cylinder" || t.type == "cone"; };
+  const auto has = [&](const Thing& other) {
+    return !is_round(other) && other.type != "capsule" && other.faces.size() <= most_faces;
+  };
+  return is_round(a) ? has(b) : !is_round(b) || has(a);
 }
 
 bool lies_in(const Thing& a, const Thing& b) {
