@@ -98,7 +98,7 @@ TEST_CASE("a scene whose answers take long is said to be decided, where somebody
   for (const std::string command : {"isect scene hulls.json", "isect show hulls.json"}) {
     INFO(command);
     const Ran seen =
-        shell("script -qefc 'timeout 60 " + command + "' /dev/null | grep -m 1 decided");  // then it is hung up
+        shell("script -qefc 'timeout 10 " + command + "' /dev/null | grep -m 1 decided");  // then it is hung up
     CHECK_THAT(seen.out, Contains("hulls.json: what it asks is being decided"));
     const Ran piped = shell("timeout 3 " + command);
     CHECK(piped.status == 124);  // ended by SIGTERM
