@@ -7,8 +7,9 @@
 # bring their operands, and no more instructions than without the lines, and that is told.
 # The comparison can fail: a listener must change the code.
 #
-# An ordinary run leaves out the groups that take longest, and compiles the others as a release does, at -O3, the listener's with one group of calls, and what doubles leave open
-# in small code but for two groups; a long one (ISECT_LONG=1) all in full, at -O2 too, and every group's listener.
+# An ordinary run leaves out the groups that take longest. It compiles the others as a release does, at -O3, the
+# listener's with one group of calls, and what doubles leave open in small code but for two groups; a long one
+# (ISECT_LONG=1) all in full, at -O2 too, and every group's listener.
 #
 #   cmake -DCALLS=RELATE -DCOMPILER=c++ "-DOPTIONS=<of isect::core>" -DOBJDUMP=objdump -DROOT=<repository> -DWORK=<scratch>
 #     -DEIGEN=<include> -P zero_cost_trace.cmake
