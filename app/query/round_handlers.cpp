@@ -58,150 +58,141 @@ template <> struct EventNames<round_half_spaces::Contained> : Named<"Contained",
 
 namespace {
 
-template <class S>
-Json point_cylinder(Job& job) {
+// Each pair once, for whichever round solid: its name and fields are those of isect/described.h.
+
+template <class Solid>
+Json of_solid(const Json& result, const Solid& solid) {
+  return telling_empty(result, solid, Described<Solid>::name);
+}
+template <class Solid>
+Json relation_of(Relation r, const Solid& solid) {
+  return of_solid({{"intersects", r != Relation::disjoint}, {"relation", name(r)}}, solid);
+}
+/// A method's yes or no, as `field`.
+template <class Event>
+Json yes_or_no(Job& job, const char* field, const auto& method) {
+  return {{field, run<Event>(job, method)}};
+}
+
+template <class Solid, class Event, class MethodsEvent, class S>
+Json point_and(Job& job, const auto& method) {
   const Point<S, 3> point = vector<S, 3>(job.fields["point"]);
-  const Cylinder<S> c = cylinder<S>(job.fields);
-  if (job.variant == "projected") {
-    using Event = point_cylinder::ProjectedEvent<S>;
-    return {{"inside", run<Event>(job, [&](auto&& trace) { return point_cylinder::projected(point, c, trace); })}};
-  }
-  const Location where = run<point_cylinder::Event>(job, [&](auto&& trace) { return locate(point, c, trace); });
-  return telling_empty({{"location", name(where)}}, c, "cylinder");
+  const Solid c = shape<Solid>(job.fields);
+  if (job.variant != "exact")
+    return yes_or_no<MethodsEvent>(job, "inside", [&](auto&& trace) { return method(point, c, trace); });
+  return of_solid({{"location", name(run<Event>(job, [&](auto&& trace) { return locate(point, c, trace); }))}}, c);
 }
 
-template <class S>
-Json point_cone(Job& job) {
-  const Point<S, 3> point = vector<S, 3>(job.fields["point"]);
-  const Cone<S> c = cone<S>(job.fields);
-  if (job.variant == "by_height") {
-    using Event = point_cone::HeightEvent<S>;
-    return {{"inside", run<Event>(job, [&](auto&& trace) { return point_cone::by_height(point, c, trace); })}};
-  }
-  const Location where = run<point_cone::Event>(job, [&](auto&& trace) { return locate(point, c, trace); });
-  return telling_empty({{"location", name(where)}}, c, "cone");
-}
-
-/// The part of the range inside; of a method the first t of it alone.
-template <class S>
-Json stretch_in(const std::optional<Interval<S>>& part) {
-  return {{"hit", part.has_value()},
-          {"t_in", part ? number(part->lo) : Json(nullptr)},
-          {"t_out", part ? number(part->hi) : Json(nullptr)}};
-}
-template <class S>
-Json first_in(const std::optional<S>& t) {
-  return {{"hit", t.has_value()}, {"t_in", number(t)}};
-}
-
-template <class S>
-Json ray_cylinder(Job& job) {
+/// A method finds the first t alone.
+template <class Solid, class Event, class MethodsEvent, class S>
+Json ray_and(Job& job, const auto& method) {
   const Ray<S, 3> r = ray<S, 3>(job.fields);
-  const Cylinder<S> c = cylinder<S>(job.fields);
-  if (job.variant == "quadratic") {
-    using Event = ray_cylinder::QuadraticEvent<S>;
-    return first_in(run<Event>(job, [&](auto&& trace) { return ray_cylinder::quadratic(r, c, trace); }));
+  const Solid c = shape<Solid>(job.fields);
+  if (job.variant != "exact") {
+    const std::optional<S> t = run<MethodsEvent>(job, [&](auto&& trace) { return method(r, c, trace); });
+    return {{"hit", t.has_value()}, {"t_in", number(t)}};
   }
-  const auto part = run<ray_cylinder::Event>(job, [&](auto&& trace) { return intersect(r, c, trace); });
-  return telling_empty(stretch_in(part), c, "cylinder");
+  return of_solid(stretch(run<Event>(job, [&](auto&& trace) { return intersect(r, c, trace); })), c);
 }
 
-template <class S>
-Json ray_cone(Job& job) {
-  const Ray<S, 3> r = ray<S, 3>(job.fields);
-  const Cone<S> c = cone<S>(job.fields);
-  if (job.variant == "quadratic") {
-    using Event = ray_cone::QuadraticEvent<S>;
-    return first_in(run<Event>(job, [&](auto&& trace) { return ray_cone::quadratic(r, c, trace); }));
-  }
-  const auto part = run<ray_cone::Event>(job, [&](auto&& trace) { return intersect(r, c, trace); });
-  return telling_empty(stretch_in(part), c, "cone");
-}
-
-template <class Event, class S, class Solid>
-Json segment_and(Job& job, const Solid& c, const char* solid) {
+template <class Solid, class Event, class S>
+Json segment_and(Job& job) {
   const Segment<S, 3> s = segment<S, 3>(job.fields["segment"]);
-  return telling_empty(stretch_in(run<Event>(job, [&](auto&& trace) { return intersect(s, c, trace); })), c, solid);
-}
-template <class S>
-Json segment_cylinder(Job& job) {
-  return segment_and<ray_cylinder::Event, S>(job, cylinder<S>(job.fields), "cylinder");
-}
-template <class S>
-Json segment_cone(Job& job) {
-  return segment_and<ray_cone::Event, S>(job, cone<S>(job.fields), "cone");
+  const Solid c = shape<Solid>(job.fields);
+  return of_solid(stretch(run<Event>(job, [&](auto&& trace) { return intersect(s, c, trace); })), c);
 }
 
-template <class S>
-Json plane_cylinder(Job& job) {
+template <class Solid, class Event, class MethodsEvent, class S>
+Json plane_and(Job& job, const auto& method) {
   const Plane<S, 3> p = plane<S, 3>(job.fields);
-  const Cylinder<S> c = cylinder<S>(job.fields);
-  if (job.variant == "by_heights") {
-    using Event = plane_cylinder::HeightsEvent<S>;
-    return {{"intersects", run<Event>(job, [&](auto&& trace) { return plane_cylinder::by_heights(p, c, trace); })}};
-  }
-  const Relation r = run<plane_cylinder::Event>(job, [&](auto&& trace) { return relate(p, c, trace); });
-  return telling_empty({{"intersects", r != Relation::disjoint}, {"relation", name(r)}}, c, "cylinder");
+  const Solid c = shape<Solid>(job.fields);
+  if (job.variant != "exact")
+    return yes_or_no<MethodsEvent>(job, "intersects", [&](auto&& trace) { return method(p, c, trace); });
+  return relation_of(run<Event>(job, [&](auto&& trace) { return relate(p, c, trace); }), c);
 }
 
-template <class S>
-Json plane_cone(Job& job) {
-  const Plane<S, 3> p = plane<S, 3>(job.fields);
-  const Cone<S> c = cone<S>(job.fields);
-  if (job.variant == "by_heights") {
-    using Event = plane_cone::HeightsEvent<S>;
-    return {{"intersects", run<Event>(job, [&](auto&& trace) { return plane_cone::by_heights(p, c, trace); })}};
-  }
-  const Relation r = run<plane_cone::Event>(job, [&](auto&& trace) { return relate(p, c, trace); });
-  return telling_empty({{"intersects", r != Relation::disjoint}, {"relation", name(r)}}, c, "cone");
-}
-
-template <class S>
-Json sphere_cylinder(Job& job) {
+template <class Solid, class Event, class MethodsEvent, class S>
+Json sphere_and(Job& job, const auto& method) {
   const Sphere<S, 3> ball = sphere<S, 3>(job.fields);
-  const Cylinder<S> c = cylinder<S>(job.fields);
-  if (job.variant == "clamped") {
-    using Event = sphere_cylinder::GapsEvent<S>;
-    return {{"intersects", run<Event>(job, [&](auto&& trace) { return sphere_cylinder::clamped(ball, c, trace); })}};
-  }
-  const Relation r = run<sphere_cylinder::Event>(job, [&](auto&& trace) { return relate(ball, c, trace); });
-  return telling_empty({{"intersects", r != Relation::disjoint},
-                        {"relation", r == Relation::a_inside_b   ? "cylinder_contains_sphere"
-                                     : r == Relation::b_inside_a ? "sphere_contains_cylinder"
-                                                                 : name(r)}},
-                       c, "cylinder");
-}
-
-template <class S>
-Json sphere_cone(Job& job) {
-  const Sphere<S, 3> ball = sphere<S, 3>(job.fields);
-  const Cone<S> c = cone<S>(job.fields);
-  if (job.variant == "by_profile") {
-    using Event = sphere_cone::ProfileEvent<S>;
-    return {{"intersects", run<Event>(job, [&](auto&& trace) { return sphere_cone::by_profile(ball, c, trace); })}};
-  }
-  const Relation r = run<sphere_cone::Event>(job, [&](auto&& trace) { return relate(ball, c, trace); });
-  return telling_empty({{"intersects", r != Relation::disjoint},
-                        {"relation", r == Relation::a_inside_b   ? "cone_contains_sphere"
-                                     : r == Relation::b_inside_a ? "sphere_contains_cone"
-                                                                 : name(r)}},
-                       c, "cone");
+  const Solid c = shape<Solid>(job.fields);
+  if (job.variant != "exact")
+    return yes_or_no<MethodsEvent>(job, "intersects", [&](auto&& trace) { return method(ball, c, trace); });
+  const Relation r = run<Event>(job, [&](auto&& trace) { return relate(ball, c, trace); });
+  return of_solid(related(r, "sphere", Described<Solid>::name), c);
 }
 
 /// The other solid is a k-DOP, with normals of any directions.
-template <class Event, class S, class Solid>
-Json and_solid(Job& job, const Solid& c, const char* solid) {
+template <class Solid, class Event, class S>
+Json and_solid(Job& job) {
+  const Solid c = shape<Solid>(job.fields);
   const HalfSpaces other = half_spaces_of(kdop<S, 3>(job.fields["normals"], job.fields["slabs"]));
   const Relation r = run<Event>(job, [&](auto&& trace) { return relate(c, other, trace); });
-  return telling_empty(related(r, solid, "solid"), c, solid);
+  return of_solid(related(r, Described<Solid>::name, "solid"), c);
+}
+
+template <class S>
+Json point_cylinder(Job& job) {
+  using namespace isect::point_cylinder;
+  return point_and<Cylinder<S>, Event, ProjectedEvent<S>, S>(
+      job, [](const auto& p, const auto& c, auto&& trace) { return projected(p, c, trace); });
+}
+template <class S>
+Json point_cone(Job& job) {
+  using namespace isect::point_cone;
+  return point_and<Cone<S>, Event, HeightEvent<S>, S>(
+      job, [](const auto& p, const auto& c, auto&& trace) { return by_height(p, c, trace); });
+}
+template <class S>
+Json ray_cylinder(Job& job) {
+  using namespace isect::ray_cylinder;
+  return ray_and<Cylinder<S>, Event, QuadraticEvent<S>, S>(
+      job, [](const auto& r, const auto& c, auto&& trace) { return quadratic(r, c, trace); });
+}
+template <class S>
+Json ray_cone(Job& job) {
+  using namespace isect::ray_cone;
+  return ray_and<Cone<S>, Event, QuadraticEvent<S>, S>(
+      job, [](const auto& r, const auto& c, auto&& trace) { return quadratic(r, c, trace); });
+}
+template <class S>
+Json segment_cylinder(Job& job) {
+  return segment_and<Cylinder<S>, isect::ray_cylinder::Event, S>(job);
+}
+template <class S>
+Json segment_cone(Job& job) {
+  return segment_and<Cone<S>, isect::ray_cone::Event, S>(job);
+}
+template <class S>
+Json plane_cylinder(Job& job) {
+  using namespace isect::plane_cylinder;
+  return plane_and<Cylinder<S>, Event, HeightsEvent<S>, S>(
+      job, [](const auto& p, const auto& c, auto&& trace) { return by_heights(p, c, trace); });
+}
+template <class S>
+Json plane_cone(Job& job) {
+  using namespace isect::plane_cone;
+  return plane_and<Cone<S>, Event, HeightsEvent<S>, S>(
+      job, [](const auto& p, const auto& c, auto&& trace) { return by_heights(p, c, trace); });
+}
+template <class S>
+Json sphere_cylinder(Job& job) {
+  using namespace isect::sphere_cylinder;
+  return sphere_and<Cylinder<S>, Event, GapsEvent<S>, S>(
+      job, [](const auto& b, const auto& c, auto&& trace) { return clamped(b, c, trace); });
+}
+template <class S>
+Json sphere_cone(Job& job) {
+  using namespace isect::sphere_cone;
+  return sphere_and<Cone<S>, Event, ProfileEvent<S>, S>(
+      job, [](const auto& b, const auto& c, auto&& trace) { return by_profile(b, c, trace); });
 }
 template <class S>
 Json cylinder_solid(Job& job) {
-  return and_solid<cylinder_half_spaces::Event, S>(job, cylinder<S>(job.fields), "cylinder");
+  return and_solid<Cylinder<S>, cylinder_half_spaces::Event, S>(job);
 }
 template <class S>
 Json cone_solid(Job& job) {
-  return and_solid<cone_half_spaces::Event, S>(job, cone<S>(job.fields), "cone");
+  return and_solid<Cone<S>, cone_half_spaces::Event, S>(job);
 }
 
 }  // namespace

@@ -279,9 +279,11 @@ bool holds_objects(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false, true);
   if (!json.is_object() || !json.contains("objects") || !json["objects"].is_array()) return false;
   return std::ranges::any_of(json["objects"], [](const Json& o) {
-    const auto named = [&](const std::string& type) { return o.contains(type) && o[type].is_string(); };
-    return o.is_object() && (std::ranges::any_of(types(), named, &TypeSpec::name) ||
-                             std::ranges::any_of(types(), named, &TypeSpec::in_plane));
+    const auto named = [&](const std::string& type) {
+      return !type.empty() && o.contains(type) && o[type].is_string();
+    };
+    return o.is_object() &&
+           std::ranges::any_of(types(), [&](const TypeSpec& t) { return named(t.name) || named(other_name(t)); });
   });
 }
 

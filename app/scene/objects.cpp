@@ -24,10 +24,7 @@ const std::vector<TypeSpec>& types() {
 
 const TypeSpec& spec(Type type) { return types()[static_cast<std::size_t>(type)]; }
 
-const TypeSpec* type_called(const std::string& name) {
-  const auto found = std::ranges::find(types(), name, &TypeSpec::name);
-  return found == types().end() ? nullptr : &*found;
-}
+std::string other_name(const TypeSpec& type) { return type.in_plane == type.words ? "" : type.in_plane; }
 
 Vec3 Setting::point(const Object& o, const std::string& field) const {
   return std::get<Vec3>(parameters.at(o.name + "." + field));

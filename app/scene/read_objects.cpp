@@ -44,7 +44,7 @@ class ObjectReader {
   static Json with_types_own_name(const Json& json) {
     if (!json.is_object()) return json;
     const auto other = std::ranges::find_if(types(), [&](const TypeSpec& t) {
-      return t.in_plane != t.words && json.contains(t.in_plane) && !json.contains(t.name);
+      return !other_name(t).empty() && json.contains(other_name(t)) && !json.contains(t.name);
     });
     if (other == types().end()) return json;
     Json renamed = Json::object();

@@ -51,7 +51,7 @@ struct TypeSpec {
 };
 const std::vector<TypeSpec>& types();
 const TypeSpec& spec(Type);
-/// Null if files call none so.
-const TypeSpec* type_called(const std::string& name);
+/// What files may call it in the plane besides its name: "circle"; empty if nothing.
+std::string other_name(const TypeSpec&);
 
 }  // namespace isect::program::scene

@@ -11,7 +11,7 @@ namespace {
 /// "ray origin dir [tmin] [tmax]"
 std::string how_written(const TypeSpec& type) {
   std::string line = type.name;
-  if (!type.in_plane.empty() && type.in_plane != type.words) line += fmt::format(" (or {})", type.in_plane);
+  if (const std::string other = other_name(type); !other.empty()) line += fmt::format(" (or {})", other);
   for (const FieldSpec& field : type.fields) line += field.optional ? " [" + field.name + "]" : " " + field.name;
   if (!type.made_of.empty()) line += " " + type.made_of;
   return line;

@@ -326,6 +326,10 @@ TEST_CASE("cylinders and cones are asked as the core asks them, and what no test
   CHECK_THAT(refused(shell, R"({"cylinder": "A", "p": [0,0,0], "q": [0,0,0], "r": 2})"),
              Contains("give a q other than p"));
   CHECK_THAT(refused(shell, R"({"cone": "K", "apex": [0,0,0], "base": [0,0,1], "r": -2})"), Contains("-2 is below 0"));
+  CHECK_THAT(refused(shell, R"({"": "F", "eye": [0,0,0], "forward": [1,0,0], "up": [0,1,0], "angle": 60,
+    "near": 1, "far": 2})"),
+             Contains("no type of object"));
+  CHECK_THAT(refused(shell, R"({"circle": "C", "center": [0,0,0], "radius": 1})"), Contains("a circle in space"));
   CHECK_THAT(refused(shell, R"({"cone": "K", "apex": [0,0], "base": [0,1], "r": 2})"),
              Contains("a cone has three coordinates; there is none in the plane"));
 }

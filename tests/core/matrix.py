@@ -11,7 +11,8 @@ A pair is a public function of two shapes in a header of core/isect: its name is
   suite      a suite of measurements in bench includes its header and measures a test by its name (`measured_as`)
   query      a kind of `isect query`, or a scene as one of its lines
   cases      hard cases for other libraries: tests/cases/<kind>.json, or lines of tests/cases/scenes
-  free       a listener costs nothing: tests/core/zero_cost_trace.cpp ("-": it takes no listener)
+  free       a listener costs nothing: tests/core/zero_cost_trace.cpp, some of its groups in a long run alone ("-": it takes
+             no listener)
   fuzz       the kind's fields in tests/fuzz/cases_fuzz.cpp, or a scene's objects in scenes_fuzz.cpp
   scene      a scene asks it ("-": one of the two is no object of a scene)
   lesson     a lesson tells it
