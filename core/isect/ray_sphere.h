@@ -72,16 +72,10 @@ ISECT_INLINE RaySphere<S> intersect(const Ray<S, N>& ray, const Sphere<S, N>& sp
 template <class S, int N, class Trace = NoTrace>
 ISECT_INLINE bool intersects(const Ray<S, N>& ray, const Sphere<S, N>& sphere, Trace&& trace = {}) {
   using namespace ray_sphere::detail;
-  const Ray<double, N>& wide = in_doubles(ray);
-  const Sphere<double, N>& ball = in_doubles(sphere);
   if constexpr (!small_code && !heard<Trace>)
-    if (ray.range.lo >= 0 && ray.range.lo <= 0 && ray.range.hi > std::numeric_limits<S>::max()) {
-      const QuickMeeting<N> quick(wide, ball);
-      if (quick.certain()) [[likely]]
-        return quick.holds();
-    }
-  if (!(sphere.radius >= 0) || !(ray.range.lo <= ray.range.hi)) return false;  // empty, or NaN
-  return settled_meeting(wide, ball, trace);
+    if (from_zero_on(ray.range)) [[likely]]
+      return quick_meeting(ray, sphere, settled_seldom<S, N>);
+  return settled_meeting(ray, sphere, trace);
 }
 
 /// The least t of the ray's range at which it meets the ball: its lower end where it begins in there. It is that of

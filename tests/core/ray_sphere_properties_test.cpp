@@ -222,6 +222,34 @@ TEMPLATE_TEST_CASE_SIG("the yes or no and the first hit are those of the full an
   });
 }
 
+TEMPLATE_TEST_CASE_SIG("the yes or no is right where squares begin to overflow and to vanish", "[ray_sphere][property]",
+                       FLOATS_AND_DIMENSIONS) {
+  // Squares of lengths end at 2^+-half, and so do those of their products; what the first pass adds to its bound
+  // against underflow counts from 2^-quarter on.
+  constexpr int half = std::numeric_limits<S>::max_exponent / 2, quarter = half / 2;
+  for (const char* family : {"ordinary", "exact-tangent", "near-tangent", "near-surface", "nudged"}) {
+    const RaySphereDraw<S, N>& drawn = ray_sphere_family<S, N>(family);
+    Random random(stream(tests::seed(), family));
+    for (int i = 0; i < tests::cases(2000, 200000); ++i) {
+      RaySphereCase<S, N> c = drawn.draw(random);
+      const auto exponent = [&] {
+        const int near[] = {0, half, -half, quarter, -quarter, -half - quarter, 2 * quarter - 3};
+        return near[random.below(std::size(near))] + random.integer(-8, 8);
+      };
+      const int size = exponent(), along = exponent();
+      for (int k = 0; k < N; ++k) {
+        c.ray.origin[k] = std::ldexp(c.ray.origin[k], size), c.sphere.center[k] = std::ldexp(c.sphere.center[k], size);
+        c.ray.direction[k] = std::ldexp(c.ray.direction[k], along);
+      }
+      c.sphere.radius = std::ldexp(c.sphere.radius, size), c.ray.range = semi_infinite<S>;
+      if (!c.ray.origin.allFinite() || !c.ray.direction.allFinite() || !c.sphere.center.allFinite()) continue;
+      if (!std::isfinite(c.sphere.radius)) continue;
+      INFO(family << " x 2^" << size << ", direction x 2^" << along << ": " << text(c));
+      REQUIRE(intersects(c.ray, c.sphere) == oracle::ray_sphere(c.ray, c.sphere).enter.has_value());
+    }
+  }
+}
+
 TEMPLATE_TEST_CASE_SIG("the yes or no holds for no direction, no ball, NaN and infinite coordinates", "[ray_sphere]",
                        FLOATS_AND_DIMENSIONS) {
   const S huge = std::numeric_limits<S>::infinity(), nan = std::numeric_limits<S>::quiet_NaN();

@@ -86,8 +86,11 @@ bool bounded(const Ray<double, N>& ray, const Sphere<double, N>& sphere, const I
 }
 
 /// Whether they meet: the signs alone, in one arithmetic after the other.
-template <int N, class Trace>
-[[gnu::noinline]] bool settled_meeting(const Ray<double, N>& ray, const Sphere<double, N>& sphere, Trace&& trace) {
+template <class S, int N, class Trace>
+[[gnu::noinline]] bool settled_meeting(const Ray<S, N>& given, const Sphere<S, N>& ball, Trace&& trace) {
+  if (!(ball.radius >= 0) || !(given.range.lo <= given.range.hi)) return false;  // empty, or NaN
+  const Ray<double, N>& ray = in_doubles(given);
+  const Sphere<double, N>& sphere = in_doubles(ball);
   const auto certain = [&](const std::optional<Verdict>& verdict) { return meets(ray.range, *verdict); };
   if (const auto verdict = decide<double>(ray, sphere, trace)) return certain(verdict);
   trace(Fallback{});
@@ -102,6 +105,12 @@ template <int N, class Trace>
   }
   if (const auto verdict = decide<MediumExact>(ray, sphere, trace)) return certain(verdict);
   return certain(decide<Exact>(ray, sphere, trace));
+}
+
+/// The same where quick_meeting can't tell: a call so rare that the compiler puts it out of the way.
+template <class S, int N>
+[[gnu::noinline, gnu::cold]] bool settled_seldom(const Ray<S, N>& ray, const Sphere<S, N>& sphere) {
+  return settled_meeting(ray, sphere, NoTrace{});
 }
 
 /// `known`: the verdict, where only the values are missing.
