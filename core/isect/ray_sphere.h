@@ -24,6 +24,7 @@
 #include <optional>
 #include <type_traits>
 
+#include <isect/parts/ray_sphere_meeting.h>
 #include <isect/parts/ray_sphere_settle.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
@@ -74,7 +75,7 @@ ISECT_INLINE bool intersects(const Ray<S, N>& ray, const Sphere<S, N>& sphere, T
   using namespace ray_sphere::detail;
   if constexpr (!small_code && !heard<Trace>)
     if (from_zero_on(ray.range)) [[likely]]
-      return quick_meeting(ray, sphere, settled_seldom<S, N>);
+      return quick_meeting(ray, sphere);
   return settled_meeting(ray, sphere, trace);
 }
 

@@ -43,6 +43,7 @@ set(tested_by
   ray_mesh_parts=ray_mesh
   ray_range=ray_plane
   ray_round=ray_cylinder
+  ray_sphere_meeting=ray_sphere
   ray_sphere_roots=ray_sphere
   ray_sphere_settle=ray_sphere
   root=ray_capsule

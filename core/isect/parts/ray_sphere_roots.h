@@ -4,12 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -212,39 +209,6 @@ struct Plain {
     return certain ? d > 0 ? 1 : -1 : 0;
   }
 };
-
-/// Whether a range is [0, inf), bit for bit: as numbers they take longer to compare. [-0, inf) is asked the longer way.
-template <class S>
-ISECT_INLINE bool from_zero_on(const Interval<S>& range) {
-  using Bits = std::conditional_t<sizeof(S) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
-  constexpr Bits infinity = std::bit_cast<Bits>(std::numeric_limits<S>::infinity());
-  return (std::bit_cast<Bits>(range.lo) | (std::bit_cast<Bits>(range.hi) ^ infinity)) == 0;
-}
-
-/// Whether a ray with t >= 0 meets a ball, by S alone and without a root; what `otherwise` says of them where
-/// rounding may decide. A radius below 0 makes r^2 negative, and with it D: nothing is met.
-///
-/// Bounds, with H = A (f.f + r^2): A C errs by at most 9 u H, D = B^2 - A C by at most 32 u H, B by 5.1 u |f| |d|. What
-/// underflows adds less than u `least` (A + f.f + r^2 + `least`) to each, and where H is above a quarter of what S
-/// holds, the bound is infinite. So where |D| is above the bound, D has its true sign. D < 0: the line misses. D > 0
-/// and B < 0: the ray heads for the ball; or B is within its error of 0, so that -A C > 0 and the ray begins in the
-/// ball: it meets it either way. D > 0 and B >= 0: it meets what it begins in, if C is certain; where C > 0,
-/// B^2 > A C > 25 u H, so that B has its true sign, too.
-template <class S, int N, class Otherwise>
-ISECT_INLINE bool quick_meeting(const Ray<S, N>& ray, const Sphere<S, N>& sphere, Otherwise otherwise) {
-  constexpr S least = sizeof(S) == sizeof(float) ? S(0x1p-62) : S(0x1p-500), u = std::numeric_limits<S>::epsilon() / 2;
-  const Vector<S, N> f = ray.origin - sphere.center;
-  const S ff = f.dot(f), rr = sphere.radius * std::abs(sphere.radius), reach = ff + rr, c = ff - rr;
-  const S b = f.dot(ray.direction), a = ray.direction.dot(ray.direction), ac = a * c, discriminant = b * b - ac;
-  const S bound = (34 * u / 4) * ((4 * a + least) * (reach + least));
-  if (std::abs(discriminant) > bound) [[likely]] {
-    if (b < 0) [[likely]]
-      return discriminant > 0;
-    if (discriminant < 0) return false;
-    if (std::abs(ac) > bound) return ac < 0;
-  }
-  return otherwise(ray, sphere);
-}
 
 /// The roots of a line that meets the sphere twice, side by side, each within a relative 2^-55 before its last
 /// rounding; nothing where that is too much to promise. W is Compensated or Fused.

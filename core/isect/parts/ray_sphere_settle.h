@@ -85,34 +85,6 @@ bool bounded(const Ray<double, N>& ray, const Sphere<double, N>& sphere, const I
          std::isfinite(sphere.radius) && !std::isnan(range.lo) && !std::isnan(range.hi);
 }
 
-/// Whether they meet: the signs alone, in one arithmetic after the other.
-template <class S, int N, class Trace>
-[[gnu::noinline]] bool settled_meeting(const Ray<S, N>& given, const Sphere<S, N>& ball, Trace&& trace) {
-  if (!(ball.radius >= 0) || !(given.range.lo <= given.range.hi)) return false;  // empty, or NaN
-  const Ray<double, N>& ray = in_doubles(given);
-  const Sphere<double, N>& sphere = in_doubles(ball);
-  const auto certain = [&](const std::optional<Verdict>& verdict) { return meets(ray.range, *verdict); };
-  if (const auto verdict = decide<double>(ray, sphere, trace)) return certain(verdict);
-  trace(Fallback{});
-  if (!bounded(ray, sphere, ray.range)) return false;
-  if ((ray.direction.array() == 0).all()) return settle_point(ray, sphere, ray.range).solid.has_value();
-  if (const auto verdict = decide<ShortExact>(ray, sphere, trace)) return certain(verdict);
-  if (const std::optional<Scaled<N>> s = scaled(ray, sphere)) {
-    if (const auto verdict = decide<double>(s->ray, s->sphere, trace)) return certain(verdict);
-    if (const auto verdict = decide<DoubleDouble>(s->ray, s->sphere, trace)) return certain(verdict);
-  } else if (const auto verdict = decide<DoubleDouble>(ray, sphere, trace)) {
-    return certain(verdict);
-  }
-  if (const auto verdict = decide<MediumExact>(ray, sphere, trace)) return certain(verdict);
-  return certain(decide<Exact>(ray, sphere, trace));
-}
-
-/// The same where quick_meeting can't tell: a call so rare that the compiler puts it out of the way.
-template <class S, int N>
-[[gnu::noinline, gnu::cold]] bool settled_seldom(const Ray<S, N>& ray, const Sphere<S, N>& sphere) {
-  return settled_meeting(ray, sphere, NoTrace{});
-}
-
 /// `known`: the verdict, where only the values are missing.
 template <class S, int N, class Trace>
 [[gnu::noinline, gnu::cold]] RaySphere<S> settle(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
