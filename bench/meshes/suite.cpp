@@ -1,9 +1,13 @@
-// Solids that closed meshes bound, against balls, capsules, boxes, hulls and each other: whether they meet, as people
-// write it (any triangle that meets it, or a point inside) and exactly.
+// Solids that closed meshes bound, against balls, capsules, boxes, hulls, half-spaces, cylinders, cones and each other:
+// whether they meet, as people write it (any triangle that meets it, or a point inside) and exactly.
 
 #include <isect/mesh_convex.h>
 #include <isect/mesh_mesh.h>
 
+#include <isect/point_cone_methods.h>
+#include <isect/point_cylinder_methods.h>
+
+#include "bench/cylinder_half_spaces/oracle.h"
 #include "bench/half_spaces/bodies.h"
 #include "bench/naive_triangles.h"
 #include "bench/pair_suite.h"
@@ -55,6 +59,8 @@ Corners convex(const Hull3<double>& hull) {
   }
   return made;
 }
+Corners convex(const Body& b) { return {b.corners, b.normals, b.edges}; }
+
 /// A corner of either in the other one, or a triangle that no axis separates.
 template <class Shape>
 bool by_axes(const Star& s, const Shape& shape) {
@@ -75,6 +81,14 @@ bool common_corner(const oracle::Sides& a, const oracle::Sides& b) {
 oracle::Sides sides(const Aabb<double, 3>& box) { return oracle::sides(box); }
 oracle::Sides sides(const Obb<double, 3>& box) { return oracle::sides(box); }
 oracle::Sides sides(const Hull3<double>& hull) { return sides_of(hull); }
+oracle::Sides sides(const Body& body) { return sides_of(body); }
+
+/// What the core is asked of.
+template <class Shape>
+const Shape& in_core(const Shape& x) {
+  return x;
+}
+const HalfSpaces& in_core(const Body& x) { return x.core; }
 
 // CGAL and FCL ask whether surfaces meet: no peer asks this of solids.
 
@@ -85,9 +99,32 @@ void convex_solids(Session& session, const char* test) {
     return any_part(s, [&](const oracle::Sides& part) { return common_corner(part, all); });
   };
   PairContest<Star, Shape>(session, test, 1 << 7)
-      .only([](const Star&, const Shape& x) { return has_volume(x); })
+      .only([](const Star&, const Shape& x) { return has_volume(in_core(x)); })
       .run(
-          by_axes<Shape>, [](const Star& s, const Shape& x) { return relate(s.mesh, x) != Relation::disjoint; }, truly);
+          by_axes<Shape>,
+          [](const Star& s, const Shape& x) { return relate(s.mesh, in_core(x)) != Relation::disjoint; }, truly);
+}
+
+bool naively_in(const P& p, const Cylinder<double>& c) { return point_cylinder::projected(p, c); }
+bool naively_in(const P& p, const Cone<double>& c) { return point_cone::by_height(p, c); }
+
+/// By points: a corner of the mesh in the other, the axis through a triangle, an end of it in the solid.
+template <class Solid>
+void round_solids(Session& session, const char* test) {
+  const auto naively = [](const Star& s, const Solid& x) {
+    const auto& [p, q, radius] = x;
+    const Vector<double, 3> along = q - p;
+    return std::ranges::any_of(s.mesh.vertices, [&](const P& v) { return naively_in(v, x); }) ||
+           any_triangle(s.mesh, [&](const Three& t) { return naive::crosses(p, along, 1, t); }) ||
+           naive::inside(p, s.mesh);
+  };
+  const auto truly = [](const Star& s, const Solid& x) {
+    return any_part(s, [&](const oracle::Sides& part) { return oracle::relation(x, part) != Relation::disjoint; });
+  };
+  PairContest<Star, Solid>(session, test, 1 << 6)
+      .only([](const Star&, const Solid& x) { return has_volume(x); })
+      .run(
+          naively, [](const Star& s, const Solid& x) { return relate(s.mesh, x) != Relation::disjoint; }, truly);
 }
 
 void balls(Session& session) {
@@ -145,6 +182,9 @@ void measure(Session& session) {
   convex_solids<Aabb<double, 3>>(session, "mesh-aabb");
   convex_solids<Obb<double, 3>>(session, "mesh-obb");
   convex_solids<Hull3<double>>(session, "mesh-hull");
+  convex_solids<Body>(session, "mesh-half-spaces");
+  round_solids<Cylinder<double>>(session, "mesh-cylinder");
+  round_solids<Cone<double>>(session, "mesh-cone");
   meshes(session);
 }
 

@@ -322,7 +322,7 @@ Answer in_order(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
 template <class S, class B>
 requires(
     detail::is_line<B> || detail::is_round<B> || requires(Triangle<S, 3> x, B b) { intersects(x, b); } ||
-    requires(Triangle<S, 3> x, B b) { intersects(b, x); }) Answer in_order(const TriangleMesh<S>& a, const B& b) {
+    requires(Triangle<S, 3> x, B b) { intersects(b, x); }) Answer triangles_met(const TriangleMesh<S>& a, const B& b) {
   int count = 0;
   std::optional<double> first;
   const std::optional<Aabb<double, 3>> near = around(b);
@@ -341,7 +341,12 @@ requires(
       count += intersects(b, x);
     }
   }
-  Answer out = {.meet = count > 0, .t = first, .triangles = count};
+  return {.meet = count > 0, .t = first, .triangles = count};
+}
+template <class S, class B>
+requires requires(TriangleMesh<S> a, B b) { triangles_met(a, b); }
+Answer in_order(const TriangleMesh<S>& a, const B& b) {
+  Answer out = triangles_met(a, b);
   if constexpr (requires { has_volume(b); })
     if (has_volume(b)) add_solid(a, b, out);
   return out;
@@ -349,7 +354,7 @@ requires(
 /// Its triangles are asked of the half-spaces, the solid of what they are made of.
 template <class S, class B>
 Answer by_faces(const TriangleMesh<S>& a, const B& b) {
-  Answer out = in_order(a, half_spaces_of(b));
+  Answer out = triangles_met(a, half_spaces_of(b));
   if (has_volume(b)) add_solid(a, b, out);
   return out;
 }

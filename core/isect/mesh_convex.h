@@ -1,5 +1,6 @@
 #pragma once
-// The solid that a closed mesh bounds, against a ball, a capsule, a box, an oriented box or a hull.
+// The solid that a closed mesh bounds, against a convex body: a ball, a capsule, a cylinder, a cone, a box, an oriented
+// box, a hull, or any half-spaces.
 //
 // Where no triangle has a point inside the convex body, the body's inside lies wholly in the solid or wholly out of it,
 // and any point of it tells which. Where one has, the solid's inside and the body's meet, and the body is not held. The
@@ -7,11 +8,18 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <type_traits>
 #include <vector>
 
+#include <isect/cone_half_spaces.h>
+#include <isect/cylinder_half_spaces.h>
 #include <isect/mesh_mesh.h>
+#include <isect/parts/inner_point.h>
 #include <isect/point_aabb.h>
 #include <isect/point_capsule.h>
+#include <isect/point_cone.h>
+#include <isect/point_cylinder.h>
 #include <isect/point_mesh.h>
 #include <isect/point_obb.h>
 #include <isect/point_sphere.h>
@@ -26,15 +34,20 @@ using mesh_surface::Corners;
 using mesh_surface::Point3;
 using mesh_surface::Surface;
 
+/// In place of a place inside a body that is unbounded: no solid holds it.
+struct Unbounded {};
+
 /// How the solid (A) lies to a body (B) that has a volume. `reach` of a triangle is -1 where it has a point inside the
-/// body, 0 where it touches it, else 1; `in` tells where a point lies; the mean of `inner` lies inside the body.
-template <class S, class Reach, class In>
-Relation relation(const TriangleMesh<S>& mesh, const Reach& reach, const In& in, const std::vector<Point3>& inner) {
+/// body, 0 where it touches it, else 1; `in` tells where a point lies; `inner` is a place inside the body.
+template <class S, class Reach, class In, class Place>
+Relation relation(const TriangleMesh<S>& mesh, const Reach& reach, const In& in, const Place& inner) {
   const Surface surface(mesh);
   int least = 1;
   for (std::size_t i = 0; i < surface.triangles.size() && least >= 0; ++i)
     least = std::min(least, reach(surface.triangles[i]));
-  const bool holds = least >= 0 && mesh_surface::locate(inner, surface) == Location::in;
+  bool holds = false;
+  if constexpr (!std::is_same_v<Place, Unbounded>)
+    holds = least >= 0 && mesh_surface::locate(inner, surface) == Location::in;
   const bool held = std::ranges::all_of(surface.triangles, [&](const Corners& x) {
     return std::ranges::all_of(x.vertices, [&](const Point3& v) { return in(v) != Location::out; });
   });
@@ -42,11 +55,23 @@ Relation relation(const TriangleMesh<S>& mesh, const Reach& reach, const In& in,
   if (holds) return Relation::b_inside_a;
   return least < 0 ? Relation::overlapping : least == 0 ? Relation::touching : Relation::disjoint;
 }
-template <class S>
-Relation relation(const TriangleMesh<S>& mesh, const HalfSpaces& body, const std::vector<Point3>& inner) {
+template <class S, class Place>
+Relation relation(const TriangleMesh<S>& mesh, const HalfSpaces& body, const Place& inner) {
   return relation(
       mesh, [&](const Corners& x) { return -triangle_half_spaces::detail::common(x, body.faces, NoTrace()); },
       [&](const Point3& p) { return isect::locate(p, body); }, inner);
+}
+/// To a cylinder or a cone.
+template <class S, class Solid>
+Relation round_relation(const TriangleMesh<S>& mesh, const Solid& solid) {
+  const auto reach = [&](const Corners& x) {
+    return round_half_spaces::detail::meeting(solid, triangle_half_spaces::detail::solid_of(x, 3, NoTrace()),
+                                              NoTrace());
+  };
+  const std::array<round_solid::Disc, 2> discs = round_solid::discs(solid);
+  const std::array<Point3, 2> ends = {discs[0].center, discs[1].center};
+  return relation(
+      mesh, reach, [&](const Point3& p) { return locate(p, solid); }, mesh_surface::Mean{ends});
 }
 
 }  // namespace mesh_convex::detail
@@ -73,6 +98,15 @@ template <class S>
 bool has_volume(const Hull3<S>& hull) {
   return hull.dimension == 3;
 }
+template <class S>
+bool has_volume(const Cylinder<S>& cylinder) {
+  return round_solid::exists(cylinder) && cylinder.radius > 0;
+}
+template <class S>
+bool has_volume(const Cone<S>& cone) {
+  return round_solid::exists(cone) && cone.radius > 0;
+}
+inline bool has_volume(const HalfSpaces& solid) { return half_spaces::detail::has_interior(solid.faces, NoTrace()); }
 
 // How a solid (A) that a mesh bounds (see bounds_solid) lies to a convex body (B). Exact. The body has a volume, or is
 // a ball of radius 0; any other without one, or an empty mesh: disjoint.
@@ -86,8 +120,8 @@ Relation relate(const TriangleMesh<S>& mesh, const Sphere<S, 3>& sphere) {
   const auto reach = [&](const mesh_surface::Corners& x) {
     return sphere_triangle::detail::compare(ball.center, ball.radius, x, NoTrace());
   };
-  return mesh_convex::detail::relation(mesh, reach, [&](const Point<double, 3>& p) { return locate(p, ball); },
-                                       {ball.center});
+  return mesh_convex::detail::relation(
+      mesh, reach, [&](const Point<double, 3>& p) { return locate(p, ball); }, mesh_surface::Mean{{&ball.center, 1}});
 }
 
 template <class S>
@@ -97,8 +131,8 @@ Relation relate(const TriangleMesh<S>& mesh, const Capsule<S, 3>& capsule) {
   const auto reach = [&](const mesh_surface::Corners& x) {
     return sphere_triangle::detail::compare(wide, x, NoTrace());
   };
-  return mesh_convex::detail::relation(mesh, reach, [&](const Point<double, 3>& p) { return locate(p, wide); },
-                                       {wide.p});
+  return mesh_convex::detail::relation(
+      mesh, reach, [&](const Point<double, 3>& p) { return locate(p, wide); }, mesh_surface::Mean{{&wide.p, 1}});
 }
 
 template <class S>
@@ -106,14 +140,16 @@ Relation relate(const TriangleMesh<S>& mesh, const Aabb<S, 3>& box) {
   if (mesh.triangles.empty() || !has_volume(box)) return Relation::disjoint;
   const Aabb<double, 3> wide = cast<double>(box);
   const auto reach = [&](const mesh_surface::Corners& x) { return triangle_aabb::detail::outer(x, wide, NoTrace()); };
-  return mesh_convex::detail::relation(mesh, reach, [&](const Point<double, 3>& p) { return locate(p, wide); },
-                                       {wide.lo, wide.hi});
+  const std::array<Point<double, 3>, 2> ends = {wide.lo, wide.hi};
+  return mesh_convex::detail::relation(
+      mesh, reach, [&](const Point<double, 3>& p) { return locate(p, wide); }, mesh_surface::Mean{ends});
 }
 
 template <class S>
 Relation relate(const TriangleMesh<S>& mesh, const Obb<S, 3>& box) {
   if (mesh.triangles.empty() || !has_volume(box)) return Relation::disjoint;
-  return mesh_convex::detail::relation(mesh, half_spaces_of(box), {box.center.template cast<double>()});
+  const Point<double, 3> center = box.center.template cast<double>();
+  return mesh_convex::detail::relation(mesh, half_spaces_of(box), mesh_surface::Mean{{&center, 1}});
 }
 
 template <class S>
@@ -121,7 +157,28 @@ Relation relate(const TriangleMesh<S>& mesh, const Hull3<S>& hull) {
   if (mesh.triangles.empty() || !has_volume(hull)) return Relation::disjoint;
   std::vector<Point<double, 3>> inner;
   for (const Point<S, 3>& v : hull.vertices) inner.push_back(v.template cast<double>());
-  return mesh_convex::detail::relation(mesh, half_spaces_of(hull), inner);
+  return mesh_convex::detail::relation(mesh, half_spaces_of(hull), mesh_surface::Mean{inner});
+}
+
+template <class S>
+Relation relate(const TriangleMesh<S>& mesh, const Cylinder<S>& cylinder) {
+  if (mesh.triangles.empty() || !has_volume(cylinder)) return Relation::disjoint;
+  return mesh_convex::detail::round_relation(mesh, cast<double>(cylinder));
+}
+
+template <class S>
+Relation relate(const TriangleMesh<S>& mesh, const Cone<S>& cone) {
+  if (mesh.triangles.empty() || !has_volume(cone)) return Relation::disjoint;
+  return mesh_convex::detail::round_relation(mesh, cast<double>(cone));
+}
+
+/// They may be unbounded: the solid holds none of those.
+template <class S>
+Relation relate(const TriangleMesh<S>& mesh, const HalfSpaces& solid) {
+  if (mesh.triangles.empty() || !has_volume(solid)) return Relation::disjoint;
+  if (const std::optional<InnerPoint> inner = inner_point(solid))
+    return mesh_convex::detail::relation(mesh, solid, *inner);
+  return mesh_convex::detail::relation(mesh, solid, mesh_convex::detail::Unbounded());
 }
 
 }  // namespace isect

@@ -110,7 +110,8 @@ struct Solid {
         return dot(exactly<W>(along), isect::cross(difference<W>(b, a), difference<W>(c, a)));
       });
       if (upwards == 0) continue;
-      if (const std::optional<Location> where = mesh_surface::located(x.vertices, along, surface, t))
+      if (const std::optional<Location> where =
+              mesh_surface::located(mesh_surface::Mean{x.vertices}, along, surface, t))
         return (*where == Location::in) == (upwards > 0);
     }
   }
@@ -230,10 +231,10 @@ inline void place_parts(const Solid& a, const std::vector<char>& bordered, const
     if (bordered[part]) continue;
     const auto& [p, q, r] = a.surface.triangles[a.first_of_part[part]].vertices;
     std::vector<Point3> points = {p, q, r};
-    Location where = mesh_surface::locate(points, b.surface);
+    Location where = mesh_surface::locate(mesh_surface::Mean{points}, b.surface);
     while (where == Location::on) {  // in one of the single points that they may have in common: another mean
       points.push_back(points.size() % 2 == 0 ? p : q);
-      where = mesh_surface::locate(points, b.surface);
+      where = mesh_surface::locate(mesh_surface::Mean{points}, b.surface);
     }
     (where == Location::in ? inside : outside) = true;
   }

@@ -24,10 +24,16 @@ namespace obb_obb {
 
 namespace detail {
 
-/// Whether both boxes lie in one plane across the axis, or the axis is the product of two parallel edges, which
-/// vanishes: then a gap of 0 says nothing.
+/// Whether a gap of 0 says nothing: the axis is the product of two parallel edges, which vanishes, or both boxes lie in
+/// one plane across it, which neither does that has a volume.
 template <int N>
 bool says_nothing(const Obb<double, N>& a, const Obb<double, N>& b, const Axis& axis) {
+  const auto vanishes = [&](int k) {
+    return sign_of([&]<class W>() -> W { return direction<W>(a, b, axis)[static_cast<std::size_t>(k)]; }) == 0;
+  };
+  bool leads = axis.kind != Kind::edges;
+  for (int k = 0; k < N && !leads; ++k) leads = !vanishes(k);
+  if (!leads || a.half.minCoeff() > 0 || b.half.minCoeff() > 0) return !leads;
   return sign_of([&]<class W>() -> W {
            const Components<W, N> l = direction<W>(a, b, axis);
            return radius<W, N>(l, a) + radius<W, N>(l, b);

@@ -100,7 +100,7 @@ TEST_CASE("there are cases of every pair of objects, and of every answer that it
       const SceneJson& truth = line["expected"][0]["result"];
       if (truth.contains("relation")) relations[pair].insert(truth["relation"]);
     }
-  CHECK(of_pair.size() == 105 + 136);
+  CHECK(of_pair.size() == 105 + 166);
   for (const auto& [pair, count] : of_pair) {
     INFO(pair);
     CHECK(count >= 9);

@@ -99,6 +99,8 @@ SceneJson posed_object(const std::string& type, bool flat, double x, double s) {
       {"sphere", {{"center", at(0, 0, 0)}, {"radius", s}}},
       {"box", {{"lo", at(-1, -1, -1)}, {"hi", at(1, 1, 1)}}},
       {"capsule", {{"p", at(0, -1, 0)}, {"q", at(0, 1, 0)}, {"r", s}}},
+      {"cylinder", {{"p", at(0, -1, 0)}, {"q", at(0, 1, 0)}, {"r", s}}},
+      {"cone", {{"apex", at(0, -1, 0)}, {"base", at(0, 1, 0)}, {"r", s}}},
       {"triangle", {{"points", {at(-1, -1, 0), at(1, -1, 0), at(0, 1, 0)}}}},
       {"polygon", {{"points", {at(-1, -1, 0), at(1, -1, 0), at(1, 1, 0), at(-1, 1, 0)}}}},
       {"kdop", {{"normals", axes}, {"lo", at(-1, -1, -1)}, {"hi", at(1, 1, 1)}}},

@@ -333,40 +333,54 @@ int distance(int count, const Text& text, double r, Trace&& trace) {
   return distance(count, 3, text, r > 0, excess, trace);
 }
 
+namespace detail {
+
+/// Each corner of what the rows have in common, until take(i, j, k, side) says no: there the planes i, j and k meet,
+/// and `side` is the sign of their determinant.
+template <class Rows, class Take, class Trace>
+void each_corner(const Rows& rows, const Take& take, Trace&& trace) {
+  for (int i = 0; i < rows.count(); ++i)
+    for (int j = i + 1; j < rows.count(); ++j)
+      for (int k = j + 1; k < rows.count(); ++k) {
+        const auto det = [&]<class W>() -> W {
+          return determinant(rows.template row<W>(i), rows.template row<W>(j), rows.template row<W>(k));
+        };
+        const int side = sign_of_long(det, trace);
+        bool common = side != 0;
+        for (int m = 0; m < rows.count() && common; ++m) {
+          if (m == i || m == j || m == k) continue;
+          const auto value = [&]<class W>() -> W {
+            const Row<W> row = rows.template row<W>(m);
+            return dot(normal(row), corner(rows.template row<W>(i), rows.template row<W>(j), rows.template row<W>(k))) +
+                   row[3] * det.template operator()<W>();
+          };
+          common = side * sign_of_long(value, trace) >= 0;
+        }
+        if (common && !take(i, j, k, side)) return;
+      }
+}
+
+}  // namespace detail
+
 /// Whether there is a corner of what they have in common and `holds` says yes of each. holds(x, d) gets two texts: the
 /// corner times a number, and that number, which is not 0.
 template <class Text, class Holds, class Trace>
 bool all_corners(int count, const Text& text, const Holds& holds, Trace&& trace) {
   using namespace detail;
   const Rows rows(count, text);
-  bool any = false;
-  for (int i = 0; i < count; ++i)
-    for (int j = i + 1; j < count; ++j)
-      for (int k = j + 1; k < count; ++k) {
-        const auto det = [&]<class W>() -> W {
-          return determinant(rows.template row<W>(i), rows.template row<W>(j), rows.template row<W>(k));
-        };
-        const auto at = [&]<class W>() -> Components<W, 3> {
-          return corner(rows.template row<W>(i), rows.template row<W>(j), rows.template row<W>(k));
-        };
-        const int side = sign_of_long(det, trace);
-        bool common = side != 0;
-        for (int m = 0; m < count && common; ++m) {
-          if (m == i || m == j || m == k) continue;
-          common =
-              side * sign_of_long(
-                         [&]<class W>() -> W {
-                           const Row<W> row = rows.template row<W>(m);
-                           return dot(normal(row), at.template operator()<W>()) + row[3] * det.template operator()<W>();
-                         },
-                         trace) >=
-              0;
-        }
-        if (!common) continue;
-        any = true;
-        if (!holds(at, det)) return false;
-      }
-  return any;
+  bool any = false, all = true;
+  const auto take = [&](int i, int j, int k, int) {
+    const auto det = [&]<class W>() -> W {
+      return determinant(rows.template row<W>(i), rows.template row<W>(j), rows.template row<W>(k));
+    };
+    const auto at = [&]<class W>() -> Components<W, 3> {
+      return corner(rows.template row<W>(i), rows.template row<W>(j), rows.template row<W>(k));
+    };
+    any = true;
+    return all = holds(at, det);
+  };
+  each_corner(rows, take, trace);
+  return any && all;
 }
 
 /// Whether no direction leads away for ever: from what they have in common, if they have a common point.

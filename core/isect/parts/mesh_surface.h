@@ -24,28 +24,41 @@ namespace isect::mesh_surface {
 using Point3 = Point<double, 3>;
 using Corners = Triangle<double, 3>;
 
-/// The mean of some points: n times the way from it to x, nowhere rounded.
-template <Filtered W>
-Components<W, 3> from_mean(std::span<const Point3> points, const Point3& x) {
-  Components<W, 3> sum = difference<W>(x, points[0]);
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const Components<W, 3> way = difference<W>(x, points[i]);
-    for (std::size_t k = 0; k < 3; ++k) sum[k] = sum[k] + way[k];
-  }
-  return sum;
-}
+// A place is a point that nothing rounds: way_to<W>(x) is a positive multiple of the way from it to x, and no
+// coordinate of it is below those of least().
 
-/// How the ray from the points' mean along `direction` lies to a triangle.
+/// The mean of some points.
+struct Mean {
+  std::span<const Point3> points;
+
+  template <Filtered W>
+  Components<W, 3> way_to(const Point3& x) const {
+    Components<W, 3> sum = difference<W>(x, points[0]);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Components<W, 3> way = difference<W>(x, points[i]);
+      for (std::size_t k = 0; k < 3; ++k) sum[k] = sum[k] + way[k];
+    }
+    return sum;
+  }
+  Point3 least() const {
+    Point3 least = points[0];
+    for (const Point3& p : points) least = least.cwiseMin(p);
+    return least;
+  }
+};
+
+/// How the ray from a place along `direction` lies to a triangle.
 enum class Pierced {
   no,
   yes,
-  at_origin,  ///< the mean lies in the triangle
+  at_origin,  ///< the place lies in the triangle
   unclear     ///< the ray's line meets an edge or lies in the triangle's plane
 };
 
 /// As ray_triangle.h has it, by the signs of volumes.
-inline Pierced pierced(std::span<const Point3> points, const Vector<double, 3>& direction, const Corners& x) {
-  const auto to = [&]<class W>(std::size_t i) { return from_mean<W>(points, x.vertices[i % 3]); };
+template <class Place>
+Pierced pierced(const Place& place, const Vector<double, 3>& direction, const Corners& x) {
+  const auto to = [&]<class W>(std::size_t i) { return place.template way_to<W>(x.vertices[i % 3]); };
   bool positive = false, negative = false, zero = false;
   for (std::size_t i = 0; i < 3; ++i) {
     const int side = sign_of_long([&]<class W>() -> W {
@@ -133,25 +146,26 @@ struct Surface {
 /// No plane holds more than two of them, whatever point it passes through: all but finitely many meet no edge.
 inline Vector<double, 3> direction(int k) { return {1, double(k), double(k) * k}; }
 
-/// Where the mean of some points lies, by the ray of that direction, whose components are positive; nothing where that
-/// says nothing. The triangle `except` does not count.
-inline std::optional<Location> located(std::span<const Point3> points, const Vector<double, 3>& direction,
-                                       const Surface& surface, int except = -1) {
-  Point3 least = points[0];
-  for (const Point3& p : points) least = least.cwiseMin(p);
+/// Where a place lies, by the ray of that direction, whose components are positive; nothing where that says nothing.
+/// The triangle `except` does not count.
+template <class Place>
+std::optional<Location> located(const Place& place, const Vector<double, 3>& direction, const Surface& surface,
+                                int except = -1) {
+  const Point3 least = place.least();
   bool inside = false;
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
     if (t == except || (surface.boxes[t].hi.array() < least.array()).any()) continue;  // behind
-    const Pierced found = pierced(points, direction, surface.triangles[t]);
+    const Pierced found = pierced(place, direction, surface.triangles[t]);
     if (found == Pierced::at_origin) return Location::on;
     if (found == Pierced::unclear) return {};
     inside ^= found == Pierced::yes;
   }
   return inside ? Location::in : Location::out;
 }
-inline Location locate(std::span<const Point3> points, const Surface& surface) {
+template <class Place>
+Location locate(const Place& place, const Surface& surface) {
   for (int k = 3;; ++k)
-    if (const std::optional<Location> found = located(points, direction(k), surface)) return *found;
+    if (const std::optional<Location> found = located(place, direction(k), surface)) return *found;
 }
 
 }  // namespace isect::mesh_surface

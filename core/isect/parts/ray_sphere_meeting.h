@@ -36,35 +36,50 @@ template <class S, int N, class Trace>
   return certain(decide<Exact>(ray, sphere, trace));
 }
 
-/// Whether a range is [0, inf), bit for bit: as numbers they take longer to compare. [-0, inf) is asked the longer way.
+/// The bits of a number: of numbers of one sign the larger in magnitude has the larger bits, and those compare faster.
 template <class S>
-ISECT_INLINE bool from_zero_on(const Interval<S>& range) {
-  using Bits = std::conditional_t<std::is_same_v<S, float>, std::uint32_t, std::uint64_t>;
-  constexpr Bits infinity = std::bit_cast<Bits>(std::numeric_limits<S>::infinity());
-  return (std::bit_cast<Bits>(range.lo) | (std::bit_cast<Bits>(range.hi) ^ infinity)) == 0;
+constexpr auto bits(S x) {
+  return std::bit_cast<std::conditional_t<std::is_same_v<S, float>, std::uint32_t, std::uint64_t>>(x);
 }
 
-/// Whether a ray with t >= 0 meets a ball, without a root: by S alone, or settled where rounding may decide. A radius
-/// below 0 makes r^2 negative, and with it D: nothing is met.
+/// Whether |x| is from |least| on and below |most|, and x has their sign, which is one. NaN is not.
+template <class S>
+ISECT_INLINE bool between(S x, S least, S most) {
+  return bits(x) - bits(least) < bits(most) - bits(least);
+}
+
+/// Whether a range is [0, inf), bit for bit. [-0, inf) is asked the longer way.
+template <class S>
+ISECT_INLINE bool from_zero_on(const Interval<S>& range) {
+  return bits(range.lo) == 0 && bits(range.hi) == bits(std::numeric_limits<S>::infinity());
+}
+
+/// Whether a ray with t >= 0 meets a ball, without a root: by S alone, or settled where rounding may decide.
 ///
-/// Bounds, with H = A (f.f + r^2): A C errs by at most 10 u H, D = B^2 - A C by at most 32 u H, B by 5.1 u |f| |d|.
-/// What underflows adds less than u `least` (A + f.f + r^2 + `least`) to each, and where H is above a quarter of what S
-/// holds, the bound is infinite. So where |D| is above the bound, D has its true sign. D < 0: the line misses. D > 0
-/// and B < 0: the ray heads for the ball; or B is within its error of 0, so that -A C > 0 and the ray begins in the
-/// ball: it meets it either way. D > 0 and B >= 0: it meets what it begins in, if C is certain; where C > 0,
-/// B^2 > A C > 24 u H, so that B has its true sign, too.
+/// Bounds, with R = f.f + r^2 and H = A R: C errs by at most 7 u R, A C by 10 u H, B by 4.1 u |f| |d|, D = B^2 - A C by
+/// 32 u H. They hold because r and A are asked to be in a range. So R is at least m^2 and H m^4, and all that
+/// underflows adds less than 2^-20 u of them. r^2, A and, where B < 0, B^2 do not overflow; if f.f does, R is infinite,
+/// and so is every bound. B may be NaN, which is in no range; then no other number is asked, and otherwise none is NaN.
+///
+/// |D| beyond its bound and B < 0: D < 0, and the line misses; or D > 0, and the ray heads for the ball, or B is within
+/// its error of 0, so that -A C > 0 and the ray begins in the ball: it meets it either way. B >= 0: the ray meets what
+/// it begins in, if C is certain; for if C > 0, then A C > 8 u H, and B^2 is below that if B is within its error of 0.
 template <class S, int N>
 ISECT_INLINE bool quick_meeting(const Ray<S, N>& ray, const Sphere<S, N>& sphere) {
-  constexpr S least = std::is_same_v<S, float> ? S(0x1p-62) : S(0x1p-500), u = std::numeric_limits<S>::epsilon() / 2;
+  constexpr bool single = std::is_same_v<S, float>;
+  constexpr S m = single ? S(0x1p-25) : S(0x1p-250), most = single ? S(0x1p63) : S(0x1p511);
+  constexpr S u = std::numeric_limits<S>::epsilon() / 2;
   const Vector<S, N> f = ray.origin - sphere.center;
-  const S ff = f.dot(f), rr = sphere.radius * std::abs(sphere.radius), reach = ff + rr, c = ff - rr;
-  const S b = f.dot(ray.direction), a = ray.direction.dot(ray.direction), ac = a * c, discriminant = b * b - ac;
-  const S bound = (34 * u / 4) * ((4 * a + least) * (reach + least));
-  if (std::abs(discriminant) > bound) [[likely]] {
-    if (b < 0) [[likely]]
-      return discriminant > 0;
-    if (discriminant < 0) return false;
-    if (std::abs(ac) > bound) return ac < 0;
+  const S ff = f.dot(f), rr = sphere.radius * sphere.radius, reach = ff + rr, c = ff - rr;
+  const S b = f.dot(ray.direction), a = ray.direction.dot(ray.direction);
+  if (between(sphere.radius, m, most) & between(a, m * m, most)) [[likely]] {  // one branch: && takes longer
+    if (between(b, S(-0.0), -most)) [[likely]] {
+      const S discriminant = b * b - a * c, bound = (34 * u) * (a * reach);
+      if (2 * bits(discriminant) > 2 * bits(bound)) [[likely]]  // twice, which leaves the sign out
+        return !std::signbit(discriminant);
+    } else if (b >= 0 && std::abs(c) > (16 * u) * reach) {
+      return c < 0;
+    }
   }
   return settled_meeting(ray, sphere, NoTrace{});
 }
