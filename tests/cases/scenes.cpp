@@ -296,6 +296,6 @@ std::string kind_of_answer(const SceneJson& expected) {
   return words.dump();
 }
 
-std::vector<SceneJson> scenes(bool flat) { return Chooser(flat).run(700); }
+std::vector<SceneJson> scenes(bool flat) { return Chooser(flat).run(900); }
 
 }  // namespace isect::cases
