@@ -105,11 +105,11 @@ inline Answer answer(const line_line::Result& r) {
           .parallel = r.meeting == Meeting::parallel,
           .coplanar = r.meeting != Meeting::skew};
 }
-/// Of a point and a line: it is left or right of it, in line with it, or on it.
+/// For a point and a line: it is left or right of it, in line with it, or on it.
 inline Answer answer(Beside where) {
   return {.meet = where == Beside::on, .side = where == Beside::left ? 1 : where == Beside::right ? -1 : 0};
 }
-/// Of a plane and corners.
+/// For a plane and corners.
 inline Answer answer(const Sides& count) {
   const bool cut = count.behind > 0 && count.before > 0, apart = count.on == 0 && !cut;
   Answer out = answer(cut ? Relation::overlapping : apart ? Relation::disjoint : Relation::touching);
@@ -117,7 +117,7 @@ inline Answer answer(const Sides& count) {
   out.coplanar = count.on > 0 && count.behind + count.before == 0;
   return out;
 }
-/// Of a line and what it meets first at t.
+/// For a line and what it meets first at t.
 template <class S>
 Answer answer(const std::optional<S>& t) {
   return {.meet = t.has_value(), .t = t};

@@ -2,6 +2,8 @@
 // Capsule against a convex solid given by half-spaces (isect/half_spaces.h): a box, an oriented box, a k-DOP, a
 // frustum.
 //
+// Most capsules lie wholly beyond one face, or their segment passes through the solid. Of the others:
+//
 // The capsule is the ball that moves from p to q. It meets the solid iff the ball at p meets what the solid sweeps
 // moving from q to p, which is convex again: its half-spaces follow from those of the solid by eliminating the time t
 // of 0 <= t <= 1 (Fourier, Motzkin). With d = q - p and s_i = a_i.d they are, as seen from p,
@@ -14,9 +16,13 @@
 // So the ball's test does (isect/sphere_half_spaces.h). Source: Schrijver, Theory of Linear and Integer Programming
 // (1986), 12.2.
 
+#include <array>
+#include <optional>
 #include <utility>
 #include <variant>
+#include <vector>
 
+#include <isect/ray_half_spaces.h>
 #include <isect/sphere_half_spaces.h>
 
 namespace isect {
@@ -80,6 +86,15 @@ int distance(const Capsule<double, 3>& capsule, const HalfSpaces& solid, Trace&&
   return inequalities::distance(count + static_cast<int>(between.size()), swept, capsule.radius, trace);
 }
 
+/// The same; 1 for a solid without a point.
+template <class Trace>
+int reach(const Capsule<double, 3>& capsule, const HalfSpaces& solid, Trace&& trace) {
+  const auto& [p, q, r] = capsule;
+  if (const auto plain = sphere_half_spaces::detail::plain_reach(std::array{p, q}, r, solid, trace)) return *plain;
+  if (intersect(Segment<double, 3>{p, q}, solid, trace)) return r > 0 ? -1 : 0;
+  return has_a_point(solid, trace) ? distance(capsule, solid, trace) : 1;
+}
+
 /// Whether the solid lies in the capsule: each corner within r of the segment.
 template <class Trace>
 bool holds(const Capsule<double, 3>& capsule, const HalfSpaces& solid, Trace&& trace) {
@@ -128,8 +143,8 @@ Capsule<double, 3> in_space(const Capsule<S, N>& capsule) {
 /// Whether they have a common point. Exact. What is empty, NaN or infinite meets nothing.
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Capsule<S, N>& capsule, const HalfSpaces& solid, Trace&& trace = {}) {
-  if (empty(capsule) || !finite(capsule) || !has_a_point(solid, trace)) return false;
-  return capsule_half_spaces::detail::distance(capsule_half_spaces::detail::in_space<S, N>(capsule), solid, trace) <= 0;
+  if (empty(capsule) || !finite(capsule)) return false;
+  return capsule_half_spaces::detail::reach(capsule_half_spaces::detail::in_space<S, N>(capsule), solid, trace) <= 0;
 }
 
 /// How the capsule (A) and the solid lie. Exact, for a solid without a volume, too; a capsule of radius 0 is a segment.
@@ -137,10 +152,9 @@ bool intersects(const Capsule<S, N>& capsule, const HalfSpaces& solid, Trace&& t
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Capsule<S, N>& capsule, const HalfSpaces& solid, Trace&& trace = {}) {
   if (empty(capsule) || !finite(capsule)) return Relation::disjoint;
-  if (!has_a_point(solid, trace)) return Relation::disjoint;
   const Capsule<double, 3> wide = capsule_half_spaces::detail::in_space<S, N>(capsule);
   if (wide.radius == 0) return relate(half_spaces::detail::segment(wide.p, wide.q, solid.dimension), solid, trace);
-  const int reach = capsule_half_spaces::detail::distance(wide, solid, trace);
+  const int reach = capsule_half_spaces::detail::reach(wide, solid, trace);
   if (reach > 0) return Relation::disjoint;
 
   const bool a_in_b = sphere_half_spaces::detail::contained(wide.p, wide.radius, solid, trace) &&

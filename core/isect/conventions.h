@@ -4,8 +4,8 @@
 // Exactness   Every verdict is the true one for the real numbers that the floating-point arguments denote.
 //             There is no hidden epsilon; a tolerance is a named argument.
 // Rays        r(t) = o + t d with t in a closed range, in units of |d|. A zero direction makes the ray a point.
-// Empty       An interval with lo > hi, a box with one of those, or a sphere with r < 0 has no point: it is
-//             disjoint from everything.
+// Empty       An interval, box or slab with lo > hi, a radius or half-length below 0, a cylinder or cone without axis,
+//             a plane whose normal is 0: such a shape has no point, and is disjoint from everything.
 // Thin sets   A segment, a triangle in space or a flat box has its interior within the line or plane that it spans, a
 //             point is its own: a plate that pierces a solid overlaps it, one on its face touches it.
 // NaN, inf    A shape with a coordinate that is NaN or infinite meets nothing, even where its numbers are only

@@ -7,7 +7,7 @@
 // until an exact predicate says that it holds this point and its predecessor does not. So a fit is never wrong by
 // rounding, and never larger than its center and axes make it. Source: the note, N04, N06-N08.
 //
-// Of no points, or with a NaN or an infinity among them, the fit is empty. A size beyond the largest S is infinite.
+// The fit of no points, or with a NaN or an infinity among them, is empty. A size beyond the largest S is infinite.
 
 #include <algorithm>
 #include <cmath>

@@ -258,7 +258,7 @@ HalfSpaces half_spaces_of(const Segment<S, N>& segment) {
   return half_spaces::detail::segment(in_space<S, N>(segment.p), in_space<S, N>(segment.q), N);
 }
 
-/// Of a triangle in space that has an area: its plane from both sides, and a side for each edge.
+/// For a triangle in space that has an area: its plane from both sides, and a side for each edge.
 template <class S>
 HalfSpaces half_spaces_of(const Triangle<S, 3>& triangle) {
   if (!finite(triangle)) return {{half_spaces::detail::nothing()}};
@@ -268,7 +268,7 @@ HalfSpaces half_spaces_of(const Triangle<S, 3>& triangle) {
   return {{{Behind{a, b, c}}, {Behind{a, b, c}, true}, {Beside{a, b, c}}, {Beside{b, c, a}}, {Beside{c, a, b}}}};
 }
 
-/// Of a hull that has a volume.
+/// For a hull that has a volume.
 template <class S>
 HalfSpaces half_spaces_of(const Hull3<S>& hull) {
   assert(hull.dimension == 3);

@@ -2,10 +2,15 @@
 // Sphere against a convex solid given by half-spaces (isect/half_spaces.h): an oriented box, a k-DOP, a frustum, a
 // hull.
 //
-// The distance of the center from the solid against the radius, by duality: isect/parts/inequalities.h. The ball lies
+// Most balls lie wholly beyond one face, or have their center in the solid. Of the others, the distance of the center
+// from the solid is compared with the radius by duality: isect/parts/inequalities.h. The ball lies
 // in the solid iff its center is at least r inside each face, and the solid in the ball iff its corners do and it is
 // bounded. All is compared squared and multiplied out.
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <variant>
 
 #include <isect/half_spaces.h>
@@ -25,6 +30,35 @@ inline auto seen_from(const std::vector<half_spaces::Face>& faces, const Point<d
     row[3] = row[3] + dot(inequalities::detail::normal(row), exactly<W>(from));
     return row;
   };
+}
+
+/// The sign of the distance of a convex set from the solid less the radius, where that is plain: 1 if all that is
+/// within the radius of the corners, which span the set, lies beyond one face; 0 or -1 if a corner lies in the solid.
+template <std::size_t corners, class Trace>
+std::optional<int> plain_reach(const std::array<Point<double, 3>, corners>& set, double r, const HalfSpaces& solid,
+                               Trace&& trace) {
+  std::array<bool, corners> in;
+  in.fill(true);
+  for (int i = 0; i < half_spaces::detail::count(solid.faces); ++i) {
+    bool beyond = true;
+    for (std::size_t k = 0; k < corners; ++k) {
+      const auto row = [&]<class W>() -> inequalities::Row<W> {
+        return seen_from(solid.faces, set[k]).template operator()<W>(i);
+      };
+      const auto height = [&]<class W>() -> W { return row.template operator()<W>()[3]; };
+      const auto excess = [&]<class W>() -> W {
+        const inequalities::Row<W> x = row.template operator()<W>();
+        const Components<W, 3> n = inequalities::detail::normal(x);
+        return x[3] * x[3] - W(r) * W(r) * dot(n, n);
+      };
+      const bool outside = sign_of_long(height, trace) < 0;
+      in[k] = in[k] && !outside;
+      beyond = beyond && outside && (r == 0 || sign_of_long(excess, trace) > 0);
+    }
+    if (beyond) return 1;
+  }
+  if (std::ranges::none_of(in, [](bool x) { return x; })) return {};
+  return r > 0 ? -1 : 0;
 }
 
 /// Whether the ball lies in the solid.
@@ -56,6 +90,14 @@ bool bounded(const HalfSpaces& solid, Trace&& trace) {
                                half_spaces::detail::text_of(solid.faces), trace);
 }
 
+/// The sign of the center's distance from the solid less the radius; 1 for a solid without a point.
+template <class Trace>
+int reach(const Point<double, 3>& center, double r, const HalfSpaces& solid, Trace&& trace) {
+  if (const std::optional<int> plain = plain_reach(std::array{center}, r, solid, trace)) return *plain;
+  if (!has_a_point(solid, trace)) return 1;
+  return inequalities::distance(half_spaces::detail::count(solid.faces), seen_from(solid.faces, center), r, trace);
+}
+
 }  // namespace detail
 
 }  // namespace sphere_half_spaces
@@ -65,11 +107,9 @@ bool bounded(const HalfSpaces& solid, Trace&& trace) {
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Sphere<S, N>& sphere, const HalfSpaces& solid, Trace&& trace = {}) {
   if (empty(sphere) || !finite(sphere)) return Relation::disjoint;
-  if (!has_a_point(solid, trace)) return Relation::disjoint;
   const Point<double, 3> center = half_spaces::detail::in_space<S, N>(sphere.center);
   const double r = sphere.radius;
-  const int count = half_spaces::detail::count(solid.faces);
-  const int reach = inequalities::distance(count, sphere_half_spaces::detail::seen_from(solid.faces, center), r, trace);
+  const int reach = sphere_half_spaces::detail::reach(center, r, solid, trace);
   if (reach > 0) return Relation::disjoint;
 
   const bool a_in_b = sphere_half_spaces::detail::contained(center, r, solid, trace);
@@ -94,11 +134,9 @@ Relation relate(const Sphere<S, N>& sphere, const HalfSpaces& solid, Trace&& tra
 /// Whether they have a common point. Exact.
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Sphere<S, N>& sphere, const HalfSpaces& solid, Trace&& trace = {}) {
-  if (empty(sphere) || !finite(sphere) || !has_a_point(solid, trace)) return false;
+  if (empty(sphere) || !finite(sphere)) return false;
   const Point<double, 3> center = half_spaces::detail::in_space<S, N>(sphere.center);
-  return inequalities::distance(half_spaces::detail::count(solid.faces),
-                                sphere_half_spaces::detail::seen_from(solid.faces, center),
-                                static_cast<double>(sphere.radius), trace) <= 0;
+  return sphere_half_spaces::detail::reach(center, static_cast<double>(sphere.radius), solid, trace) <= 0;
 }
 
 }  // namespace isect

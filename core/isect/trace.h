@@ -1,8 +1,8 @@
 #pragma once
 // What an algorithm tells while it runs, and how to listen.
 //
-// Every algorithm takes a last parameter `Trace&& trace = {}` and calls it with typed events that copy values
-// it has computed anyway. The default listener does nothing and costs nothing: the machine code equals that
+// Most algorithms take a last parameter `Trace&& trace = {}` and call it with typed events that copy values they
+// have computed anyway. The default listener does nothing and costs nothing: the machine code equals that
 // of the text with its trace lines deleted (tests/core/zero_cost_trace.cmake compares the two).
 
 #include <type_traits>

@@ -19,6 +19,7 @@ set(tested_by
   frustum_planes=aabb_frustum
   index_pair=all_pairs
   inequalities=half_spaces
+  inner_point=mesh_half_spaces
   instruction_set=batch
   mesh_surface=mesh_mesh
   obb_obb_axes=obb_obb

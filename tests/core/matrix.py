@@ -101,7 +101,7 @@ def pairs():
             if a not in SHAPES or b not in SHAPES:
                 continue
             numbers = re.findall(r"\b[23]\b", f"{of_a} {of_b}")
-            dimension = numbers[0] if numbers else "2" if "ConvexPolygon" in (a, b) else "3" if {"TriangleMesh", "Cylinder", "Cone"} & {a, b} else "1" if a == b == "Interval" else "2, 3"
+            dimension = numbers[0] if numbers else "2" if "ConvexPolygon" in (a, b) else "3" if {"TriangleMesh", "Cylinder", "Cone", "Straight"} & {a, b} else "1" if a == b == "Interval" else "2, 3"
             asked = found.setdefault(Pair(header.stem, a, b, dimension), [])
             if question not in asked:
                 asked.append(question)
