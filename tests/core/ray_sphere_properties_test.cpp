@@ -1,6 +1,7 @@
 // What must hold for every ray and every sphere, on the hard families.
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "bench/ray_sphere/judge.h"
@@ -253,25 +254,29 @@ TEMPLATE_TEST_CASE_SIG("the yes or no is right where squares begin to overflow a
 TEMPLATE_TEST_CASE_SIG("the yes or no is right where the square of B overflows, and A C does not", "[ray_sphere]",
                        FLOATS_AND_DIMENSIONS) {
   constexpr int quarter = std::numeric_limits<S>::max_exponent / 4, digits = std::numeric_limits<S>::digits;
-  Random random(tests::seed());
-  int found = 0;
-  for (int i = 0; i < 100000 && found < 100; ++i) {
-    // x y rounds to the least number whose square is too large; |f|^2 |d|^2, of the same factors, rounds to one that is
-    // not.
-    const S y = std::ldexp(static_cast<S>(random.uniform(1, 2)), quarter);
-    const S x = std::ldexp(S(1), 2 * quarter) / y;
-    if (std::isfinite((x * y) * (x * y)) || !std::isfinite((x * x) * (y * y))) continue;
-    ++found;
-    Ray<S, N> ray = {Point<S, N>::Zero(), Vector<S, N>::Zero()};
-    ray.origin[0] = -x, ray.origin[1] = std::ldexp(x, -digits), ray.direction[0] = y;
-    for (const S part : {S(0.5), S(1), S(1.5)}) {  // of the distance at which the ray passes
-      const Sphere<S, N> sphere = {Point<S, N>::Zero(), part * ray.origin[1]};
-      INFO(text(RaySphereCase<S, N>{ray, sphere}));
-      REQUIRE(intersects(ray, sphere) == (part >= 1));
-      REQUIRE(oracle::ray_sphere(ray, sphere).enter.has_value() == (part >= 1));
+  // The direction's length, as a power of two, and by which power the ray passes nearer than it begins: large all, or
+  // only how far away it begins.
+  for (const auto& [length, nearer] : {std::pair(quarter, digits), std::pair(quarter / 2 - 1, quarter)}) {
+    Random random(tests::seed());
+    int found = 0;
+    for (int i = 0; i < 100000 && found < 100; ++i) {
+      // x y rounds to the least number whose square is too large; |f|^2 |d|^2, of the same factors, rounds to one that
+      // is not.
+      const S y = std::ldexp(static_cast<S>(random.uniform(1, 2)), length);
+      const S x = std::ldexp(S(1), 2 * quarter) / y;
+      if (std::isfinite((x * y) * (x * y)) || !std::isfinite((x * x) * (y * y))) continue;
+      ++found;
+      Ray<S, N> ray = {Point<S, N>::Zero(), Vector<S, N>::Zero()};
+      ray.origin[0] = -x, ray.origin[1] = std::ldexp(x, -nearer), ray.direction[0] = y;
+      for (const S part : {S(0.5), S(1), S(1.5)}) {  // of the distance at which the ray passes
+        const Sphere<S, N> sphere = {Point<S, N>::Zero(), part * ray.origin[1]};
+        INFO(text(RaySphereCase<S, N>{ray, sphere}));
+        REQUIRE(intersects(ray, sphere) == (part >= 1));
+        REQUIRE(oracle::ray_sphere(ray, sphere).enter.has_value() == (part >= 1));
+      }
     }
+    REQUIRE(found == 100);
   }
-  REQUIRE(found == 100);
 }
 
 TEMPLATE_TEST_CASE_SIG("the yes or no holds for no direction, no ball, NaN and infinite coordinates", "[ray_sphere]",

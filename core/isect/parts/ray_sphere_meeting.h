@@ -41,23 +41,28 @@ template <class S>
 constexpr auto bits(S x) {
   return std::bit_cast<std::conditional_t<std::is_same_v<S, float>, std::uint32_t, std::uint64_t>>(x);
 }
-
-/// Whether |x| is from |least| on and below |most|, and x has their sign, which is one. NaN is not.
+/// The first 32 of them.
 template <class S>
-ISECT_INLINE bool between(S x, S least, S most) {
-  return bits(x) - bits(least) < bits(most) - bits(least);
+constexpr std::uint32_t head(S x) {
+  return static_cast<std::uint32_t>(bits(x) >> (8 * sizeof(S) - 32));
+}
+
+/// A number is ordinary if it is from 2^-256 on and below 2^256, in float 2^-32 and 2^32: if this is below 2^29.
+template <class S>
+ISECT_INLINE std::uint32_t beyond_ordinary(S x) {
+  return head(x) - head(std::is_same_v<S, float> ? S(0x1p-32) : S(0x1p-256));
 }
 
 /// Whether a range is [0, inf), bit for bit. [-0, inf) is asked the longer way.
 template <class S>
 ISECT_INLINE bool from_zero_on(const Interval<S>& range) {
-  return bits(range.lo) == 0 && bits(range.hi) == bits(std::numeric_limits<S>::infinity());
+  return (bits(range.lo) | (bits(range.hi) ^ bits(std::numeric_limits<S>::infinity()))) == 0;
 }
 
 /// Whether a ray with t >= 0 meets a ball, without a root: by S alone, or settled where rounding may decide.
 ///
 /// Bounds, with R = f.f + r^2 and H = A R: C errs by at most 7 u R, A C by 10 u H, B by 4.1 u |f| |d|, D = B^2 - A C by
-/// 32 u H. They hold because r and A are asked to be in a range. So R is at least m^2 and H m^4, and all that
+/// 32 u H. They hold because r and A are asked to be ordinary, at least m: so R is at least m^2, H m^3, and all that
 /// underflows adds less than 2^-20 u of them. r^2, A and, where B < 0, B^2 do not overflow; if f.f does, R is infinite,
 /// and so is every bound. B may be NaN, which is in no range; then no other number is asked, and otherwise none is NaN.
 ///
@@ -66,14 +71,12 @@ ISECT_INLINE bool from_zero_on(const Interval<S>& range) {
 /// it begins in, if C is certain; for if C > 0, then A C > 8 u H, and B^2 is below that if B is within its error of 0.
 template <class S, int N>
 ISECT_INLINE bool quick_meeting(const Ray<S, N>& ray, const Sphere<S, N>& sphere) {
-  constexpr bool single = std::is_same_v<S, float>;
-  constexpr S m = single ? S(0x1p-25) : S(0x1p-250), most = single ? S(0x1p63) : S(0x1p511);
-  constexpr S u = std::numeric_limits<S>::epsilon() / 2;
+  constexpr S most = std::is_same_v<S, float> ? S(-0x1p32) : S(-0x1p256), u = std::numeric_limits<S>::epsilon() / 2;
   const Vector<S, N> f = ray.origin - sphere.center;
   const S ff = f.dot(f), rr = sphere.radius * sphere.radius, reach = ff + rr, c = ff - rr;
   const S b = f.dot(ray.direction), a = ray.direction.dot(ray.direction);
-  if (between(sphere.radius, m, most) & between(a, m * m, most)) [[likely]] {  // one branch: && takes longer
-    if (between(b, S(-0.0), -most)) [[likely]] {
+  if ((beyond_ordinary(sphere.radius) | beyond_ordinary(a)) < 1u << 29) [[likely]] {
+    if (head(b) - head(S(-0.0)) < head(most) - head(S(-0.0))) [[likely]] {
       const S discriminant = b * b - a * c, bound = (34 * u) * (a * reach);
       if (2 * bits(discriminant) > 2 * bits(bound)) [[likely]]  // twice, which leaves the sign out
         return !std::signbit(discriminant);
