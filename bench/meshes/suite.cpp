@@ -3,7 +3,6 @@
 
 #include <isect/mesh_convex.h>
 #include <isect/mesh_mesh.h>
-
 #include <isect/point_cone_methods.h>
 #include <isect/point_cylinder_methods.h>
 

@@ -86,7 +86,7 @@ int distance(const Capsule<double, 3>& capsule, const HalfSpaces& solid, Trace&&
   return inequalities::distance(count + static_cast<int>(between.size()), swept, capsule.radius, trace);
 }
 
-/// The same; 1 for a solid without a point.
+/// What `distance` says; 1 for a solid without a point.
 template <class Trace>
 int reach(const Capsule<double, 3>& capsule, const HalfSpaces& solid, Trace&& trace) {
   const auto& [p, q, r] = capsule;

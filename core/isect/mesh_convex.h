@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <type_traits>
+#include <span>
 #include <vector>
 
 #include <isect/cone_half_spaces.h>
@@ -34,20 +34,16 @@ using mesh_surface::Corners;
 using mesh_surface::Point3;
 using mesh_surface::Surface;
 
-/// In place of a place inside a body that is unbounded: no solid holds it.
-struct Unbounded {};
-
 /// How the solid (A) lies to a body (B) that has a volume. `reach` of a triangle is -1 where it has a point inside the
-/// body, 0 where it touches it, else 1; `in` tells where a point lies; `inner` is a place inside the body.
-template <class S, class Reach, class In, class Place>
-Relation relation(const TriangleMesh<S>& mesh, const Reach& reach, const In& in, const Place& inner) {
+/// body, 0 where it touches it, else 1; `in` tells where a point lies; `inner_in` where a place inside the body lies to
+/// a surface that has no point there.
+template <class S, class Reach, class In, class InnerIn>
+Relation relation(const TriangleMesh<S>& mesh, const Reach& reach, const In& in, const InnerIn& inner_in) {
   const Surface surface(mesh);
   int least = 1;
   for (std::size_t i = 0; i < surface.triangles.size() && least >= 0; ++i)
     least = std::min(least, reach(surface.triangles[i]));
-  bool holds = false;
-  if constexpr (!std::is_same_v<Place, Unbounded>)
-    holds = least >= 0 && mesh_surface::locate(inner, surface) == Location::in;
+  const bool holds = least >= 0 && inner_in(surface) == Location::in;
   const bool held = std::ranges::all_of(surface.triangles, [&](const Corners& x) {
     return std::ranges::all_of(x.vertices, [&](const Point3& v) { return in(v) != Location::out; });
   });
@@ -55,11 +51,15 @@ Relation relation(const TriangleMesh<S>& mesh, const Reach& reach, const In& in,
   if (holds) return Relation::b_inside_a;
   return least < 0 ? Relation::overlapping : least == 0 ? Relation::touching : Relation::disjoint;
 }
-template <class S, class Place>
-Relation relation(const TriangleMesh<S>& mesh, const HalfSpaces& body, const Place& inner) {
+template <class S, class InnerIn>
+Relation relation(const TriangleMesh<S>& mesh, const HalfSpaces& body, const InnerIn& inner_in) {
   return relation(
       mesh, [&](const Corners& x) { return -triangle_half_spaces::detail::common(x, body.faces, NoTrace()); },
-      [&](const Point3& p) { return isect::locate(p, body); }, inner);
+      [&](const Point3& p) { return isect::locate(p, body); }, inner_in);
+}
+/// Where the mean of some points, which must outlive it, lies to a surface.
+inline auto mean_in(std::span<const Point3> points) {
+  return [points](const Surface& surface) { return mesh_surface::locate(mesh_surface::Mean{points}, surface); };
 }
 /// To a cylinder or a cone.
 template <class S, class Solid>
@@ -71,7 +71,7 @@ Relation round_relation(const TriangleMesh<S>& mesh, const Solid& solid) {
   const std::array<round_solid::Disc, 2> discs = round_solid::discs(solid);
   const std::array<Point3, 2> ends = {discs[0].center, discs[1].center};
   return relation(
-      mesh, reach, [&](const Point3& p) { return locate(p, solid); }, mesh_surface::Mean{ends});
+      mesh, reach, [&](const Point3& p) { return locate(p, solid); }, mean_in(ends));
 }
 
 }  // namespace mesh_convex::detail
@@ -121,7 +121,8 @@ Relation relate(const TriangleMesh<S>& mesh, const Sphere<S, 3>& sphere) {
     return sphere_triangle::detail::compare(ball.center, ball.radius, x, NoTrace());
   };
   return mesh_convex::detail::relation(
-      mesh, reach, [&](const Point<double, 3>& p) { return locate(p, ball); }, mesh_surface::Mean{{&ball.center, 1}});
+      mesh, reach, [&](const Point<double, 3>& p) { return locate(p, ball); },
+      mesh_convex::detail::mean_in({&ball.center, 1}));
 }
 
 template <class S>
@@ -132,7 +133,8 @@ Relation relate(const TriangleMesh<S>& mesh, const Capsule<S, 3>& capsule) {
     return sphere_triangle::detail::compare(wide, x, NoTrace());
   };
   return mesh_convex::detail::relation(
-      mesh, reach, [&](const Point<double, 3>& p) { return locate(p, wide); }, mesh_surface::Mean{{&wide.p, 1}});
+      mesh, reach, [&](const Point<double, 3>& p) { return locate(p, wide); },
+      mesh_convex::detail::mean_in({&wide.p, 1}));
 }
 
 template <class S>
@@ -142,14 +144,14 @@ Relation relate(const TriangleMesh<S>& mesh, const Aabb<S, 3>& box) {
   const auto reach = [&](const mesh_surface::Corners& x) { return triangle_aabb::detail::outer(x, wide, NoTrace()); };
   const std::array<Point<double, 3>, 2> ends = {wide.lo, wide.hi};
   return mesh_convex::detail::relation(
-      mesh, reach, [&](const Point<double, 3>& p) { return locate(p, wide); }, mesh_surface::Mean{ends});
+      mesh, reach, [&](const Point<double, 3>& p) { return locate(p, wide); }, mesh_convex::detail::mean_in(ends));
 }
 
 template <class S>
 Relation relate(const TriangleMesh<S>& mesh, const Obb<S, 3>& box) {
   if (mesh.triangles.empty() || !has_volume(box)) return Relation::disjoint;
   const Point<double, 3> center = box.center.template cast<double>();
-  return mesh_convex::detail::relation(mesh, half_spaces_of(box), mesh_surface::Mean{{&center, 1}});
+  return mesh_convex::detail::relation(mesh, half_spaces_of(box), mesh_convex::detail::mean_in({&center, 1}));
 }
 
 template <class S>
@@ -157,7 +159,7 @@ Relation relate(const TriangleMesh<S>& mesh, const Hull3<S>& hull) {
   if (mesh.triangles.empty() || !has_volume(hull)) return Relation::disjoint;
   std::vector<Point<double, 3>> inner;
   for (const Point<S, 3>& v : hull.vertices) inner.push_back(v.template cast<double>());
-  return mesh_convex::detail::relation(mesh, half_spaces_of(hull), mesh_surface::Mean{inner});
+  return mesh_convex::detail::relation(mesh, half_spaces_of(hull), mesh_convex::detail::mean_in(inner));
 }
 
 template <class S>
@@ -172,13 +174,14 @@ Relation relate(const TriangleMesh<S>& mesh, const Cone<S>& cone) {
   return mesh_convex::detail::round_relation(mesh, cast<double>(cone));
 }
 
-/// They may be unbounded: the solid holds none of those.
+/// They may be unbounded: no solid holds those.
 template <class S>
 Relation relate(const TriangleMesh<S>& mesh, const HalfSpaces& solid) {
   if (mesh.triangles.empty() || !has_volume(solid)) return Relation::disjoint;
-  if (const std::optional<InnerPoint> inner = inner_point(solid))
-    return mesh_convex::detail::relation(mesh, solid, *inner);
-  return mesh_convex::detail::relation(mesh, solid, mesh_convex::detail::Unbounded());
+  const std::optional<InnerPoint> inner = inner_point(solid);  // without corners that span it, it is unbounded
+  return mesh_convex::detail::relation(mesh, solid, [&](const mesh_surface::Surface& surface) {
+    return inner ? mesh_surface::locate(*inner, surface) : Location::out;
+  });
 }
 
 }  // namespace isect

@@ -3,7 +3,7 @@
 // hull.
 //
 // Most balls lie wholly beyond one face, or have their center in the solid. Of the others, the distance of the center
-// from the solid is compared with the radius by duality: isect/parts/inequalities.h. The ball lies
+// from the solid is compared with the radius by duality: isect/parts/inequality_distance.h. The ball lies
 // in the solid iff its center is at least r inside each face, and the solid in the ball iff its corners do and it is
 // bounded. All is compared squared and multiplied out.
 
@@ -14,6 +14,7 @@
 #include <variant>
 
 #include <isect/half_spaces.h>
+#include <isect/parts/inequality_distance.h>
 
 namespace isect {
 

@@ -5,6 +5,7 @@ cmake_minimum_required(VERSION 3.22)
 set(tested_by
   any_shape=answer
   ask=answer
+  ask_meshes=answer
   ask_pairs=answer
   batch_aabb=batch
   batch_point_polygon=batch
@@ -19,6 +20,7 @@ set(tested_by
   frustum_planes=aabb_frustum
   index_pair=all_pairs
   inequalities=half_spaces
+  inequality_distance=half_spaces
   inner_point=mesh_half_spaces
   instruction_set=batch
   mesh_surface=mesh_mesh

@@ -25,7 +25,7 @@ using P = Point<double, 3>;
 
 constexpr int n = 3;  // cells reach from 0 to n on each axis
 
-/// What the body reaches, in whole numbers, and how a cell (A) lies to it.
+/// How a solid of cells (A) lies to a body (B) that reaches from lo to hi: of_cell(sides) tells how a cell (A) does.
 template <class OfCell>
 Relation truth(const Cells& cells, const Cell& lo, const Cell& hi, const OfCell& of_cell) {
   bool touched = false, cut = false, leaves = false;
@@ -198,6 +198,22 @@ TEST_CASE("a body that no double lies in is in the solid or out of it", "[mesh_c
   CHECK(relate(box, plate(15, above, 3)) == Relation::disjoint);
   CHECK(relate(box, plate(15, 15, 1)) == Relation::disjoint);  // no volume
   CHECK(relate(box, plate(30, 31, 1)) == Relation::touching);
+}
+
+TEST_CASE("a body may be the solid, or hold it", "[mesh_convex]") {
+  Random random(1);
+  const TriangleMesh<double> cube = tests::surface_of({{0, 0, 0}}, 1, {0, 0, 0}, random);
+  const double below = std::nextafter(1, 0), above = std::nextafter(1, 2);
+  const auto box = [](double hi) { return half_spaces_of(Aabb<double, 3>{{0, 0, 0}, {1, 1, hi}}); };
+  CHECK(relate(cube, box(1)) == Relation::equal);
+  CHECK(relate(cube, box(above)) == Relation::a_inside_b);
+  CHECK(relate(cube, box(below)) == Relation::b_inside_a);
+  const auto cylinder = [](double top) { return Cylinder<double>{{-3, 0, 0}, {-3, 0, top}, 5}; };  // its side at x = 2
+  CHECK(relate(cube, cylinder(1)) == Relation::a_inside_b);
+  CHECK(relate(cube, cylinder(below)) == Relation::overlapping);
+  const auto cone = [](double apex) { return Cone<double>{{0, 0, apex}, {0, 0, 0}, 4}; };  // half as wide half-way up
+  CHECK(relate(cube, cone(2)) == Relation::a_inside_b);
+  CHECK(relate(cube, cone(above)) == Relation::overlapping);
 }
 
 TEST_CASE("a body without end lies in no solid", "[mesh_convex]") {

@@ -21,6 +21,24 @@
 
 namespace isect::ask_pairs {
 
+namespace detail {
+
+template <class X>
+inline constexpr bool is_line = false;
+template <class S, int N>
+inline constexpr bool is_line<Segment<S, N>> = true;
+template <class S, int N>
+inline constexpr bool is_line<Ray<S, N>> = true;
+
+template <class X>
+inline constexpr bool is_round = false;
+template <class S>
+inline constexpr bool is_round<Cylinder<S>> = true;
+template <class S>
+inline constexpr bool is_round<Cone<S>> = true;
+
+}  // namespace detail
+
 /// Whether its numbers make a plane.
 template <class S, int N>
 bool exists(const Plane<S, N>& x) {

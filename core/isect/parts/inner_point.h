@@ -80,10 +80,8 @@ inline std::optional<InnerPoint> inner_point(const HalfSpaces& solid) {
     const auto leaves = [&](int face) {
       if (face == i || face == j || face == k) return false;
       return sign_of_long([&]<class W>() -> W {
-               const inequalities::Row<W> row = rows.template row<W>(face), x = rows.template row<W>(i),
-                                          y = rows.template row<W>(j), z = rows.template row<W>(k);
-               return dot(inequalities::detail::normal(row), inequalities::detail::corner(x, y, z)) +
-                      row[3] * inequalities::detail::determinant(x, y, z);
+               return inequalities::detail::value_at_corner(rows.template row<W>(face), rows.template row<W>(i),
+                                                            rows.template row<W>(j), rows.template row<W>(k));
              }) != 0;
     };
     if (std::erase_if(holding_all, leaves) > 0) inner.add({i, j, k}, side);

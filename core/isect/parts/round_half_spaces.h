@@ -18,8 +18,9 @@
 //
 // Of the latter only those matter whose two faces share a point of P between the planes: elsewhere both are never 0 at
 // once, so that no point of the shadow reaches the limit. As y lies across d, only what of a normal a does so counts;
-// turned by a right angle, that is a x d / |d|. So with the normals a x d, in the plane, isect/parts/inequalities.h
-// finds how far the shadow is from the center, over |d|; squared, that is compared with r^2 / d.d.
+// turned by a right angle, that is a x d / |d|. So with the normals a x d, in the plane,
+// isect/parts/inequality_distance.h finds how far the shadow is from the center, over |d|; squared, that is compared
+// with r^2 / d.d.
 //
 // Interiors. What hides a point within the disc's rim, and lies strictly between the planes, is the interior of the
 // round solid. It has a point of P iff the shadow has one within the rim, and what of P lies between the planes is not
