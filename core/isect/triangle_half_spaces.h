@@ -33,9 +33,25 @@ inequalities::Row<W> row(const std::vector<half_spaces::Face>& faces, const Tria
   return {dot(n, difference<W>(b, a)), dot(n, difference<W>(c, a)), W(0), dot(n, exactly<W>(a)) + face[3]};
 }
 
+/// Whether no corner lies in one of the half-spaces, as of most triangles that have no point in all.
+template <class Trace>
+bool beyond_a_face(const Triangle<double, 3>& x, const std::vector<half_spaces::Face>& faces, Trace&& trace) {
+  return std::ranges::any_of(faces, [&](const half_spaces::Face& face) {
+    return std::ranges::all_of(x.vertices, [&](const Point<double, 3>& v) {
+      return sign_of_long(
+                 [&]<class W>() -> W {
+                   const inequalities::Row<W> row = half_spaces::detail::row<W>(face);
+                   return dot(inequalities::detail::normal(row), exactly<W>(v)) + row[3];
+                 },
+                 trace) < 0;
+    });
+  });
+}
+
 /// 1: some point within the triangle lies in the interior of all half-spaces. 0: a point of it lies in all. -1: none.
 template <class Trace>
 int common(const Triangle<double, 3>& x, const std::vector<half_spaces::Face>& faces, Trace&& trace) {
+  if (beyond_a_face(x, faces, trace)) return -1;
   const auto text = [&]<class W>(int i) -> inequalities::Row<W> { return row<W>(faces, x, i); };
   return inequalities::common(half_spaces::detail::count(faces) + 3, text, trace);
 }
@@ -43,21 +59,9 @@ int common(const Triangle<double, 3>& x, const std::vector<half_spaces::Face>& f
 /// Whether a point of the triangle lies in all.
 template <class Trace>
 bool meets(const Triangle<double, 3>& x, const std::vector<half_spaces::Face>& faces, Trace&& trace) {
+  if (beyond_a_face(x, faces, trace)) return false;
   const auto text = [&]<class W>(int i) -> inequalities::Row<W> { return row<W>(faces, x, i); };
   return !inequalities::contradictory(half_spaces::detail::count(faces) + 3, text, trace);
-}
-
-/// Whether no corner lies in that half-space.
-template <class Trace>
-bool beyond(const Triangle<double, 3>& x, const half_spaces::Face& face, Trace&& trace) {
-  return std::ranges::all_of(x.vertices, [&](const Point<double, 3>& v) {
-    return sign_of_long(
-               [&]<class W>() -> W {
-                 const inequalities::Row<W> row = half_spaces::detail::row<W>(face);
-                 return dot(inequalities::detail::normal(row), exactly<W>(v)) + row[3];
-               },
-               trace) < 0;
-  });
 }
 
 template <class S, int N>
@@ -130,8 +134,6 @@ template <class S, int N, class Trace = NoTrace>
 bool intersects(const Triangle<S, N>& triangle, const HalfSpaces& solid, Trace&& trace = {}) {
   if (!finite(triangle)) return false;
   const Triangle<double, 3> x = triangle_half_spaces::detail::in_space<S, N>(triangle);
-  for (const half_spaces::Face& face : solid.faces)  // most are beyond one face
-    if (triangle_half_spaces::detail::beyond(x, face, trace)) return false;
   return triangle_half_spaces::detail::meets(x, solid.faces, trace);
 }
 
