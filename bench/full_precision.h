@@ -11,7 +11,9 @@
 namespace isect {
 template <class S>
 struct Hull3;
-}
+template <class S>
+struct TriangulatedPolygon;
+}  // namespace isect
 
 namespace isect::bench {
 
@@ -66,6 +68,10 @@ std::string full_precision(const Hull3<S>& x) {
   std::string all = "hull:";
   for (const Point<S, 3>& v : x.vertices) all += text(" vertex", v);
   return all;
+}
+template <class S>
+std::string full_precision(const TriangulatedPolygon<S>& x) {
+  return full_precision(x.outline);
 }
 template <class A, class B>
 std::string full_precision(const Pair<A, B>& c) {

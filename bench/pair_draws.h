@@ -9,6 +9,7 @@
 #include <isect/convex_hull_3d.h>
 #include <isect/half_spaces.h>
 #include <isect/point_convex_polygon.h>
+#include <isect/polygon_triangles.h>
 #include <isect/triangle_mesh.h>
 #include "bench/full_precision.h"
 #include "bench/ordinary_shapes.h"
@@ -254,6 +255,11 @@ inline Polygon<double, 3> drawn(Source s, const Polygon<double, 3>*) {
   for (const Point<double, 2>& v : outline(s)) ring.emplace_back(v[0], v[1], height + slope * (v[0] - v[1]));
   return {{ring}};
 }
+inline TriangulatedPolygon<double> drawn(Source s, const TriangulatedPolygon<double>*) {
+  for (;;)
+    if (auto made = triangulated(drawn(s, static_cast<const Polygon<double, 3>*>(nullptr)).rings[0]); !empty(made))
+      return made;
+}
 template <int N>
 Ring<double, N> drawn(Source s, const Ring<double, N>*) {
   return drawn(s, static_cast<const Polygon<double, N>*>(nullptr)).rings[0];
@@ -312,11 +318,21 @@ template <int N>
 void move(Ring<double, N>& x, const Vector<double, N>& v) {
   for (Point<double, N>& p : x) p += v;
 }
+inline void move(TriangulatedPolygon<double>& x, const Vector<double, 3>& v) {
+  move(x.outline, v);
+  x = triangulated(x.outline);  // rounding may fold it
+}
 
 template <class Shape>
 constexpr int dimension = 3;
 template <>
 inline constexpr int dimension<Ring<double, 2>> = 2;
+template <>
+inline constexpr int dimension<Sphere<double, 2>> = 2;
+template <>
+inline constexpr int dimension<Capsule<double, 2>> = 2;
+template <>
+inline constexpr int dimension<Aabb<double, 2>> = 2;
 template <>
 inline constexpr int dimension<Segment<double, 2>> = 2;
 template <>

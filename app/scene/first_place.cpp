@@ -21,6 +21,13 @@ std::optional<Place> first_of_all(const Line& line, const Shapes& shapes) {
   return first;
 }
 
+template <class Line, class TriangleOf>
+std::optional<Place> first_of_triangles(const Line& line, std::size_t count, const TriangleOf& triangle_of) {
+  std::vector<Triangle<double, 3>> triangles;
+  for (std::size_t i = 0; i < count; ++i) triangles.push_back(triangle_of(i));
+  return first_of_all(line, triangles);
+}
+
 template <class Line>
 std::optional<Place> place_of(const Line& line, const Shaped& o) {
   const auto first = [&](const auto& shape) { return isect::first_place(line, shape); };
@@ -52,15 +59,16 @@ std::optional<Place> place_of(const Line& line, const Shaped& o) {
       return first(o.faces());
     case Type::mesh: {
       const TriangleMesh<double>& mesh = o.mesh().mesh;
-      Triangles triangles;
-      for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) triangles.push_back(triangle(mesh, i));
-      return first_of_all(line, triangles);
+      return first_of_triangles(line, mesh.triangles.size(),
+                                [&](std::size_t i) { return triangle(mesh, static_cast<int>(i)); });
     }
     case Type::triangle:
     case Type::polygon:
       if (o.flat()) return isect::first_place(in_the_plane(line), o.outline());
       if (o.type() == Type::triangle) return first(o.as<Triangle, 3>());
-      if (o.off_plane() > 0) return first_of_all(line, o.surface());
+      if (o.off_plane() > 0)
+        return first_of_triangles(line, o.polygon().triangles.size(),
+                                  [&](std::size_t i) { return triangle(o.polygon(), i); });
       return first(Polygon<double, 3>{{o.ring()}});
   }
   return {};

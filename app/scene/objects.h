@@ -13,6 +13,9 @@
 
 namespace isect::program::scene {
 
+/// It takes the square of a polygon's corners, in space, to cut it into triangles: no more than these are.
+inline constexpr std::size_t most_corners = 2'000;
+
 using Json = nlohmann::ordered_json;
 
 enum class Type {

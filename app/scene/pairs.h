@@ -50,18 +50,8 @@ bool lies_on(const viz::Vec3&, const Shaped&);
 /// Where each point of cloud a lies: in, on or out of b, or on what is thin and out of it.
 void tell_cloud(const Shaped& a, const Shaped& b, const std::vector<Location>& where, Told&);
 void tell_cloud_on(const Shaped& a, const Shaped& b, const std::vector<Location>& where, Told&);
-/// Where a ray, line or segment first meets a polygon in space that is bent: whose corners lie in no one plane, so that
-/// it is the triangles that it is cut into.
-void along_surface(const Shaped& a, const Shaped& polygon, Told&);
-/// How a surface (A) of triangles lies to a ball or a capsule, a cylinder or a cone that has a volume: its own points
-/// count, not what it may enclose.
-template <class Round>
-Relation relate_surface(const Triangles&, const Round&);
-/// The corners of an outline that goes once round a convex area, counter-clockwise, however often it names a corner or
-/// a point of a side; nothing of another outline.
-std::optional<Ring<double, 2>> convex_corners(const Ring<double, 2>&);
-/// A triangle or a polygon in space as triangles. Throws NotDecided where its outline has none, or too many corners.
-Triangles surface_of(const Shaped&);
+/// Tells how far the corners of a polygon in space lie off one plane, if they do.
+void tell_bent(const Shaped&, Told&);
 /// Throws NotDecided: an outline that has no area, crosses or touches itself.
 [[noreturn]] void refuse_outline(const Object&);
 

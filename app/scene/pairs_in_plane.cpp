@@ -5,7 +5,6 @@
 #include <array>
 
 #include <isect/ask.h>
-#include <isect/convex_hull.h>
 #include <isect/orient.h>
 #include <isect/ray_outline.h>
 
@@ -64,32 +63,6 @@ void beside_line(const Shaped& a, const Shaped& b, Told& out) {
 }
 
 }  // namespace
-
-std::optional<Ring2> convex_corners(const Ring2& outline) {
-  // A corner named again and a point of a side, between its neighbours, change nothing of the set.
-  Ring2 ring;
-  const auto says_nothing = [](const Point<double, 2>& a, const Point<double, 2>& b, const Point<double, 2>& c) {
-    return b == c || (orient2d(a, b, c) == 0 && (a.cwiseMin(c).array() <= b.array()).all() &&
-                      (b.array() <= a.cwiseMax(c).array()).all());
-  };
-  for (const Point<double, 2>& p : outline) {
-    while (ring.size() > 1 && says_nothing(ring[ring.size() - 2], ring.back(), p)) ring.pop_back();
-    if (ring.empty() || ring.back() != p) ring.push_back(p);
-  }
-  while (ring.size() > 2 && says_nothing(ring[ring.size() - 2], ring.back(), ring.front())) ring.pop_back();
-  while (ring.size() > 2 && says_nothing(ring.back(), ring.front(), ring[1])) ring.erase(ring.begin());
-
-  const Ring2 hull = convex_hull(ring);
-  if (hull.size() < 3) return {};
-  for (int way = 0; way < 2; ++way) {
-    const auto first = std::ranges::find(ring, hull.front());
-    if (first == ring.end()) return {};
-    std::rotate(ring.begin(), first, ring.end());
-    if (ring == hull) return hull;
-    std::ranges::reverse(ring);
-  }
-  return {};
-}
 
 std::vector<Pair> pairs_in_plane() {
   using enum Type;

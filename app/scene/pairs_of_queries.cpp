@@ -8,7 +8,6 @@
 
 #include "app/query/results.h"
 #include "app/scene/pairs.h"
-#include "app/scene/triangulated.h"
 #include "app/scene/types.h"
 #include "viz/rich_text.h"
 
@@ -158,7 +157,9 @@ void line_and_outline(const Line& line, const Shaped& b, Told& out) {
 void line_and_outline(const Shaped& a, const Shaped& b, Told& out) {
   if (b.off_plane() > 0) {
     out.query = {};
-    return along_surface(a, b, out);
+    a.ray() ? tell_first(first_hit(*a.ray(), b.polygon()), out)
+            : tell_first(first_hit(a.as<Segment, 3>(), b.polygon()), out);
+    return tell_bent(b, out);
   }
   along<3>(a, out, [&](const auto& line) { line_and_outline(line, b, out); });
 }

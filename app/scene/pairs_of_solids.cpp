@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <isect/capsule_half_spaces.h>
-#include <isect/sphere_triangle.h>
+#include <isect/polygon_in_space.h>
 
 #include "app/query/reply.h"
 #include "app/scene/pairs.h"
@@ -22,11 +21,13 @@ void round_and_hull(const Shaped& a, const Shaped& b, Told& out) {
   };
   Relation r = Relation::a_inside_b;
   if (!end_in(capsule.p) || !end_in(capsule.q)) {
-    Triangles facets;
     const Hull3<double>& hull = b.hull();
     const auto at = [&](int i) { return hull.vertices[static_cast<std::size_t>(i)]; };
-    for (const auto& [p, q, s] : hull.triangles) facets.push_back({{at(p), at(q), at(s)}});
-    r = reversed(relate_surface(facets, capsule));
+    const auto facet = [&](std::size_t i) {
+      const auto& [p, q, s] = hull.triangles[i];
+      return Triangle<double, 3>{{at(p), at(q), at(s)}};
+    };
+    r = reversed(polygon_in_space::detail::to_round(hull.triangles.size(), facet, capsule));
   }
   give(r, out);
 }

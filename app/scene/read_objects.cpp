@@ -8,7 +8,6 @@
 #include <set>
 
 #include "app/scene/files/shape_file.h"
-#include "app/scene/in_plane.h"
 #include "app/scene/types.h"
 #include "viz/files.h"
 #include "viz/rich_text.h"

@@ -11,7 +11,6 @@
 #include <isect/kdop_polytope.h>
 #include <isect/point_mesh.h>
 
-#include "app/scene/in_plane.h"
 #include "app/scene/pairs.h"
 
 namespace isect::program::scene {
@@ -172,8 +171,10 @@ AnyShape<double, N> shape_of(const Shaped& x) {
       if constexpr (N == 3) return x.mesh().mesh;
       break;
     case Type::polygon:
-      if constexpr (N == 2) return x.outline();
-      break;
+      if constexpr (N == 2)
+        return x.outline();
+      else
+        return triangulated(x.ring());
     case Type::cloud:
       break;
   }
@@ -201,7 +202,6 @@ struct Shaped::Made {
   std::optional<Hull3<double>> hull = {};
   std::optional<Polygon<double, 2>> outline = {};
   std::optional<Ring<double, 3>> ring = {};
-  std::optional<Triangles> surface = {};
   std::optional<double> off_plane = {};
   std::optional<std::optional<Ray<double, 3>>> ray = {};
   std::optional<std::vector<Vec3>> points = {};
@@ -236,11 +236,15 @@ const Polygon<double, 2>& Shaped::outline() const {
 const Ring<double, 3>& Shaped::ring() const {
   return kept(&Made::ring, [&] { return points_of<3>(setting.rings(object).front()); });
 }
-const Triangles& Shaped::surface() const {
-  return kept(&Made::surface, [&] { return surface_of(*this); });
+const TriangulatedPolygon<double>& Shaped::polygon() const {
+  if (ring().size() > most_corners)
+    throw NotDecided(fmt::format("{} has more than {} corners", object.name, most_corners));
+  const auto& made = std::get<TriangulatedPolygon<double>>(shape<3>());
+  if (empty(made)) refuse_outline(object);
+  return made;
 }
 double Shaped::off_plane() const {
-  return kept(&Made::off_plane, [&] { return type() == Type::polygon ? scene::off_plane(ring()) : 0.0; });
+  return kept(&Made::off_plane, [&] { return type() == Type::polygon ? isect::off_plane(ring()) : 0.0; });
 }
 const std::optional<Ray<double, 3>>& Shaped::ray() const {
   return kept(&Made::ray, [&] { return ray_in_space(setting, object); });

@@ -74,8 +74,6 @@ std::vector<viz::Vec3> outline_of(const Setting&, const Object&);
 /// the ray would be another segment.
 std::optional<Ray<double, 3>> ray_in_space(const Setting&, const Object&);
 
-using Triangles = std::vector<Triangle<double, 3>>;
-
 /// An object as shapes of the core, each made when it is first asked for, and then kept.
 class Shaped {
  public:
@@ -102,9 +100,10 @@ class Shaped {
   const Polygon<double, 2>& outline() const;
   /// A triangle or a polygon in space: its first outline.
   const Ring<double, 3>& ring() const;
-  /// The same as triangles: see surface_of.
-  const Triangles& surface() const;
-  /// How far the corners of a polygon in space lie off one plane, see app/scene/in_plane.h; 0 of a triangle.
+  /// Throws NotDecided where the outline of a polygon in space has no area, crosses or touches itself, or has too many
+  /// corners.
+  const TriangulatedPolygon<double>& polygon() const;
+  /// How far the corners of a polygon in space lie off one plane, see isect/polygon_triangles.h; 0 of a triangle.
   double off_plane() const;
   const std::optional<Ray<double, 3>>& ray() const;
   const std::vector<viz::Vec3>& points() const;

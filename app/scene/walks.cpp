@@ -7,6 +7,7 @@
 
 #include <isect/convex_hull.h>
 #include <isect/polygon.h>
+#include <isect/polygon_triangles.h>
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 #include "app/scene/types.h"
@@ -21,7 +22,6 @@
 #include "lessons/lessons.h"
 #include "lessons/obb_obb/telling.h"
 #include "lessons/ray_polygon/telling.h"
-#include "lessons/shared/vertices.h"
 #include "viz/place.h"
 
 namespace isect::program::scene {
@@ -173,7 +173,7 @@ constexpr Walk point_in_concave_polygon = [](const Setting& s, const Object& a, 
   need_few(b, s.points(b), 24);
   Ring<double, 2> ring = points_of<2>(s.rings(b).front());
   if (s.rings(b).size() > 1) throw viz::BadInput(b.name + " has holes, and the lesson prepares one outline");
-  if (!lessons::is_simple(ring)) throw viz::BadInput("edges of " + b.name + " cross or touch, or it has no area");
+  if (!is_simple(ring)) throw viz::BadInput("edges of " + b.name + " cross or touch, or it has no area");
   if (area(ring) < 0) std::ranges::reverse(ring);
   return lessons::concave_polygon_lesson::slabs({ring, point_of<2>(s.point(a, "at"))});
 };

@@ -1,11 +1,15 @@
-// Rays and segments against polygons in the plane and in space, and segments against each other: whether they meet, as
-// people write it and exactly.
+// Rays and segments against polygons in the plane and in space, balls, capsules and half-spaces against those in the
+// plane, and segments against each other: whether they meet, as people write it and exactly.
 
+#include <algorithm>
+
+#include <isect/polygon_convex.h>
 #include <isect/polygon_polygon.h>
 #include <isect/ray_outline.h>
 #include <isect/segment_polygon.h>
 #include <isect/segment_segment.h>
 
+#include "bench/capsule_capsule/oracle.h"
 #include "bench/pair_suite.h"
 #include "bench/peer_shapes.h"
 #include "bench/polygon_polygon/oracle.h"
@@ -108,6 +112,86 @@ void in_space(Session& session, const char* test, const Exact& exact) {
       .run([](const Straight& s, const Outline& p) { return crosses(line(s), ring_of(p)); }, exact, truly);
 }
 
+// Convex bodies.
+
+template <class Meets>
+bool any_edge(const Polygon<double, 2>& polygon, const Meets& meets) {
+  const Ring<double, 2>& ring = polygon.rings[0];
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+    if (meets(ring[j], ring[i])) return true;
+  return false;
+}
+
+/// The squared distance of p from an edge.
+double distance2(const Point<double, 2>& p, const Point<double, 2>& a, const Point<double, 2>& b) {
+  const Vector<double, 2> d = b - a;
+  const double along = d.squaredNorm(), t = along > 0 ? std::clamp((p - a).dot(d) / along, 0., 1.) : 0;
+  return (p - a - t * d).squaredNorm();
+}
+bool near(const Capsule<double, 2>& c, const Point<double, 2>& a, const Point<double, 2>& b) {
+  const auto crosses = [](const Point<double, 2>& p, const Point<double, 2>& q, const Point<double, 2>& v,
+                          const Point<double, 2>& w) { return cross(q - p, v - p) * cross(q - p, w - p) < 0; };
+  const double least =
+      std::min({distance2(c.p, a, b), distance2(c.q, a, b), distance2(a, c.p, c.q), distance2(b, c.p, c.q)});
+  return least <= c.radius * c.radius || (crosses(c.p, c.q, a, b) && crosses(a, b, c.p, c.q));
+}
+/// What of the edge is left within the box's slabs.
+bool near(const Aabb<double, 2>& box, const Point<double, 2>& a, const Point<double, 2>& b) {
+  double from = 0, to = 1;
+  for (int i = 0; i < 2; ++i) {
+    const double d = b[i] - a[i];
+    if (d == 0 && (a[i] < box.lo[i] || a[i] > box.hi[i])) return false;
+    if (d == 0) continue;
+    const double t = (box.lo[i] - a[i]) / d, u = (box.hi[i] - a[i]) / d;
+    from = std::max(from, std::min(t, u)), to = std::min(to, std::max(t, u));
+  }
+  return from <= to;
+}
+bool truly_near(const Capsule<double, 2>& c, const Point<double, 2>& a, const Point<double, 2>& b) {
+  const Rational r = c.radius;
+  return oracle::distance2<2>(oracle::stretch(c), oracle::stretch(Capsule<double, 2>{a, b, 0})) <= Rational(r * r);
+}
+bool truly_near(const Aabb<double, 2>& box, const Point<double, 2>& a, const Point<double, 2>& b) {
+  Rational from = 0, to = 1;
+  const P2 p = rational(a), d = rational(b) - p, lo = rational(box.lo), hi = rational(box.hi);
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (d[i] == 0 && (p[i] < lo[i] || p[i] > hi[i])) return false;
+    if (d[i] == 0) continue;
+    const Rational t = (lo[i] - p[i]) / d[i], u = (hi[i] - p[i]) / d[i];
+    from = std::max<Rational>(from, std::min<Rational>(t, u)), to = std::min<Rational>(to, std::max<Rational>(t, u));
+  }
+  return from <= to;
+}
+
+Capsule<double, 2> body_of(const Sphere<double, 2>& b) { return {b.center, b.center, b.radius}; }
+const Capsule<double, 2>& body_of(const Capsule<double, 2>& c) { return c; }
+const Aabb<double, 2>& body_of(const Aabb<double, 2>& box) { return box; }
+const Point<double, 2>& some_point(const Capsule<double, 2>& c) { return c.p; }
+const Point<double, 2>& some_point(const Aabb<double, 2>& box) { return box.lo; }
+const Sphere<double, 2>& in_core(const Sphere<double, 2>& b) { return b; }
+const Capsule<double, 2>& in_core(const Capsule<double, 2>& c) { return c; }
+HalfSpaces in_core(const Aabb<double, 2>& box) { return half_spaces_of(box); }
+
+/// No peer asks this but Boost, of a box and within its tolerance.
+template <class Shape>
+void bodies(Session& session, const char* test) {
+  using Outline = Polygon<double, 2>;
+  PairContest<Shape, Outline>(session, test, 1 << 10)
+      .only([](const Shape& x, const Outline&) { return !empty(x); })
+      .run(
+          [](const Shape& x, const Outline& p) {
+            const auto& body = body_of(x);
+            return any_edge(p, [&](const auto& a, const auto& b) { return near(body, a, b); }) ||
+                   inside(some_point(body), p.rings[0]);
+          },
+          [](const Shape& x, const Outline& p) { return intersects(p, in_core(x)); },
+          [](const Shape& x, const Outline& p) {
+            const auto& body = body_of(x);
+            return any_edge(p, [&](const auto& a, const auto& b) { return truly_near(body, a, b); }) ||
+                   oracle::locate(rational(some_point(body)), rational(p)) != Location::out;
+          });
+}
+
 void segments(Session& session) {
   using Edge = Segment<double, 2>;
   const auto parametric = [](const Edge& a, const Edge& b) {
@@ -145,6 +229,9 @@ void measure(Session& session) {
   const auto crossed = [](const auto& s, const auto& p) { return intersect(s, p).t.has_value(); };
   in_space<Segment<double, 3>, Polygon<double, 3>, false>(session, "segment-polygon", crossed);
   in_space<Segment<double, 3>, Ring<double, 3>, false>(session, "segment-ring", crossed);
+  bodies<Sphere<double, 2>>(session, "polygon-sphere");
+  bodies<Capsule<double, 2>>(session, "polygon-capsule");
+  bodies<Aabb<double, 2>>(session, "polygon-half-spaces");
   segments(session);
 }
 

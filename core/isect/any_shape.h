@@ -6,6 +6,7 @@
 
 #include <isect/convex_hull_3d.h>
 #include <isect/half_spaces.h>
+#include <isect/polygon_triangles.h>
 #include <isect/shapes.h>
 #include <isect/triangle_mesh.h>
 
@@ -20,11 +21,10 @@ using Variant = std::variant<Point<S, N>, Segment<S, N>, Ray<S, N>, Plane<S, N>,
 }  // namespace any_shape
 
 /// In the plane (N = 2) or in space. Half-spaces are any other convex solid, of dimension N; a hull has a volume, a
-/// mesh valid indices. A polygon in space is none of them, as only lines have a test of one: in its place ask its
-/// triangles.
+/// mesh valid indices.
 template <class S, int N>
-using AnyShape =
-    std::conditional_t<N == 2, any_shape::Variant<S, N, Polygon<S, 2>>,
-                       any_shape::Variant<S, N, Frustum<S>, Hull3<S>, TriangleMesh<S>, Cylinder<S>, Cone<S>>>;
+using AnyShape = std::conditional_t<
+    N == 2, any_shape::Variant<S, N, Polygon<S, 2>>,
+    any_shape::Variant<S, N, Frustum<S>, Hull3<S>, TriangleMesh<S>, TriangulatedPolygon<S>, Cylinder<S>, Cone<S>>>;
 
 }  // namespace isect

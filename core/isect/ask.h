@@ -55,6 +55,8 @@
 #include <isect/point_point.h>
 #include <isect/point_polygon.h>
 #include <isect/point_sphere.h>
+#include <isect/polygon_convex.h>
+#include <isect/polygon_in_space.h>
 #include <isect/polygon_polygon.h>
 #include <isect/ray_aabb.h>
 #include <isect/ray_capsule.h>
@@ -222,6 +224,10 @@ Answer in_order(const Plane<S, 2>& a, const Polygon<S, 2>& b) {
   return answer(corners<S, 2>(a, all));
 }
 template <class S>
+Answer in_order(const Plane<S, 3>& a, const TriangulatedPolygon<S>& b) {
+  return empty(b) ? Answer() : answer(corners<S, 3>(a, b.outline));
+}
+template <class S>
 Answer in_order(const Plane<S, 3>& a, const TriangleMesh<S>& b) {
   std::vector<Point<S, 3>> all;
   for (const std::array<int, 3>& triangle : b.triangles)
@@ -250,15 +256,16 @@ requires detail::is_round<B> Answer in_order(const Triangle<S, 3>& a, const B& b
 }
 template <class S>
 Answer in_order(const Polygon<S, 2>& a, const Sphere<S, 2>& b) {
-  return {.meet = meets(a, Capsule<S, 2>{b.center, b.center, b.radius})};
+  return answer(*outline_and(a, Capsule<S, 2>{b.center, b.center, b.radius}));
 }
 template <class S>
 Answer in_order(const Polygon<S, 2>& a, const Capsule<S, 2>& b) {
-  return {.meet = meets(a, b)};
+  return answer(*outline_and(a, b));
 }
 template <class S>
 Answer in_order(const Polygon<S, 2>& a, const HalfSpaces& b) {
-  return {.meet = meets(a, b)};
+  const std::optional<Relation> r = outline_and(a, b);
+  return r ? answer(*r) : Answer{.meet = intersects(a, b)};
 }
 template <class S>
 Answer in_order(const Triangle<S, 2>& a, const Triangle<S, 2>& b) {

@@ -7,6 +7,7 @@
 
 #include <isect/orient.h>
 #include <isect/polygon.h>
+#include <isect/polygon_triangles.h>
 #include "lessons/shared/parameters.h"
 #include "lessons/shared/vertices.h"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include <isect/polygon_triangles.h>
+
 #include "lessons/shared/parameters.h"
 #include "lessons/shared/vertices.h"
 

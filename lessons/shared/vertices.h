@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <isect/segment_segment.h>
+#include <isect/shapes.h>
 #include "lessons/shared/flat.h"
 #include "lessons/shared/parameters.h"
 
@@ -40,22 +40,6 @@ inline void add_handles(viz::Scene& scene, const std::string& name, const Ring<d
                              .at = flat(ring[i]),
                              .role = role,
                              .one_of = kind});
-}
-
-/// Whether edges meet only where one ends and the next begins, and only in that point. Exact; false below 3 points.
-inline bool is_simple(const Ring<double, 2>& ring) {
-  using segment_segment::Meeting;
-  const std::size_t n = ring.size();
-  if (n < 3) return false;
-  const auto edge = [&](std::size_t i) { return Segment<double, 2>{ring[i], ring[(i + 1) % n]}; };
-  for (std::size_t i = 0; i < n; ++i) {
-    if (ring[i] == ring[(i + 1) % n]) return false;
-    for (std::size_t j = i + 1; j < n; ++j) {
-      const bool neighbours = j == i + 1 || (i == 0 && j == n - 1);
-      if (intersect(edge(i), edge(j)).relation > (neighbours ? Meeting::touch : Meeting::disjoint)) return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace isect::lessons

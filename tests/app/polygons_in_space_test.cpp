@@ -1,51 +1,17 @@
-// Polygons in space as triangles, and what meets them: held to the core's exact verdicts.
+// Polygons in space, and what meets them, in scenes.
 
-#include <isect/point_polygon.h>
-#include <isect/sphere_triangle.h>
-
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <random>
 
-#include "app/scene/triangulated.h"
-#include "tests/app/poses.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 
 namespace polygons_in_space_test {
-using namespace isect;
 using isect::test::Contains;
-using isect::test::in_space;
 using isect::test::Shell;
 using isect::test::write;
 using Json = nlohmann::ordered_json;
-using program::scene::triangulated;
-using Vec3 = Vector<double, 3>;
 
 namespace {
-
-/// Its corners in the order of their directions from (0, 0), one in each: simple.
-Ring<double, 2> star(std::mt19937& random) {
-  std::uniform_int_distribution<int> whole(-6, 6), count(3, 12);
-  Ring<double, 2> ring;
-  const auto angle = [](const Point<double, 2>& p) { return std::atan2(p.y(), p.x()); };
-  for (int i = count(random); i > 0; --i) {
-    const Point<double, 2> p(whole(random), whole(random));
-    const auto along = [&](const Point<double, 2>& q) { return std::abs(angle(p) - angle(q)) < 1e-9; };
-    if (!p.isZero(0) && std::ranges::none_of(ring, along)) ring.push_back(p);
-  }
-  std::ranges::sort(ring, {}, angle);
-  return ring;
-}
-/// Whether no gap between neighbouring directions is half a turn or more, so that it winds round (0, 0).
-bool winds_round(const Ring<double, 2>& ring) {
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const auto &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    if (a.x() * b.y() - a.y() * b.x() <= 0) return false;
-  }
-  return ring.size() > 2;
-}
 
 /// What the first question of a scene is answered.
 Json answer(const Shell& shell, const std::string& objects, const std::string& ask = R"("all pairs")") {
@@ -58,49 +24,6 @@ Json answer(const Shell& shell, const std::string& objects, const std::string& a
 std::string verdict(const Shell& shell, const std::string& objects) { return answer(shell, objects)["verdict"]; }
 
 }  // namespace
-
-TEST_CASE("triangles of a polygon hold the points that it holds, and each corner is used", "[scene]") {
-  std::mt19937 random(5);
-  int polygons = 0, inside = 0, outside = 0;
-  for (int i = 0; i < 600; ++i) {
-    Ring<double, 2> flat = star(random);
-    if (!winds_round(flat)) continue;
-    if (i % 2) std::ranges::reverse(flat);
-    const int pose = i % 3;
-    Ring<double, 3> outline;
-    for (const auto& p : flat) outline.push_back(in_space(p, pose));
-    const auto triangles = triangulated(outline);
-    CAPTURE(i);
-    REQUIRE(triangles.size() == flat.size() - 2);
-    ++polygons;
-    for (int k = 0; k < 40; ++k) {
-      const Point<double, 2> p(0.5 * (k % 8) * 3 - 6, 0.5 * (k / 8) * 5 - 5);
-      const bool held = std::ranges::any_of(triangles, [&](const Triangle<double, 3>& t) {
-        return intersects(Sphere<double, 3>{in_space(p, pose), 0}, t);
-      });
-      CHECK(held == (locate(p, flat) != Location::out));
-      ++(held ? inside : outside);
-    }
-  }
-  CHECK(polygons > 100);
-  CHECK(inside > 1000);
-  CHECK(outside > 1000);
-}
-
-TEST_CASE("outlines that are no polygon's have no triangles, and straight corners do no harm", "[scene]") {
-  const auto flat = [](std::vector<Point<double, 2>> corners) {
-    Ring<double, 3> ring;
-    for (const auto& p : corners) ring.push_back(in_space(p, 2));
-    return triangulated(ring);
-  };
-  CHECK(flat({{0, 0}, {2, 2}, {2, 0}, {0, 2}}).empty());                      // a bow tie
-  CHECK(flat({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}).empty());              // a corner on an edge
-  CHECK(flat({{0, 0}, {4, 0}, {2, 0}, {2, 3}}).empty());                      // back along an edge
-  CHECK(flat({{0, 0}, {1, 0}, {2, 0}}).empty());                              // no area
-  CHECK(flat({{0, 0}, {2, 2}, {0, 2}, {2, 2}, {4, 0}}).empty());              // a corner met twice
-  CHECK(flat({{0, 0}, {2, 0}, {4, 0}, {4, 4}, {2, 2}}).size() == 3);          // straight on at two corners
-  CHECK(flat({{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {0, 0}}).size() == 1);  // said twice
-}
 
 TEST_CASE("a polygon in space meets what has a point in it", "[scene]") {
   const Shell shell;
@@ -127,9 +50,10 @@ TEST_CASE("a polygon in space meets what has a point in it", "[scene]") {
   expect(R"({"capsule": "C", "p": [1,3,-5], "q": [1,3,5], "r": 1})", "P and C touch");
   expect(R"({"capsule": "C", "p": [1,3,-5], "q": [1,3,5], "r": 0.99})", "P and C are disjoint");
   expect(R"({"triangle": "T", "points": [[1,3,-1],[1,3,1],[1.5,3.5,0]]})", "P and T are disjoint");
-  expect(R"({"triangle": "T", "points": [[1,3,-1],[1,3,1],[2.5,3,0]]})", "P and T have a common point");
+  expect(R"({"triangle": "T", "points": [[1,3,-1],[1,3,1],[2.5,3,0]]})", "P and T overlap");
   expect(R"({"polygon": "Q", "points": [[1,3,-1],[1.5,3,-1],[1.5,3,1],[1,3,1]]})", "P and Q are disjoint");
-  expect(R"({"polygon": "Q", "points": [[1,3,-1],[2,3,-1],[2,3,1],[1,3,1]]})", "P and Q have a common point");
+  expect(R"({"polygon": "Q", "points": [[1,3,-1],[2,3,-1],[2,3,1],[1,3,1]]})", "P and Q touch");
+  expect(R"({"polygon": "Q", "points": [[0,0,0],[2,0,0],[2,2,0],[0,2,0]]})", "Q lies in P");
   expect(R"({"kdop": "K", "normals": [[1,0,0],[0,1,0],[0,0,1]], "lo": [0,2.5,-1], "hi": [1,3,1]})",
          "P and K are disjoint");
   expect(R"({"kdop": "K", "normals": [[1,0,0],[0,1,0],[0,0,1]], "lo": [0,2,-1], "hi": [1,3,1]})", "P and K touch");

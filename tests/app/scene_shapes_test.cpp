@@ -172,7 +172,7 @@ TEST_CASE("convex solids, balls, capsules, triangles, meshes and lines in space 
   expect(R"({"line": "g", "origin": [0,0], "dir": [1,0]}, {"ray": "h", "origin": [3,1], "dir": [2,0]})",
          "g and h are parallel");
   expect(R"({"sphere": "S", "center": [7,8], "radius": 5}, {"triangle": "T", "points": [[0,0],[4,0],[4,4]]})",
-         "S and T have a common point");
+         "S and T touch");
   expect(R"({"sphere": "S", "center": [7,8], "radius": 4.5}, {"triangle": "T", "points": [[0,0],[4,0],[4,4]]})",
          "S and T are disjoint");
 }

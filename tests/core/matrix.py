@@ -33,7 +33,7 @@ BEGIN, END = "<!-- matrix: written by tests/core/matrix.py -->\n", "<!-- end of 
 
 QUESTIONS = "relate intersects intersect first_hit all_hits may_intersect locate side cull clip".split()
 SHAPES = ("Point Segment Straight Ray Plane Sphere Aabb Obb Kdop Capsule Cylinder Cone Triangle Polygon Ring ConvexPolygon HalfSpaces Hull3 "
-          "Frustum TriangleMesh Interval").split()
+          "Frustum TriangleMesh TriangulatedPolygon Interval").split()
 SIGNATURE = re.compile(r"\b(%s)\(const ([\w:]+)(?:<([^>]*)>)?& ?\w*,\s*(?:const )?([\w:]+)(?:<([^>]*)>)?& ?\w*" % "|".join(QUESTIONS))
 
 # What `isect query` calls a shape, where that is not its name in small letters.
@@ -51,12 +51,12 @@ OF_HEADER = {("ray_outline", "2"): ("Ray", "ray_outline"), ("line_triangle", "3"
 
 # What suites call a shape, where that is not its name in small letters; and tests that are not called by both shapes.
 SUITE_OF = {"HalfSpaces": "half-spaces", "Straight": "line", "Hull3": "hull", "TriangleMesh": "mesh",
-            "ConvexPolygon": "convex-polygon"}
+            "ConvexPolygon": "convex-polygon", "TriangulatedPolygon": "polygon-in-space"}
 OTHER_TESTS = {("Point", "Polygon"): "point-in-polygon", ("Point", "ConvexPolygon"): "point-in-convex-polygon"}
 
 # What scenes call a shape: the types of objects that it stands for.
 OBJECTS = {"Aabb": ["box"], "HalfSpaces": ["hull", "kdop", "obb", "frustum"], "Straight": ["line", "ray", "segment"],
-           "TriangleMesh": ["mesh"], "Ring": ["polygon"], "Hull3": ["hull"]}
+           "TriangleMesh": ["mesh"], "Ring": ["polygon"], "TriangulatedPolygon": ["polygon"], "Hull3": ["hull"]}
 
 # A clipped part is no verdict that scenes' cases or their fuzzing tell.
 CLIPPED = ("clip_polygon", "clip_segment")
@@ -101,7 +101,7 @@ def pairs():
             if a not in SHAPES or b not in SHAPES:
                 continue
             numbers = re.findall(r"\b[23]\b", f"{of_a} {of_b}")
-            dimension = numbers[0] if numbers else "2" if "ConvexPolygon" in (a, b) else "3" if {"TriangleMesh", "Cylinder", "Cone", "Straight"} & {a, b} else "1" if a == b == "Interval" else "2, 3"
+            dimension = numbers[0] if numbers else "2" if "ConvexPolygon" in (a, b) else "3" if {"TriangleMesh", "TriangulatedPolygon", "Cylinder", "Cone", "Straight"} & {a, b} else "1" if a == b == "Interval" else "2, 3"
             asked = found.setdefault(Pair(header.stem, a, b, dimension), [])
             if question not in asked:
                 asked.append(question)

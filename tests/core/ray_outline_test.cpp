@@ -1,10 +1,15 @@
 #include <isect/ray_outline.h>
 
+#include <isect/point_polygon.h>
+#include <isect/segment_segment.h>
+
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "bench/ray_outline/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/poses.h"
 #include "tests/core/ray_outline_pairs.h"
 #include "tests/settings.h"
 
@@ -226,6 +231,74 @@ TEMPLATE_TEST_CASE("a ray or a segment in the plane of a polygon in space meets 
   }
   for (const int often : {coplanar, hits}) CHECK(often > 300);
   CHECK(across > 20);
+}
+
+namespace {
+
+std::optional<double> first_in_plane(const Ray<double, 3>& ray, const Ring<double, 3>& outline) {
+  return first_hit(ray, Polygon<double, 3>{{outline}});
+}
+
+}  // namespace
+
+TEST_CASE("a ray in a polygon's plane meets it where the segment to its end does, for whole numbers", "[ray_outline]") {
+  std::mt19937 random(11);
+  std::uniform_int_distribution<int> whole(-4, 4), count(3, 7);
+  int hits = 0, starts = 0;
+  for (int i = 0; i < 4000; ++i) {
+    Ring<double, 2> flat(static_cast<std::size_t>(count(random)));
+    for (Point<double, 2>& v : flat) v = {whole(random), whole(random)};
+    double area = 0;
+    for (std::size_t k = 0; k < flat.size(); ++k) {
+      const auto &a = flat[k], &b = flat[(k + 1) % flat.size()];
+      area += a.x() * b.y() - a.y() * b.x();
+    }
+    const Point<double, 2> o(whole(random), whole(random)), d(whole(random), whole(random));
+    if (area == 0 || d.isZero(0)) continue;
+    const int pose = i % 3;
+    const double t_max = 1 + i % 4;
+    Ring<double, 3> outline;
+    for (const Point<double, 2>& v : flat) outline.push_back(test::in_space(v, pose));
+    const Vector<double, 3> origin = test::in_space(o, pose),
+                            direction = test::in_space(d, pose) - test::in_space({0, 0}, pose);
+    const auto t = first_in_plane({origin, direction, {0, t_max}}, outline);
+
+    const bool inside = locate(o, flat) != Location::out;
+    bool meets = inside;
+    double first = inside ? 0 : t_max;
+    for (std::size_t k = 0; k < flat.size(); ++k) {
+      const auto shared =
+          intersect(Segment<double, 2>{o, o + t_max * d}, Segment<double, 2>{flat[k], flat[(k + 1) % flat.size()]});
+      if (shared.relation == segment_segment::Meeting::disjoint) continue;
+      meets = true;
+      const auto place = [&](const Point<double, 2>& p) { return (p - o).dot(d) / d.dot(d); };
+      if (shared.point) first = std::min(first, place(*shared.point));
+      if (shared.shared) first = std::min({first, place(shared.shared->p), place(shared.shared->q)});
+    }
+    INFO(i);
+    REQUIRE(t.has_value() == meets);
+    if (t) CHECK(*t == Approx(first).margin(1e-12));
+    hits += meets, starts += inside;
+    if (t) CHECK(first_in_plane({origin, direction, {-HUGE_VAL, HUGE_VAL}}, outline).value() <= *t);
+    if (meets) CHECK(first_in_plane({origin, direction, {t_max, HUGE_VAL}}, outline).value_or(t_max) >= t_max);
+  }
+  CHECK((hits > 500 && starts > 200));
+}
+
+TEST_CASE("ends of a range count exactly, and a range without numbers is empty", "[ray_outline]") {
+  const Ring<double, 3> square = {{1, 0, 0}, {3, 0, 0}, {3, 0, 2}, {1, 0, 2}};
+  const Ray<double, 3> ray = {{0, 0, 1}, {1, 0, 0}, {0, 1}};
+  CHECK(first_in_plane(ray, square) == 1.0);
+  CHECK_FALSE(first_in_plane({ray.origin, ray.direction, {0, std::nextafter(1.0, 0.0)}}, square));
+  CHECK(first_in_plane({ray.origin, ray.direction, {2, 9}}, square) == 2.0);  // from inside
+  CHECK(first_in_plane({ray.origin, ray.direction, {3, 9}}, square) == 3.0);  // leaving it
+  CHECK_FALSE(first_in_plane({ray.origin, ray.direction, {std::nextafter(3.0, 4.0), 9}}, square));
+  CHECK_FALSE(first_in_plane({ray.origin, ray.direction, {2, 1}}, square));
+  CHECK(first_in_plane({{0, 0, 2}, {1, 0, 0}, {0, HUGE_VAL}}, square) == 1.0);  // along a side
+  CHECK(first_in_plane({{0, 0, 2}, {1, 0, 0}, {2.5, HUGE_VAL}}, square) == 2.5);
+  CHECK(first_in_plane({{0, 0, -1}, {1, 0, 1}, {0, HUGE_VAL}}, square) == 1.0);  // at a corner
+  // A third is no double: the hit is the one nearest to it.
+  CHECK(first_in_plane({{0, 0, 1}, {3, 0, 0}, {0, HUGE_VAL}}, square) == 1.0 / 3);
 }
 
 }  // namespace ray_outline_test

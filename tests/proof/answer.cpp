@@ -15,15 +15,9 @@ using Kind = Thing::Kind;
 
 bool is(const Posed& x, const std::set<std::string>& types) { return types.contains(x.type()); }
 const std::set<std::string> along_a_line = {"segment", "ray", "line"}, outlines = {"triangle", "polygon"},
-                            round = {"sphere", "capsule"}, asked_by_a_ball = {"box", "capsule", "cylinder", "cone"};
+                            asked_by_a_ball = {"box", "capsule", "cylinder", "cone"};
 
 bool is_point_like(const Thing& line) { return is_zero(line.points[1]); }
-
-/// Whether a body or a surface has a volume; in the plane an area.
-bool is_full(const Thing& t) {
-  return t.radius > 0 || t.kind == Kind::round ||
-         (t.kind == Kind::body && !t.faces.empty() && std::ranges::none_of(t.faces, &Face::equation));
-}
 
 Json number(double x) {
   if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
@@ -225,15 +219,8 @@ std::string relation_of_balls(const Thing& a, const Thing& b) {
 }
 
 Json of_sets(const Posed& a, const Posed& b) {
-  const auto regions = [](const Posed& x) { return x.thing.flat && is(x, {"triangle", "polygon", "hull", "box"}); };
   if (a.type() == "sphere" && b.type() == "sphere") return {{"relation", relation_of_balls(a.thing, b.thing)}};
-  const bool one_is_an_outline = is(a, outlines) || is(b, outlines);
-  if (a.thing.flat && one_is_an_outline && !(regions(a) && regions(b))) {
-    const bool told = !is(a, round) && !is(b, round) && a.type() != "polygon" && b.type() != "polygon";
-    if (!told) return {{"meet", meet(a.thing, b.thing)}};
-  }
-  const bool surface = a.thing.kind == Kind::surface || b.thing.kind == Kind::surface;
-  if (surface && !is_full(a.thing) && !is_full(b.thing)) return {{"meet", meet(a.thing, b.thing)}};
+  if (a.thing.flat && !has_relation(a.thing, b.thing)) return {{"meet", meet(a.thing, b.thing)}};
   std::string r = relation(a.thing, b.thing);
   if (a.type() == "sphere" && is(b, asked_by_a_ball))
     r = r == "a_contains_b" ? "sphere_contains_" + b.type() : r == "b_contains_a" ? b.type() + "_contains_sphere" : r;

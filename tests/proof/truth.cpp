@@ -477,39 +477,66 @@ Edges edges_of(const Thing& t) {
   return edges;
 }
 
+/// Where edges cut the edge from p to q, ends included, from 0 to 1.
+std::vector<Rational> cuts_of(const Vec& p, const Vec& q, const Edges& all) {
+  const Vec d = q - p;
+  std::vector<Rational> cuts = {0, 1};
+  for (const auto& [r, s] : all) {
+    const Vec e = s - r;
+    const Rational turn = d[0] * e[1] - d[1] * e[0];
+    if (turn != 0) {
+      const Vec w = r - p;
+      cuts.push_back(Rational((w[0] * e[1] - w[1] * e[0]) / turn));
+    } else if (!is_zero(d)) {
+      for (const Vec& end : {r, s}) cuts.push_back(Rational(dot(end - p, d) / dot(d, d)));
+    }
+  }
+  std::erase_if(cuts, [](const Rational& t) { return t < 0 || t > 1; });
+  std::ranges::sort(cuts);
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  return cuts;
+}
+/// A point beside p, in the direction n, before the next edge.
+Vec beside(const Vec& p, const Vec& n, const Edges& all) {
+  Rational room = 1;
+  for (const auto& [r, s] : all) {
+    const Vec e = s - r, w = r - p;
+    const Rational turn = n[0] * e[1] - n[1] * e[0];
+    if (turn == 0) continue;
+    const Rational t = (w[0] * e[1] - w[1] * e[0]) / turn, at = (w[0] * n[1] - w[1] * n[0]) / turn;
+    if (t > 0 && at >= 0 && at <= 1) room = std::min(room, t);
+  }
+  return p + Rational(room / 2) * n;
+}
+/// Calls use(from, middle, to, points on both sides) for each piece of an edge that edges are cut into.
+template <class Use>
+void each_piece(const Edges& all, const Use& use) {
+  for (const auto& [p, q] : all) {
+    const Vec d = q - p;
+    if (is_zero(d)) continue;
+    const std::vector<Rational> cuts = cuts_of(p, q, all);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      const Vec middle = p + Rational((cuts[i] + cuts[i + 1]) / 2) * d, right = {d[1], -d[0], 0};
+      use(p + cuts[i] * d, middle, p + cuts[i + 1] * d,
+          std::array{beside(middle, right, all), beside(middle, Rational(-1) * right, all)});
+    }
+  }
+}
+
 /// Two sets in the plane with the parts that their edges cut it into: each part, and each piece of an edge, lies in one
 /// of the sets wholly or not at all.
 struct Overlay {
   bool interiors_meet = false, a_in_b = true, b_in_a = true;
 
   Overlay(const Thing& a, const Thing& b) {
-    const Edges of_a = edges_of(a), of_b = edges_of(b);
-    Edges all = of_a;
-    all.insert(all.end(), of_b.begin(), of_b.end());
-    for (const auto& [p, q] : all) {
-      const Vec d = q - p;
-      std::vector<Rational> cuts = {0, 1};
-      for (const auto& [r, s] : all) {
-        const Vec e = s - r;
-        const Rational turn = d[0] * e[1] - d[1] * e[0];
-        if (turn != 0) {
-          const Vec w = r - p;
-          cuts.push_back(Rational((w[0] * e[1] - w[1] * e[0]) / turn));
-        } else if (!is_zero(d)) {
-          for (const Vec& end : {r, s}) cuts.push_back(Rational(dot(end - p, d) / dot(d, d)));
-        }
-      }
-      std::erase_if(cuts, [](const Rational& t) { return t < 0 || t > 1; });
-      std::ranges::sort(cuts);
-      cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
-      for (std::size_t i = 0; i < cuts.size(); ++i) {
-        point(p + cuts[i] * d, a, b);
-        if (i + 1 == cuts.size() || is_zero(d)) continue;
-        const Vec middle = p + Rational((cuts[i] + cuts[i + 1]) / 2) * d;
-        point(middle, a, b);
-        for (const int side : {-1, 1}) beside(middle, {-side * d[1], side * d[0], 0}, all, a, b);
-      }
-    }
+    Edges all = edges_of(a);
+    for (const auto& edge : edges_of(b)) all.push_back(edge);
+    for (const auto& [p, q] : all)
+      for (const Vec& end : {p, q}) point(end, a, b);
+    each_piece(all, [&](const Vec& from, const Vec& middle, const Vec& to, const std::array<Vec, 2>& both) {
+      for (const Vec& p : {from, middle, to, both[0], both[1]}) point(p, a, b);
+      for (const Vec& p : both) interiors_meet |= place(p, a) < 0 && place(p, b) < 0;
+    });
   }
 
  private:
@@ -517,19 +544,29 @@ struct Overlay {
     const bool in_a = place(p, a) <= 0, in_b = place(p, b) <= 0;
     a_in_b &= !in_a || in_b, b_in_a &= !in_b || in_a;
   }
-  /// The part on that side of an edge's piece.
-  void beside(const Vec& p, const Vec& n, const Edges& all, const Thing& a, const Thing& b) {
-    Rational room = 1;  // before the next edge
-    for (const auto& [r, s] : all) {
-      const Vec e = s - r, w = r - p;
-      const Rational turn = n[0] * e[1] - n[1] * e[0];
-      if (turn == 0) continue;
-      const Rational t = (w[0] * e[1] - w[1] * e[0]) / turn, at = (w[0] * n[1] - w[1] * n[0]) / turn;
-      if (t > 0 && at >= 0 && at <= 1) room = std::min(room, t);
+};
+
+/// A ball or a capsule beside a region: whether the region's border passes through its inside; if not, whether that
+/// lies in the region.
+struct BallInRegion {
+  bool cut = false, holds = false;
+
+  BallInRegion(const Thing& ball, const Thing& region) {
+    const Edges edges = edges_of(region);
+    const Rational reach = ball.radius * ball.radius;
+    each_piece(edges, [&](const Vec& from, const Vec&, const Vec& to, const std::array<Vec, 2>& both) {
+      const bool parts = (place(both[0], region) < 0) != (place(both[1], region) < 0);
+      cut |= parts && distance2({from, to}, ball.points) < reach;
+    });
+    if (cut) return;
+    for (int attempt = 0;; ++attempt) {  // near the center, on no edge
+      const Vec way = {Rational(attempt), Rational(attempt * attempt), 0};
+      const Vec p = ball.points[0] + Rational(ball.radius / (1 + 2 * attempt * attempt * attempt)) * way;
+      const int where = attempt == 0 || distance2({p}, ball.points) < reach ? place(p, region) : 0;
+      if (where == 0) continue;
+      holds = where < 0;
+      return;
     }
-    const Vec q = p + Rational(room / 2) * n;
-    point(q, a, b);
-    interiors_meet |= place(q, a) < 0 && place(q, b) < 0;
   }
 };
 
@@ -562,9 +599,107 @@ bool reaches_into(const Points& ends, const Thing& region) {
 
 bool is_region(const Thing& a, const Thing& b) { return a.kind == Kind::region || b.kind == Kind::region; }
 
+// A polygon in space that is not convex, beside what has no volume: in its plane as two sets of the plane, else along
+// the line of both planes.
+
+bool is_polygon_in_space(const Thing& t) { return t.kind == Kind::surface && t.type == "polygon"; }
+bool is_thin(const Thing& t) {
+  return is_polygon_in_space(t) || (t.kind == Kind::body && t.radius == 0 &&
+                                    (t.points.size() < 2 || std::ranges::any_of(t.faces, &Face::equation)));
+}
+bool are_thin(const Thing& a, const Thing& b) {
+  return !a.flat && is_thin(a) && is_thin(b) && (is_polygon_in_space(a) || is_polygon_in_space(b));
+}
+
+struct Plane {
+  Vec normal, at;
+
+  explicit Plane(const Thing& polygon) : normal(normal_of(polygon.rings[0])), at(polygon.rings[0][0]) {
+    if (std::ranges::any_of(polygon.rings[0], [&](const Vec& p) { return height(p) != 0; }))
+      throw std::logic_error("the judge knows no polygon that is not flat");
+  }
+  Rational height(const Vec& p) const { return dot(normal, p - at); }
+  bool holds(const Thing& t) const {
+    return std::ranges::all_of(corners(t), [&](const Vec& p) { return height(p) == 0; });
+  }
+  /// Without the axis of a component of the normal that is not 0.
+  Vec seen(const Vec& p) const {
+    const std::size_t i = normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2;
+    return {p[(i + 1) % 3], p[(i + 2) % 3], 0};
+  }
+  Thing seen(const Thing& t) const {
+    Thing flat = {is_polygon_in_space(t) ? Kind::region : Kind::body, "hull", true};
+    const Points& of = is_polygon_in_space(t) ? t.rings[0] : t.points;
+    Points all;
+    for (const Vec& p : of) all.push_back(seen(p));
+    if (flat.kind == Kind::region)
+      flat.rings = {all};
+    else
+      flat.points = all, close_faces(flat);
+    return flat;
+  }
+};
+
+bool is_within(const Vec& p, const Thing& t) {
+  if (is_polygon_in_space(t)) {
+    const Plane plane(t);
+    return plane.height(p) == 0 && place(plane.seen(p), plane.seen(t)) < 0;
+  }
+  return std::ranges::all_of(t.faces, [&](const Face& f) { return f.holds(p) && (f.equation || f.beyond(p) != 0); });
+}
+
+/// Whether a point within both lies on a line: at one of the ends of what the line has of their edges and faces, or
+/// between two of those.
+bool within_both(const Vec& from, const Vec& along, const Thing& a, const Thing& b) {
+  std::vector<Rational> cuts;
+  const auto cut = [&](const Vec& normal, const Rational& offset) {
+    const Rational slope = dot(normal, along);
+    if (slope != 0) cuts.push_back(Rational((offset - dot(normal, from)) / slope));
+  };
+  for (const Thing* const t : {&a, &b}) {
+    for (const Face& f : t->faces) cut(f.normal, f.offset);
+    if (!is_polygon_in_space(*t)) continue;
+    const Plane plane(*t);
+    any_edge(t->rings, [&](const Vec& p, const Vec& q) {
+      const Vec across = cross(plane.normal, q - p);
+      cut(across, dot(across, p));
+      return false;
+    });
+  }
+  std::ranges::sort(cuts);
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+    for (const Rational& t : {cuts[i], Rational((cuts[i] + cuts[i + 1 < cuts.size() ? i + 1 : i]) / 2)})
+      if (const Vec p = from + t * along; is_within(p, a) && is_within(p, b)) return true;
+  return false;
+}
+
+/// `polygon` is one, the other may be.
+bool thin_interiors_meet(const Thing& polygon, const Thing& other) {
+  const Plane plane(polygon);
+  if (plane.holds(other)) return interiors_meet(plane.seen(polygon), plane.seen(other));
+  const Points all = corners(other);
+  for (std::size_t i = 1; i < all.size(); ++i)  // what it spans meets the plane along a line, or at a point
+    for (std::size_t j = 0; j < i; ++j) {
+      const Rational h = plane.height(all[i]), k = plane.height(all[j]);
+      if (h == k) continue;
+      const Vec at = all[i] + Rational(h / (h - k)) * (all[j] - all[i]);
+      for (const Vec& third : all) {
+        const Vec along = cross(plane.normal, cross(all[j] - all[i], third - all[i]));
+        if (!is_zero(along)) return within_both(at, along, polygon, other);
+      }
+      return is_within(at, polygon) && is_within(at, other);
+    }
+  return false;
+}
+bool thin_lies_in(const Thing& a, const Thing& b) {
+  const Plane plane(is_polygon_in_space(b) ? b : a);
+  return plane.holds(a) && plane.holds(b) && lies_in(plane.seen(a), plane.seen(b));
+}
+
 }  // namespace
 
 bool interiors_meet(const Thing& a, const Thing& b) {
+  if (are_thin(a, b)) return is_polygon_in_space(a) ? thin_interiors_meet(a, b) : thin_interiors_meet(b, a);
   if (b.kind == Kind::round && a.kind != Kind::surface) return interiors_meet(b, a);
   if (a.kind == Kind::round && b.kind != Kind::surface) {
     const Relation r = of_round(a, b);
@@ -572,6 +707,12 @@ bool interiors_meet(const Thing& a, const Thing& b) {
   }
   if (is_region(a, b)) {
     const std::optional<Points> thin_a = thin(a), thin_b = thin(b);
+    if (a.radius > 0) return interiors_meet(b, a);
+    if (b.radius > 0 && thin_a) return distance2(*thin_a, b.points) < b.radius * b.radius;
+    if (b.radius > 0) {
+      const BallInRegion found(b, a);
+      return found.cut || found.holds;
+    }
     if (thin_a && thin_b) {
       const auto along = [](const Points& ends) {
         Thing part = {Kind::body, "segment", true, ends};
@@ -606,7 +747,16 @@ bool has_test(const Thing& a, const Thing& b) {
   return is_round(a) ? has(b) : !is_round(b) || has(a);
 }
 
+bool has_relation(const Thing& a, const Thing& b) {
+  const auto open = [](const Thing& region, const Thing& solid) {
+    return region.kind == Kind::region && !thin(region) && (solid.type == "obb" || solid.type == "kdop") &&
+           (solid.faces.empty() || std::ranges::any_of(solid.faces, &Face::equation));
+  };
+  return !open(a, b) && !open(b, a);
+}
+
 bool lies_in(const Thing& a, const Thing& b) {
+  if (are_thin(a, b)) return thin_lies_in(a, b);
   if (a.kind == Kind::round && b.kind == Kind::plane) return sides(b, a) == std::array{false, true, false};
   if (a.kind == Kind::round && b.kind == Kind::body) return of_round(a, b) == Relation::a_inside_b;
   if (b.kind == Kind::round && is_ball(a)) return of_round(b, a) == Relation::b_inside_a;
@@ -616,7 +766,8 @@ bool lies_in(const Thing& a, const Thing& b) {
     if (a.kind == Kind::line) return place(a.points[0], b) == 0 && dot(a.points[1], b.normal) == 0;
     return a.radius == 0 && std::ranges::all_of(all, [&](const Vec& p) { return place(p, b) == 0; });
   }
-  if (is_region(a, b)) return Overlay(a, b).a_in_b;
+  if (b.kind == Kind::region && a.radius > 0) return BallInRegion(a, b).holds;
+  if (is_region(a, b) && b.radius == 0) return Overlay(a, b).a_in_b;
   if (b.kind == Kind::surface)  // asked of what meets no triangle
     return b.closed && triangles_met(b, a) == 0 && place(all[0], b) < 0;
   if (b.radius > 0) {

@@ -55,11 +55,15 @@ Vec vec(const Json&);
 /// one with a capsule; a polytope of many faces is not judged beside one.
 bool has_test(const Thing&, const Thing&);
 
+/// Whether a test says more of the two, in the plane, than that they meet: a polygon that has an area and a solid of
+/// half-spaces without one have none such.
+bool has_relation(const Thing&, const Thing&);
+
 /// -1 in the interior, 0 on the boundary, 1 outside. What has no inside has a boundary alone.
 int place(const Vec&, const Thing&);
 bool meet(const Thing&, const Thing&);
 /// Whether two sets have a common point interior to both, each within the line, plane or space that it spans: bodies;
-/// in the plane regions as well; a surface and a body that has a volume.
+/// in the plane regions as well; a polygon in space and a body, or another one; a mesh and a body that has a volume.
 bool interiors_meet(const Thing&, const Thing&);
 /// Whether the first lies in the second: of the same sets; or in a plane.
 bool lies_in(const Thing&, const Thing&);

@@ -8,10 +8,10 @@
 #include <cmath>
 
 #include <isect/orient.h>
+#include <isect/polygon_triangles.h>
 
 #include "app/scene/files/reading.h"
-#include "app/scene/in_plane.h"
-#include "app/scene/triangulated.h"
+#include "app/scene/objects.h"
 
 namespace isect::program::scene {
 

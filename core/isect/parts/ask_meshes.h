@@ -13,6 +13,7 @@
 #include <isect/mesh_convex.h>
 #include <isect/mesh_mesh.h>
 #include <isect/parts/ask_pairs.h>
+#include <isect/polygon_triangles.h>
 #include <isect/sphere_triangle.h>
 #include <isect/triangle_aabb.h>
 #include <isect/triangle_half_spaces.h>
@@ -35,7 +36,7 @@ bool share_corner(const Triangle<S, 3>& x, const Triangle<S, 3>& y) {
 }
 
 template <class S>
-Answer in_order(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
+Answer triangles_met(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
   const std::vector<Aabb<S, 3>> around_a = boxes(a), around_b = boxes(b);
   std::vector<char> met(a.triangles.size(), 0);
   for (const auto& [i, j] : overlapping_pairs(build_bvh(around_a), around_a, build_bvh(around_b), around_b)) {
@@ -46,9 +47,17 @@ Answer in_order(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
   }
   int count = 0;
   for (const char one : met) count += one;
-  Answer out = {.meet = count > 0, .triangles = count};
+  return {.meet = count > 0, .triangles = count};
+}
+template <class S>
+Answer in_order(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
+  Answer out = triangles_met(a, b);
   out.relation = relate_solids(a, b);
   return out;
+}
+template <class S>
+Answer in_order(const TriangleMesh<S>& a, const TriangulatedPolygon<S>& b) {
+  return triangles_met(a, TriangleMesh<S>{b.outline, b.triangles});
 }
 template <class S, class B>
 requires(

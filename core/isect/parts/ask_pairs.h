@@ -14,9 +14,9 @@
 #include <isect/plane_sphere.h>
 #include <isect/point_plane.h>
 #include <isect/point_polygon.h>
+#include <isect/polygon_convex.h>
 #include <isect/polygon_polygon.h>
 #include <isect/segment_segment.h>
-#include <isect/sphere_half_spaces.h>
 #include <isect/triangle_half_spaces.h>
 
 namespace isect::ask_pairs {
@@ -88,81 +88,19 @@ Sides corners(const Plane<S, N>& plane, std::span<const Point<S, N>> points) {
   return all_finite ? sides<S, N>(plane, points) : Sides();
 }
 
-/// Where a corner of a convex solid in the plane lies among outlines, by the even-odd rule, though no double may be
-/// that corner; `out` if it has none. Exact.
+/// The segment, or the point, that one ring without an area is.
 template <class S>
-Location locate_corner(const HalfSpaces& solid, const Polygon<S, 2>& polygon) {
-  const std::vector<half_spaces::Face> faces = sphere_half_spaces::detail::with_corners(solid);
-  Location where = Location::out;
-  const auto found = [&](const auto& corner, const auto& scale) {
-    const int turned = sign_of_long(scale);
-    bool inside = false, on = false;
-    const auto pass = [&](const Point<S, 2>& p, const Point<S, 2>& q) {  // the ray from the corner to larger x
-      const auto from_corner = [&]<class W>(const Point<S, 2>& v) -> Components<W, 2> {
-        const Components<W, 3> x = corner.template operator()<W>();
-        const W k = scale.template operator()<W>();
-        return {W(v[0]) * k - x[0], W(v[1]) * k - x[1]};
-      };
-      const auto turn = [&]<class W>() -> W {
-        const Components<W, 2> a = from_corner.template operator()<W>(p), b = from_corner.template operator()<W>(q);
-        return a[0] * b[1] - a[1] * b[0];
-      };
-      const auto facing = [&]<class W>() -> W {
-        return dot(from_corner.template operator()<W>(p), from_corner.template operator()<W>(q));
-      };
-      const auto height = [&](const Point<S, 2>& v) {
-        return turned * sign_of_long([&]<class W>() -> W { return from_corner.template operator()<W>(v)[1]; });
-      };
-      const int side = sign_of_long(turn), low = height(p), high = height(q);
-      if (side == 0 && sign_of_long(facing) <= 0) on = true;
-      if ((low <= 0 && high > 0 && side > 0) || (low > 0 && high <= 0 && side < 0)) inside = !inside;
-    };
-    for (const Ring<S, 2>& ring : polygon.rings)
-      for (std::size_t i = 0; i < ring.size(); ++i) pass(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
-    where = on ? Location::on : inside ? Location::in : Location::out;
-    return false;  // one corner is enough
-  };
-  inequalities::all_corners(half_spaces::detail::count(faces), half_spaces::detail::text_of(faces), found, NoTrace());
-  return where;
-}
-
-/// Whether a polygon of any form has a point in common with a convex shape: an edge of it has, or all of the shape lies
-/// within. `edge_meets` is asked of edges, `some_point` tells where a point of the shape lies. Exact.
-template <class S, class Meets, class Locate>
-bool meets(const Polygon<S, 2>& polygon, const Meets& edge_meets, const Locate& some_point) {
-  for (const Ring<S, 2>& ring : polygon.rings)
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      if (edge_meets(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0])) return true;
-  return some_point() != Location::out;
-}
-/// With a ball as a capsule whose ends coincide.
-template <class S>
-bool meets(const Polygon<S, 2>& polygon, const Capsule<S, 2>& capsule) {
-  if (!polygon_polygon::detail::all_finite(polygon) || empty(capsule) || !finite(capsule)) return false;
-  const auto edge_meets = [&](const Point<S, 2>& p, const Point<S, 2>& q) {
-    return intersects(capsule, Capsule<S, 2>{p, q, S(0)});
-  };
-  return meets(polygon, edge_meets, [&] { return locate(capsule.p, polygon); });
-}
-template <class S>
-bool meets(const Polygon<S, 2>& polygon, const HalfSpaces& solid) {
-  if (!polygon_polygon::detail::all_finite(polygon)) return false;
-  const auto edge_meets = [&](const Point<S, 2>& p, const Point<S, 2>& q) {
-    return intersects(Triangle<S, 2>{{p, q, q}}, solid);
-  };
-  return meets(polygon, edge_meets, [&] { return locate_corner(solid, polygon); });
+std::optional<Segment<S, 2>> thin(const Polygon<S, 2>& x) {
+  if (x.rings.size() != 1 || !polygon_polygon::detail::all_finite(x)) return {};
+  const Ring<S, 2> hull = convex_hull(x.rings.front());
+  if (hull.size() != 1 && hull.size() != 2) return {};
+  return Segment<S, 2>{hull.front(), hull.back()};
 }
 
 /// How two outlines lie, by the even-odd rule. What is one ring without an area is a segment or a point, with its
 /// interior within the line that it spans. Exact.
 template <class S>
 Relation outlines(const Polygon<S, 2>& a, const Polygon<S, 2>& b) {
-  const auto thin = [](const Polygon<S, 2>& x) -> std::optional<Segment<S, 2>> {
-    if (x.rings.size() != 1 || !polygon_polygon::detail::all_finite(x)) return {};
-    const Ring<S, 2> hull = convex_hull(x.rings.front());
-    if (hull.size() != 1 && hull.size() != 2) return {};
-    return Segment<S, 2>{hull.front(), hull.back()};
-  };
   const std::optional<Segment<S, 2>> p = thin(a), q = thin(b);
   if (!p && !q) return relate(a, b);
   if (!p) return reversed(relate(*q, a));
@@ -171,6 +109,21 @@ Relation outlines(const Polygon<S, 2>& a, const Polygon<S, 2>& b) {
   const segment_segment::Meeting met = intersect(*p, *q).relation;
   const bool within = met == segment_segment::Meeting::cross || met == segment_segment::Meeting::overlap;
   return within ? Relation::overlapping : r;
+}
+
+/// The same of an outline and a ball, a capsule or half-spaces; nothing where those have no inside, and are no segment.
+template <class S>
+std::optional<Relation> outline_and(const Polygon<S, 2>& a, const Capsule<S, 2>& b) {
+  if (const std::optional<Segment<S, 2>> segment = thin(a))
+    return relate(Capsule<S, 2>{segment->p, segment->q, S(0)}, b);
+  return relate(a, b);
+}
+template <class S>
+std::optional<Relation> outline_and(const Polygon<S, 2>& a, const HalfSpaces& b) {
+  if (const std::optional<Segment<S, 2>> segment = thin(a))
+    return relate(Triangle<S, 2>{{segment->p, segment->q, segment->q}}, b);
+  if (!half_spaces::detail::has_interior(b.faces, NoTrace())) return {};
+  return relate(a, b);
 }
 
 /// Any triangle in space as half-spaces.

@@ -1,0 +1,287 @@
+#pragma once
+// A polygon in space, cut into triangles (isect/polygon_triangles.h), against points, lines, triangles, convex solids,
+// round ones and other polygons.
+//
+// A convex polygon is half-spaces, as any plate. Of another one each triangle is asked, and then:
+//
+// - It lies in a convex B where its corners do.
+// - B lies in it where the triangles cover B. That is asked triangle by triangle: what of B lies beyond one of its
+// sides
+//   has to lie in the triangles after it, and the rest is covered.
+// - A point is within it, and not on its outline, where it is within a triangle or a diagonal: a side of two triangles.
+//
+// All this are signs of determinants, see isect/half_spaces.h. A polygon that is not flat is the surface of its
+// triangles, and its points within are those between its edges.
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <isect/aabb_aabb.h>
+#include <isect/cone_half_spaces.h>
+#include <isect/cylinder_half_spaces.h>
+#include <isect/line_triangle.h>
+#include <isect/polygon_triangles.h>
+#include <isect/sphere_triangle.h>
+#include <isect/triangle_half_spaces.h>
+
+namespace isect {
+
+namespace polygon_in_space {
+
+namespace detail {
+
+/// A convex part of a set, and a box that holds it, if one is known.
+struct Part {
+  HalfSpaces faces;
+  std::optional<Aabb<double, 3>> box = {};
+};
+inline bool meet(const Part& a, const Part& b) {
+  return (!a.box || !b.box || intersects(*a.box, *b.box)) && intersects(a.faces, b.faces);
+}
+
+/// A set as what it is put together of, and what makes up its points within, beside what is within those.
+struct Parts {
+  std::vector<Part> pieces, diagonals = {};
+};
+
+/// The triangles, and the sides of two of them.
+template <class S>
+Parts parts_of(const TriangulatedPolygon<S>& x) {
+  const auto at = [&](int i) -> Point<double, 3> {
+    return x.outline[static_cast<std::size_t>(i)].template cast<double>();
+  };
+  Parts all;
+  std::map<std::pair<int, int>, int> sides;
+  for (const std::array<int, 3>& three : x.triangles) {
+    const Point<double, 3> a = at(three[0]), b = at(three[1]), c = at(three[2]);
+    all.pieces.push_back({half_spaces_of(Triangle<double, 3>{{a, b, c}}),
+                          Aabb<double, 3>{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)}});
+    for (std::size_t i = 0; i < 3; ++i) ++sides[std::minmax(three[i], three[(i + 1) % 3])];
+  }
+  for (const auto& [ends, count] : sides) {
+    if (count != 2) continue;
+    const Point<double, 3> a = at(ends.first), b = at(ends.second);
+    all.diagonals.push_back({half_spaces_of(Segment<double, 3>{a, b}), Aabb<double, 3>{a.cwiseMin(b), a.cwiseMax(b)}});
+  }
+  return all;
+}
+
+/// Whether solids cover a convex set, which has a point.
+inline bool covered(HalfSpaces set, std::span<const HalfSpaces> by) {
+  if (by.empty()) return false;
+  const HalfSpaces& first = by.front();
+  const std::span<const HalfSpaces> others = by.subspan(1);
+  if (!intersects(set, first)) return covered(set, others);
+  for (const half_spaces::Face& face : first.faces) {
+    if (half_spaces::detail::inside(set, {face}, NoTrace())) continue;
+    HalfSpaces beyond = set;
+    beyond.faces.push_back({face.form, !face.turned});
+    if (!covered(beyond, others)) return false;
+    set.faces.push_back(face);
+  }
+  return true;
+}
+
+/// Whether A lies in B.
+inline bool lies_in(const Parts& a, const Parts& b) {
+  return std::ranges::all_of(a.pieces, [&](const Part& piece) {
+    std::vector<HalfSpaces> near;
+    for (const Part& other : b.pieces)
+      if (meet(piece, other)) near.push_back(other.faces);
+    return covered(piece.faces, near);
+  });
+}
+
+inline bool interiors_meet(const Parts& a, const Parts& b) {
+  for (const std::vector<Part>* const of_a : {&a.pieces, &a.diagonals})
+    for (const std::vector<Part>* const of_b : {&b.pieces, &b.diagonals})
+      for (const Part& x : *of_a)
+        for (const Part& y : *of_b)
+          if (meet(x, y) && half_spaces::detail::interiors_meet(x.faces, y.faces, NoTrace())) return true;
+  return false;
+}
+
+inline Relation relation(const Parts& a, const Parts& b) {
+  const auto meets_b = [&](const Part& x) {
+    return std::ranges::any_of(b.pieces, [&](const Part& y) { return meet(x, y); });
+  };
+  if (std::ranges::none_of(a.pieces, meets_b)) return Relation::disjoint;
+  const bool a_in_b = lies_in(a, b), b_in_a = lies_in(b, a);
+  if (a_in_b) return b_in_a ? Relation::equal : Relation::a_inside_b;
+  if (b_in_a) return Relation::b_inside_a;
+  return interiors_meet(a, b) ? Relation::overlapping : Relation::touching;
+}
+
+/// To a convex solid that has a volume.
+template <class S>
+Relation to_solid(const TriangulatedPolygon<S>& a, const HalfSpaces& solid) {
+  int most = -1;
+  bool inside = true;
+  for (std::size_t i = 0; i < a.triangles.size(); ++i) {
+    const Triangle<S, 3> x = triangle(a, i);
+    if (most < 1) most = std::max(most, triangle_half_spaces::detail::common(cast<double>(x), solid.faces, NoTrace()));
+    inside = inside &&
+             std::ranges::all_of(x.vertices, [&](const auto& v) { return locate<S, 3>(v, solid) != Location::out; });
+  }
+  return most < 0   ? Relation::disjoint
+         : inside   ? Relation::a_inside_b
+         : most > 0 ? Relation::overlapping
+                    : Relation::touching;
+}
+
+// A ball, a capsule, a cylinder or a cone: its relation to a triangle, and the axis that is all of it without a radius.
+
+template <class S>
+Relation to_triangle(const Sphere<S, 3>& x, const Triangle<S, 3>& t) {
+  return relate(x, t);
+}
+template <class S>
+Relation to_triangle(const Capsule<S, 3>& x, const Triangle<S, 3>& t) {
+  return relate(x, t);
+}
+template <class Solid, class S>
+Relation to_triangle(const Solid& x, const Triangle<S, 3>& t) {
+  return relate(x, half_spaces_of(t));
+}
+template <class S>
+HalfSpaces axis(const Sphere<S, 3>& x) {
+  return half_spaces_of(Segment<S, 3>{x.center, x.center});
+}
+template <class S>
+HalfSpaces axis(const Capsule<S, 3>& x) {
+  return half_spaces_of(Segment<S, 3>{x.p, x.q});
+}
+template <class S>
+HalfSpaces axis(const Cylinder<S>& x) {
+  return half_spaces_of(Segment<S, 3>{x.p, x.q});
+}
+template <class S>
+HalfSpaces axis(const Cone<S>& x) {
+  return half_spaces_of(Segment<S, 3>{x.apex, x.base});
+}
+
+/// How a surface (A), of so many triangles, lies to a round solid that has a volume.
+template <class Solid, class TriangleOf>
+Relation to_round(std::size_t count, const TriangleOf& triangle_of, const Solid& solid) {
+  bool inside = true, touch = false, overlap = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Relation r = to_triangle(solid, triangle_of(i));
+    inside &= r == Relation::b_inside_a, touch |= r == Relation::touching;
+    overlap |= r == Relation::b_inside_a || r == Relation::overlapping;
+  }
+  return inside    ? Relation::a_inside_b
+         : overlap ? Relation::overlapping
+         : touch   ? Relation::touching
+                   : Relation::disjoint;
+}
+
+/// `exists`: the solid has a point.
+template <class S, class Solid>
+Relation relate_round(const TriangulatedPolygon<S>& polygon, const Solid& solid, bool exists) {
+  if (empty(polygon) || !exists) return Relation::disjoint;
+  if (solid.radius == 0) return relate(polygon, axis(solid));
+  return to_round(
+      polygon.triangles.size(), [&](std::size_t i) { return triangle(polygon, i); }, solid);
+}
+
+template <class S, class Line>
+std::optional<S> first_hit(const Line& line, const TriangulatedPolygon<S>& polygon) {
+  std::optional<S> least;
+  for (std::size_t i = 0; i < polygon.triangles.size(); ++i)
+    if (const std::optional<S> t = isect::first_hit(line, triangle(polygon, i)); t && (!least || *t < *least))
+      least = t;
+  return least;
+}
+
+}  // namespace detail
+
+}  // namespace polygon_in_space
+
+/// Of a convex polygon that lies in one plane: this from both sides, and a side for each edge.
+template <class S>
+HalfSpaces half_spaces_of(const TriangulatedPolygon<S>& polygon) {
+  assert(!polygon.convex.empty());
+  const std::size_t n = polygon.convex.size();
+  const auto at = [&](std::size_t i) -> Point<double, 3> {
+    return polygon.outline[static_cast<std::size_t>(polygon.convex[i % n])].template cast<double>();
+  };
+  using half_spaces::Behind, half_spaces::Beside;
+  HalfSpaces result = {{{Behind{at(0), at(1), at(2)}}, {Behind{at(0), at(1), at(2)}, true}}};
+  for (std::size_t i = 0; i < n; ++i) result.faces.push_back({Beside{at(i), at(i + 1), at(i + 2)}});
+  return result;
+}
+
+// How a polygon in space (A) lies to another shape. Exact, for all finite input. Empty polygons, and what is empty, NaN
+// or infinite, are disjoint from all. Two that are not flat, or a plate across one, overlap where points within both
+// meet.
+
+/// For a solid of space, without a volume, too.
+template <class S>
+Relation relate(const TriangulatedPolygon<S>& polygon, const HalfSpaces& solid) {
+  using namespace polygon_in_space::detail;
+  if (empty(polygon)) return Relation::disjoint;
+  if (!polygon.convex.empty()) return relate(half_spaces_of(polygon), solid);
+  if (half_spaces::detail::has_interior(solid.faces, NoTrace())) return to_solid(polygon, solid);
+  return relation(parts_of(polygon), Parts{{{solid}}});
+}
+
+template <class S>
+Relation relate(const TriangulatedPolygon<S>& a, const TriangulatedPolygon<S>& b) {
+  using namespace polygon_in_space::detail;
+  if (empty(a) || empty(b)) return Relation::disjoint;
+  if (!b.convex.empty()) return relate(a, half_spaces_of(b));
+  if (!a.convex.empty()) return reversed(relate(b, half_spaces_of(a)));
+  return relation(parts_of(a), parts_of(b));
+}
+
+/// For any triangle: one without an area is a segment or a point.
+template <class S>
+Relation relate(const TriangulatedPolygon<S>& polygon, const Triangle<S, 3>& x) {
+  if (!finite(x)) return Relation::disjoint;
+  return relate(polygon, triangle_half_spaces::detail::solid_of(cast<double>(x), 3, NoTrace()));
+}
+
+template <class S>
+Relation relate(const TriangulatedPolygon<S>& polygon, const Sphere<S, 3>& ball) {
+  return polygon_in_space::detail::relate_round(polygon, ball, !empty(ball) && finite(ball));
+}
+template <class S>
+Relation relate(const TriangulatedPolygon<S>& polygon, const Capsule<S, 3>& capsule) {
+  return polygon_in_space::detail::relate_round(polygon, capsule, !empty(capsule) && finite(capsule));
+}
+template <class S>
+Relation relate(const TriangulatedPolygon<S>& polygon, const Cylinder<S>& cylinder) {
+  return polygon_in_space::detail::relate_round(polygon, cylinder, round_solid::exists(cylinder));
+}
+template <class S>
+Relation relate(const TriangulatedPolygon<S>& polygon, const Cone<S>& cone) {
+  return polygon_in_space::detail::relate_round(polygon, cone, round_solid::exists(cone));
+}
+
+/// Whether the point lies on the polygon, which has no inside. Exact.
+template <class S>
+Location locate(const Point<S, 3>& p, const TriangulatedPolygon<S>& polygon) {
+  for (std::size_t i = 0; i < polygon.triangles.size(); ++i)
+    if (intersects(Sphere<S, 3>{p, S(0)}, triangle(polygon, i))) return Location::on;
+  return Location::out;
+}
+
+/// The first t at which a ray or a line meets the polygon, in its plane, too: that of the triangle that it meets first,
+/// as isect/line_triangle.h has it. isect/ray_polygon.h tells more where the polygon is flat.
+template <class S>
+std::optional<S> first_hit(const Ray<S, 3>& ray, const TriangulatedPolygon<S>& polygon) {
+  return polygon_in_space::detail::first_hit(ray, polygon);
+}
+template <class S>
+std::optional<S> first_hit(const Segment<S, 3>& segment, const TriangulatedPolygon<S>& polygon) {
+  return polygon_in_space::detail::first_hit(segment, polygon);
+}
+
+}  // namespace isect
