@@ -1,4 +1,4 @@
-// A page has no files beside the text that is opened in it.
+// A page has no files besides the text that is opened in it.
 
 #include "viz/files.h"
 

@@ -1,4 +1,4 @@
-// What the lessons' pictures need of a text, without Pango.
+// Measures text for the lessons' pictures without Pango.
 
 #include "viz/font/table.h"
 #include "viz/text.h"

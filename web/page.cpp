@@ -1,4 +1,4 @@
-// What a page's script calls: one function, from text to text.
+// The one function that a page's script calls, from text to text.
 
 #include <emscripten.h>
 

@@ -22,7 +22,7 @@ std::string contents(const std::string& path) {
   return text.str();
 }
 
-/// As `isect check` draws them.
+/// Draws the steps as `isect check` does.
 std::vector<viz::Drawing> drawings_of(const viz::Lesson& lesson, const viz::Walk& walk,
                                       const std::vector<viz::Walk>& all) {
   constexpr double width = 960, height = 600;

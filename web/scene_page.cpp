@@ -1,4 +1,4 @@
-// As page.cpp, where scenes of one's own are opened, too.
+// Like page.cpp, but readers can also open scenes of their own.
 
 #include <emscripten.h>
 

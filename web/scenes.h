@@ -1,5 +1,5 @@
 #pragma once
-// Scenes of one's own, for a session.
+// Reads the readers' own scenes, for a session.
 
 #include "web/session.h"
 

@@ -34,9 +34,9 @@ using Json = Session::Json;
 
 /// A press of an arrow key moves what is held by eight of these, in units of the picture.
 constexpr double a_pixel = 0.4;
-/// Of a map beside the scene, as the picture is.
+/// The size of a map beside the scene, in units of the picture.
 constexpr double map_width = 264, map_height = 190;
-/// Of what lights up, beside the window's.
+/// The width of strokes that light up, as a share of the window's.
 constexpr double thinner = 0.45;
 
 Vec2 point_in(const Json& request) { return {request.at("x").get<double>(), request.at("y").get<double>()}; }
@@ -61,7 +61,7 @@ std::string point_text(std::string text) {
   return out;
 }
 
-/// As `set` of viz/lesson.h, for what people type.
+/// Works as `set` of viz/lesson.h, for what people type.
 void set_typed(const viz::Lesson& lesson, viz::Parameters& to, const std::string& name, const std::string& text) {
   const auto p = std::ranges::find(lesson.parameters, name, &viz::Parameter::name);
   if (p == lesson.parameters.end()) return viz::set(lesson, to, name, text);  // which says what there is
@@ -89,7 +89,7 @@ std::optional<viz::Camera> camera_from(const std::string& text, const viz::Lesso
   return camera;
 }
 
-/// What is wrong with a part of a link is said with its name.
+/// Calls read(), and adds the part's name to what is wrong with that part of a link.
 template <class Read>
 void read_named(const std::string& name, const Read& read) {
   try {
@@ -463,7 +463,7 @@ Json Session::frame(Drawn how, const viz::Moved& moved) {
   return reply;
 }
 
-/// Where each stands in the picture, and what it is.
+/// The handles: where each stands in the picture, and what it is.
 Json Session::handles() const {
   Json all = Json::array();
   for (const viz::Handle& h : player_->scene().handles) {
@@ -491,7 +491,7 @@ Json Session::values() const {
   return all;
 }
 
-/// What changes nothing in this setting.
+/// The parameters that change nothing in this setting.
 Json Session::idle() const {
   Json all = Json::array();
   for (const viz::Parameter& p : player_->lesson().parameters)
@@ -499,7 +499,7 @@ Json Session::idle() const {
   return all;
 }
 
-/// For the address: the preset that all began with, and what is other than there.
+/// The state for the address: the preset that all began with, and what differs from it.
 Json Session::place() const {
   const viz::Lesson& lesson = player_->lesson();
   Json changes = Json::array();
@@ -516,7 +516,7 @@ Json Session::place() const {
   return place;
 }
 
-/// What a reader can set.
+/// The parameters that a reader can set.
 Json Session::parameters() const {
   Json all = Json::array();
   for (const viz::Parameter& p : player_->lesson().parameters) {
@@ -535,7 +535,7 @@ Json Session::parameters() const {
   return all;
 }
 
-/// Null where the lesson has none, this step shows it itself, or the reader does not want it.
+/// The map; null where the lesson has none, this step shows it itself, or the reader does not want it.
 Json Session::map_beside() {
   plane_.reset();
   if (player_->scene().chart) {  // the step's own may be dragged over
@@ -562,7 +562,7 @@ Json Session::map_beside() {
           {"height", map_height}};
 }
 
-/// Which exercises ask for a setting that this is one of.
+/// The numbers of the exercises that this setting solves.
 Json Session::solved() const {
   Json all = Json::array();
   if (const viz::Closing* closing = player_->lesson().closing)

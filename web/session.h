@@ -1,6 +1,6 @@
 #pragma once
-// A lesson on a page that answers: what is asked for and what comes of it are JSON texts, so that the page's script
-// holds no state but what it shows.
+// A lesson on an interactive page: requests and answers are JSON texts, so that the page's script holds no state except
+// what it shows.
 
 #include <functional>
 #include <map>
@@ -17,7 +17,7 @@
 
 namespace isect::web {
 
-/// A scene file that was read: as a lesson, and its text with other numbers.
+/// A scene file that was read: its lesson, and what writes its text with other numbers.
 struct Scene {
   const viz::Lesson* lesson;
   std::function<std::string(const viz::Parameters&)> text;
@@ -29,11 +29,11 @@ class Session {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// `read_scene`: none where there are no scenes of one's own.
+  /// `read_scene`: empty where readers can open no scenes of their own.
   explicit Session(std::vector<const viz::Lesson*>, ReadScene read_scene = {});
 
-  /// `request`: an object whose "do" names what is asked for, such as {"do": "go", "at": 3}. The first is "open". What
-  /// can't be had changes nothing and is told, plainly, as {"wrong": "..."}.
+  /// `request`: an object whose "do" names what is asked for, such as {"do": "go", "at": 3}. The first is "open". A
+  /// request that can't be met changes nothing and is answered, in plain words, with {"wrong": "..."}.
   std::string answer(const std::string& request);
 
  private:
@@ -42,7 +42,7 @@ class Session {
     viz::Vec3 start;
     viz::Vec2 grip;  ///< from the handle to the pointer that took it
   };
-  enum class Drawn { at_rest, in_motion };  ///< in motion a picture keeps its size, and what stays is not told again
+  enum class Drawn { at_rest, in_motion };  ///< in motion a picture keeps its size, and what stays is not sent again
 
   Json open(const Json&);
   Json go(const Json&);
@@ -84,7 +84,7 @@ class Session {
   ReadScene read_scene_;
   std::map<std::string, std::function<Json(const Json&)>> asked_;
   std::optional<viz::Player> player_;
-  std::optional<Scene> scene_;  ///< that the player is in, if any
+  std::optional<Scene> scene_;  ///< the scene that the player is in, if any
   viz::ThemeName theme_ = viz::ThemeName::screen;
   viz::Figure figure_ = {{}, {}, viz::View({}, 1, 1)};  ///< that is shown
   viz::PaperSize size_;                                 ///< its own

@@ -2,9 +2,9 @@
 // Axis-aligned box against box.
 //
 // Boxes are products of intervals, so they share a box: on every axis the interval from the larger lower end to the
-// smaller upper end. They are disjoint when that is inverted on *some* axis, and meet when they overlap in x and y
-// and z. The note says "or", and its figure returns OVERLAP after the first axis: only the end of the loop may say
-// so. Nothing but comparisons of inputs: exact for free. Source: the note, N13 (corrected), N12.
+// smaller upper end. They are disjoint when that is inverted on *some* axis, and meet when they overlap in x and y and
+// z. The note says "or", and its figure returns OVERLAP after the first axis: only the end of the loop may say so. Only
+// inputs are compared: exact for free. Source: the note, N13 (corrected), N12.
 
 #include <algorithm>
 #include <limits>
@@ -48,8 +48,8 @@ bool same(const Aabb<S, N>& a, const Aabb<S, N>& b) {
 
 }  // namespace detail
 
-/// Whether the boxes meet, axis by axis, as the note prints it but for its errata. Naive: right for boxes that are
-/// what they claim to be, but it takes inverted ones and NaN for overlapping.
+/// Whether the boxes meet, axis by axis, as the note prints it, errata corrected. Naive: right for valid boxes, but it
+/// takes inverted ones and NaN for overlapping.
 template <class S, int N, class Trace = NoTrace>
 bool by_axis(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {
   for (int axis = 0; axis < N; ++axis) {
@@ -79,7 +79,7 @@ bool intersects(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {
   return meets;
 }
 
-/// Whether some point is interior to both boxes; of a flat box within the plane, line or point that it spans. Exact.
+/// Whether a point is interior to both boxes; a flat one's interior is within the plane, line or point it spans. Exact.
 template <class S, int N>
 bool interiors_intersect(const Aabb<S, N>& a, const Aabb<S, N>& b) {
   if (empty(a) || empty(b) || !finite(a) || !finite(b)) return false;

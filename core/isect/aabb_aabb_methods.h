@@ -12,8 +12,8 @@ namespace isect::aabb_aabb {
 template <class S>
 using MethodEvent = std::variant<interval_interval::Common<S>, interval_interval::Middles<S>>;
 
-/// The larger lower ends against the smaller upper ends, without a branch. An inverted box meets nothing, but NaN may
-/// slip through std::max and std::min.
+/// Compares the larger lower ends with the smaller upper ends, without a branch. An inverted box meets nothing, but NaN
+/// may slip through std::max and std::min.
 template <class S, int N, class Trace = NoTrace>
 bool min_max(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {
   bool meets = true;
@@ -21,7 +21,7 @@ bool min_max(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {
   return meets;
 }
 
-/// By centers and half-sides. Naive: centers round, so that boxes that touch may come apart.
+/// Compares centers and half-sides. Naive: centers round, so that boxes that touch may come apart.
 /// Source: Ericson, Real-Time Collision Detection (2005), 4.2.1.
 template <class S, int N, class Trace = NoTrace>
 bool by_centers(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {

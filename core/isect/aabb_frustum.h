@@ -1,7 +1,7 @@
 #pragma once
 // Axis-aligned box against view frustum: what a renderer asks before it draws.
 //
-// As for a sphere (isect/sphere_frustum.h): a box beyond one of the six planes is outside, one that no plane cuts is
+// Like a sphere (isect/sphere_frustum.h), a box beyond one of the six planes is outside, one that no plane cuts is
 // inside, and what remains is left undecided, which draws too much near the frustum's edges. Each plane looks at the
 // box's two extreme corners, and at one only if that is outside. Source: the note, N01 (view-volume culling);
 // Assarsson, Moller, Optimized view frustum culling algorithms for bounding boxes, J. Graphics Tools 5 (2000).

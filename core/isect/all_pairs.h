@@ -7,14 +7,14 @@
 // Sweep and prune sorts the boxes by their lower ends along one axis. A plane that sweeps along it holds the boxes
 // that it cuts; one that begins can meet only these, as the others have ended before, or begin later.
 //
-// A grid tests only boxes that share a cell. Two boxes may share many cells; the pair is that of the one cell with
+// A grid tests only boxes that share a cell. Two boxes may share many cells; the pair counts in the one cell that has
 // the lower corner of their common box, max(lo): it lies in both boxes, and so in a cell of both. Boxes that would
 // cover too many cells are swept instead.
 //
-// All find the same pairs, each once, i < j, in an order of their own, and return the number of tests. Exact: nothing
-// but comparisons of inputs decides. A box that is empty, NaN or infinite meets nothing. For speed take
-// overlapping_pairs (isect/overlapping_pairs.h). Source: the note, N25 (corrected), N03, N09; Cohen, Lin,
-// Manocha, Ponamgi, I-COLLIDE, Symposium on Interactive 3D Graphics (1995).
+// All find the same pairs, each once, i < j, each method in its own order, and return the number of tests. Exact: only
+// comparisons of inputs decide. A box that is empty, NaN or infinite meets nothing. For speed take overlapping_pairs
+// (isect/overlapping_pairs.h). Source: the note, N25 (corrected), N03, N09; Cohen, Lin, Manocha, Ponamgi, I-COLLIDE,
+// Symposium on Interactive 3D Graphics (1995).
 
 #include <algorithm>
 #include <array>
@@ -139,7 +139,7 @@ struct Cells {
   }
 };
 
-/// As large as half of the boxes are at most, and no smaller than a 2^-30th of everything, to be numbered by int.
+/// Returns cells of the median box's size, at least a 2^-30th of the widest extent of all: so int can number them.
 template <class S, int N>
 Cells<N> cells(const std::vector<Aabb<S, N>>& boxes, const std::vector<int>& members) {
   Aabb<double, N> all = cast<double>(boxes[members[0]]);
@@ -156,7 +156,7 @@ Cells<N> cells(const std::vector<Aabb<S, N>>& boxes, const std::vector<int>& mem
 
 }  // namespace detail
 
-/// Every pair: n (n - 1) / 2 tests.
+/// Tests every pair: n (n - 1) / 2 tests.
 template <class S, int N, class Report, class Trace = NoTrace>
 std::int64_t brute_force(const std::vector<Aabb<S, N>>& boxes, Report&& report, Trace&& trace = {}) {
   std::int64_t tests = 0;
@@ -169,14 +169,14 @@ std::int64_t brute_force(const std::vector<Aabb<S, N>>& boxes, Report&& report, 
   return tests;
 }
 
-/// Along the axis on which the boxes are spread most.
+/// Sweeps along the axis on which the boxes are spread most.
 template <class S, int N, class Report, class Trace = NoTrace>
 std::int64_t sweep_and_prune(const std::vector<Aabb<S, N>>& boxes, Report&& report, Trace&& trace = {}) {
   return detail::sweep(
       boxes, detail::with_points(boxes), [](int) { return true; }, report, trace);
 }
 
-/// In cells of the median box's size. Memory: 4 (N + 1) bytes for each cell that a box covers, at most 3^N.
+/// Tests pairs in cells of the median box's size. Memory: 4 (N + 1) bytes for each cell that a box covers, at most 3^N.
 template <class S, int N, class Report, class Trace = NoTrace>
 std::int64_t grid(const std::vector<Aabb<S, N>>& boxes, Report&& report, Trace&& trace = {}) {
   const std::vector<int> members = detail::with_points(boxes);

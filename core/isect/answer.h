@@ -1,5 +1,5 @@
 #pragma once
-// What may be said of two shapes A and B, in one type whatever they are. isect/ask.h asks any two of them.
+// The answer about two shapes A and B, in one type whatever they are. isect/ask.h asks any two of them.
 
 #include <optional>
 
@@ -8,20 +8,20 @@
 
 namespace isect {
 
-/// Each verdict is exact, each t as near as the test says that finds it. What does not apply to the two shapes, or is
-/// told by no test of them, has no value. A line, here, is a ray or a segment, too; t is that of the one that is a
-/// line, of two lines A's.
+/// Each verdict is exact; the test that finds t says how near it is. A field that does not apply to the two shapes, or
+/// that no test of them finds, has no value. A line may also be a ray or a segment here; t is that of the shape that is
+/// a line, of A where both are.
 struct Answer {
-  bool meet = false;                      ///< they have a common point; of a mesh, a triangle of it has
-  std::optional<Relation> relation = {};  ///< how A lies to B; of a mesh that bounds a solid, how that does
+  bool meet = false;                      ///< they have a common point; for a mesh, one of its triangles has
+  std::optional<Relation> relation = {};  ///< how A lies to B; for a mesh that bounds a solid, how the solid does
   std::optional<Location> location = {};  ///< where the one that is a point lies in the other
-  std::optional<int> side = {};           ///< of a plane, or a line in the plane, where a point or all corners lie: 1
-                                          ///< where the normal points, or left; -1 opposite; 0 on none, or on both
-  std::optional<double> t = {};           ///< the first t in the other; infinite: too large for a number
-  std::optional<Interval<double>> part = {};  ///< all t in the other, which is convex
-  std::optional<int> triangles = {};          ///< so many triangles of a mesh have a point in the other
+  std::optional<int> side = {};           ///< for a plane, or a line in 2D, the side of a point or of all corners: 1
+                                          ///< where the normal points, or left; -1 opposite; 0 neither, or both
+  std::optional<double> t = {};           ///< the first t in the other shape; infinite if too large for a number
+  std::optional<Interval<double>> part = {};  ///< all t in the other shape, which is convex
+  std::optional<int> triangles = {};          ///< how many triangles of a mesh have a point in the other shape
   bool one_point = false;                     ///< two lines have a point in common and no other
-  bool parallel = false;  ///< a line beside or in a plane, planes of one direction; lines of one, but not on one line
+  bool parallel = false;  ///< a line parallel to a plane or in it; parallel planes; parallel lines that differ
   bool coplanar = false;  ///< a line, or every corner, lies in the plane; one plane holds both lines
   bool tangent = false;   ///< the line as a whole touches the ball; two balls touch, from without or within
 

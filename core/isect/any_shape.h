@@ -20,8 +20,8 @@ using Variant = std::variant<Point<S, N>, Segment<S, N>, Ray<S, N>, Plane<S, N>,
 
 }  // namespace any_shape
 
-/// In the plane (N = 2) or in space. Half-spaces are any other convex solid, of dimension N; a hull has a volume, a
-/// mesh valid indices.
+/// Any shape in the plane (N = 2) or in space. Half-spaces are any other convex solid, of dimension N; a hull has a
+/// volume, and a mesh valid indices.
 template <class S, int N>
 using AnyShape = std::conditional_t<
     N == 2, any_shape::Variant<S, N, Polygon<S, 2>>,

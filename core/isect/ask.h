@@ -4,13 +4,13 @@
 //   const Answer answer = ask(ball, box);
 //   for (const AnyShape<double, 3>& shape : shapes) if (ask(ray, shape).meet) ...
 //
-// The table of pairs is the core's own set of overloads: what `relate`, `locate`, `intersect`, `first_hit` or `beside`
-// takes in this order, or in the other, is asked so. A convex solid that has no test of its own with B is the common
-// part of its half-spaces, a triangle in the plane a polygon of one ring. What then is left stands in
+// The table of pairs is the core's own set of overloads: a pair that `relate`, `locate`, `intersect`, `first_hit` or
+// `beside` takes, in this order or the other, is asked by it. A convex solid without a test of its own with B counts as
+// the common part of its half-spaces, a triangle in the plane as a polygon of one ring. The other pairs are in
 // isect/parts/ask_pairs.h, isect/parts/ask_meshes.h and below.
 //
-// Some pairs have no test yet, as a cylinder and a capsule. Asked of them by their types, `ask` does not compile; of
-// two that are known only when the program runs it gives a std::optional<Answer>, nothing for such a pair: not decided.
+// Some pairs have no test yet, such as a cylinder and a capsule. For such a pair of known types `ask` does not compile;
+// for types known only at run time it returns a std::optional<Answer>, empty for such a pair: not decided.
 //
 // This header includes every test of two shapes, and compiles most of them where it asks an AnyShape: a minute. Include
 // the pair's own header where the types are known, and this one in a single source file where they are not.
@@ -108,11 +108,11 @@ inline Answer answer(const line_line::Result& r) {
           .parallel = r.meeting == Meeting::parallel,
           .coplanar = r.meeting != Meeting::skew};
 }
-/// For a point and a line: it is left or right of it, in line with it, or on it.
+/// Answers for a point and a line: the point is left or right of it, in line with it, or on it.
 inline Answer answer(Beside where) {
   return {.meet = where == Beside::on, .side = where == Beside::left ? 1 : where == Beside::right ? -1 : 0};
 }
-/// For a plane and corners.
+/// Answers for a plane and corners.
 inline Answer answer(const Sides& count) {
   const bool cut = count.behind > 0 && count.before > 0, apart = count.on == 0 && !cut;
   Answer out = answer(cut ? Relation::overlapping : apart ? Relation::disjoint : Relation::touching);
@@ -120,7 +120,7 @@ inline Answer answer(const Sides& count) {
   out.coplanar = count.on > 0 && count.behind + count.before == 0;
   return out;
 }
-/// For a line and what it meets first at t.
+/// Answers for a line and what it meets first at t.
 template <class S>
 Answer answer(const std::optional<S>& t) {
   return {.meet = t.has_value(), .t = t};
@@ -173,7 +173,7 @@ Polygon<S, 2> polygon(const Aabb<S, 2>& x) {
 /// The pair has no test, or none in this order.
 struct Untested {};
 
-// Tests that say more than their overload, or have none. Others are found in `in_order`.
+// Tests that say more than their overload, or have none. The last `in_order` finds the others.
 
 template <class S, int N>
 Answer in_order(const Point<S, N>& a, const Point<S, N>& b) {
@@ -234,7 +234,7 @@ Answer in_order(const Plane<S, 3>& a, const TriangleMesh<S>& b) {
     for (const int i : triangle) all.push_back(b.vertices[static_cast<std::size_t>(i)]);
   return answer(corners<S, 3>(a, all));
 }
-/// Both tangencies, from without and from within, are told.
+/// Reports both tangencies, from outside and from inside.
 template <class S, int N>
 Answer in_order(const Sphere<S, N>& a, const Sphere<S, N>& b) {
   Answer out = answer(relate(a, b));
@@ -280,7 +280,7 @@ Answer in_order(const Polygon<S, 2>& a, const Aabb<S, 2>& b) {
   return answer(outlines(a, detail::polygon(b)));
 }
 
-/// What the core has for A and B in this order.
+/// Calls the core's test of A and B in this order, if there is one.
 template <class A, class B>
 auto in_order(const A& a, const B& b) {
   if constexpr (detail::is_line<A> && detail::is_line<B>) {
@@ -306,7 +306,7 @@ auto in_order(const A& a, const B& b) {
 template <class A, class B>
 inline constexpr bool has_test = !std::is_same_v<decltype(in_order(std::declval<A>(), std::declval<B>())), Untested>;
 
-/// What the core has for A and B in either order, or for what they count as.
+/// Calls the core's test of A and B in either order, or of what they count as, if there is one.
 template <class A, class B>
 auto in_any_order(const A& a, const B& b) {
   if constexpr (has_test<A, B>)
@@ -338,14 +338,14 @@ inline constexpr bool is_decided<std::variant<A...>, B> = (is_decided<A, B> && .
 template <class... A, class... B>
 inline constexpr bool is_decided<std::variant<A...>, std::variant<B...>> = (is_decided<A, std::variant<B...>> && ...);
 
-/// What is to be said of A and B, in either order: the answer of the core's own test of them, or of what they count as.
-/// Every verdict is exact; empty shapes, NaN and infinite coordinates meet nothing. Does not compile for a pair that
-/// has no test.
+/// Returns the answer about A and B, in either order, by the core's own test of them, or of what they count as. Every
+/// verdict is exact; empty shapes, NaN and infinite coordinates meet nothing. Does not compile for a pair that has no
+/// test.
 template <class A, class B>
 requires is_decided<A, B> Answer ask(const A& a, const B& b) { return ask_pairs::in_any_order(a, b); }
 
-/// The same where one's type, or both, are known only when the program runs: nothing, where some pair of their types
-/// has no test, for such a pair.
+/// What `ask` returns where one type, or both, are known only when the program runs: an Answer, or, where some pair of
+/// their types has no test, a std::optional<Answer>, which is empty for such a pair.
 template <class A, class B>
 using AnswerOf = std::conditional_t<is_decided<A, B>, Answer, std::optional<Answer>>;
 

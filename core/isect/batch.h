@@ -36,7 +36,7 @@ class Mask {
     for (const std::uint64_t word : words_) sum += static_cast<std::size_t>(std::popcount(word));
     return sum;
   }
-  /// The entries whose bit is set, in order.
+  /// Returns the indices of the entries whose bit is set, in order.
   std::vector<std::size_t> indices() const {
     std::vector<std::size_t> list;
     for (std::size_t w = 0; w < words_.size(); ++w)
@@ -44,7 +44,7 @@ class Mask {
         list.push_back(w * simd::block + static_cast<std::size_t>(std::countr_zero(rest)));
     return list;
   }
-  /// 64 entries each, the first in the lowest bit; bits beyond the size are zero.
+  /// The words, of 64 entries each, the first in the lowest bit; bits beyond the size are zero.
   std::vector<std::uint64_t>& words() { return words_; }
   const std::vector<std::uint64_t>& words() const { return words_; }
 
@@ -112,7 +112,7 @@ struct Bits {
   std::uint64_t yes, sure;
 };
 
-/// filter(columns..., out) for 64 entries.
+/// Runs filter(columns..., out) on 64 entries.
 template <int Bytes, class S, std::size_t K, class Filter, std::size_t... I>
 [[gnu::always_inline]] inline Bits filter_block(const Columns<S, K>& at, const Filter& filter,
                                                 std::index_sequence<I...>) {

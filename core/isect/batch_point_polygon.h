@@ -1,9 +1,9 @@
 #pragma once
 // One polygon against many points: isect/point_polygon.h, whose answers these are. See isect/batch.h.
 //
-// An edge counts for a point only if it reaches its height and doesn't lie on its left. Runs of edges that lie
-// together are asked so all at once, by their box; the boxes of all runs stand in columns. The runs that are left are
-// walked. A run's length of sqrt(n) / 8 edges balances the two, by measurement.
+// An edge counts for a point only if it reaches the point's height and doesn't lie on its left. The box of a run of
+// consecutive edges can rule out all of them at once; the boxes of all runs stand in columns. The edges of the other
+// runs are walked. A run's length of sqrt(n) / 8 edges balances the two, by measurement.
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ struct Runs {
   }
 };
 
-/// Whether a run lies above, below or on the left of p; sure of it, as all is finite.
+/// Whether a run lies above, below or on the left of p; always sure, as all numbers are finite.
 template <class S>
 struct MayCount {
   Point<S, 2> p;
@@ -61,7 +61,7 @@ struct MayCount {
   }
 };
 
-/// What the ray to the right from p meets of all rings.
+/// Counts what the ray to the right from p meets of all rings.
 template <class S>
 point_polygon::Crossings crossings(const Point<S, 2>& p, std::span<const Ring<S, 2>> rings, const Runs<S>& runs,
                                    InstructionSet set) {

@@ -82,7 +82,7 @@ template <class S, int N, class V>
   add_product(s.m, twice, zero + S(16) * std::numeric_limits<S>::epsilon());
 }
 
-/// Whether the ray's range holds a root: `ends` of its ends are finite, lo where it is one.
+/// Whether the ray's range holds a root: `ends` of its ends are finite; if only one is, it is lo.
 template <class S, int N, int ends>
 struct HitsSphere {
   Station<S, N> lo, hi;
@@ -116,11 +116,11 @@ struct HitsSphere {
   }
 };
 
-/// Whether the first hit may be nearer than `limit`, measured from the station; sure of nothing but a no.
+/// Whether the first hit may be nearer than `limit`, measured from the station; only a no is sure.
 ///
 /// The line enters a sphere no earlier than -b - r. Where it doesn't miss for certain, |f|^2 <= b^2 + r^2 + 2 m, so b
-/// is off by less than 14 u (|b| + r) + 64 u sqrt(slack), besides what the station is off. Behind the station are the
-/// spheres with c > 2 m and b > 0: where D >= -m, b^2 > m, so the sign of b is certain.
+/// is off by less than 14 u (|b| + r) + 64 u sqrt(slack), plus the station's own error. The spheres with c > 2 m and b
+/// > 0 lie behind the station: where D >= -m, b^2 > m, so the sign of b is certain.
 template <class S, int N>
 struct MayBeNearer {
   Station<S, N> from;

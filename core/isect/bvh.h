@@ -26,7 +26,7 @@ struct BvhNode {
   bool leaf() const { return count > 0; }
 };
 
-/// Node 0 is the root, if there are nodes. Memory: of n primitives at most 2n - 1 nodes and n integers, which is 116
+/// Node 0 is the root, if there are nodes. Memory: at most 2n - 1 nodes and n integers for n primitives, which is 116
 /// bytes a primitive in 3D and double, 68 in float; two thirds of that where leaves hold several primitives.
 template <class S, int N>
 struct Bvh {
@@ -44,9 +44,9 @@ using Event = std::variant<Split<S>, Leaf>;
 
 }  // namespace bvh
 
-/// The hierarchy of the primitives with these boxes, from the top down; see isect/parts/bvh_split.h. What is empty or
-/// has a NaN or infinite coordinate meets nothing, and is left out. The same boxes give the same hierarchy on every
-/// machine. O(n lg n): each level takes O(n), and none is deeper than 40 + lg n.
+/// The hierarchy of the primitives with these boxes, from the top down; see isect/parts/bvh_split.h. A box that is
+/// empty or has a NaN or infinite coordinate meets nothing, and is left out. The same boxes give the same hierarchy on
+/// every machine. O(n lg n): each level takes O(n), and none is deeper than 40 + lg n.
 template <class S, int N, class Trace = NoTrace>
 Bvh<S, N> build_bvh(const std::vector<Aabb<S, N>>& boxes, const BvhOptions& options = {}, Trace&& trace = {}) {
   std::vector<bvh::detail::Item<S, N>> items;

@@ -45,7 +45,7 @@ struct Counts {
 
 namespace detail {
 
-/// Whether two boxes meet that are finite and not empty, as those in a hierarchy are.
+/// Whether two boxes meet; both are finite and not empty, as those in a hierarchy are.
 template <class S, int N>
 bool meet(const Aabb<S, N>& a, const Aabb<S, N>& b) {
   bool result = true;

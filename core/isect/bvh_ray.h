@@ -1,9 +1,9 @@
 #pragma once
 // A ray through a hierarchy of boxes: the closest hit, any, or all.
 //
-// Of two children the nearer one is visited first. Once a hit at t is known, nodes that the ray enters beyond t are
-// pruned unseen. A box test that rounds the wrong way would lose hits, so this one never says no to a box that the
-// ray meets; a yes too many costs a visit. Source: Kay, Kajiya, Ray tracing complex scenes, SIGGRAPH (1986).
+// The nearer of two children is visited first. Once a hit at t is known, nodes that the ray enters beyond t are pruned
+// unseen. A box test that rounds the wrong way would lose hits, so this one never says no to a box that the ray meets;
+// a false positive only costs a visit. Source: Kay, Kajiya, Ray tracing complex scenes, SIGGRAPH (1986).
 
 #include <algorithm>
 #include <array>
@@ -74,10 +74,10 @@ namespace detail {
 /// comparisons and their bound are may_intersect's; the box must be finite and not empty, as those of a hierarchy
 /// are.
 ///
-/// Never beyond `end`, and beyond the true entry T by at most 2 eps |T| and a subnormal.
+/// The result is never beyond `end`, and beyond the true entry T by at most 2 eps |T| and a subnormal.
 template <class S, int N>
 ISECT_INLINE std::optional<S> entry(const ray_aabb::Prepared<S, N>& ray, S end, const Aabb<S, N>& box) {
-  const Point<S, N>* const ends[2] = {&box.lo, &box.hi};  // an index, where a condition would be a branch
+  const Point<S, N>* const ends[2] = {&box.lo, &box.hi};  // an index, as a condition would be a branch
   S in = ray.range.lo, out = end;
   for (int i = 0; i < N; ++i) {
     const S enter = ((*ends[ray.backwards[i]])[i] - ray.origin[i]) * ray.inverse[i];
@@ -104,8 +104,8 @@ S beyond(S t) {
 
 }  // namespace bvh_ray
 
-/// The closest hit of the ray among the primitives: of the least t, and of the least index among those with that t;
-/// nothing when the ray meets none. The same as asking every primitive over the whole range.
+/// Returns the closest hit of the ray among the primitives: that of least t, and of least index among those with that
+/// t; nothing when the ray meets none. Asking every primitive over the whole range gives the same.
 ///
 /// hit(primitive) returns a std::optional<S>: the t of the ray's range at which it meets the primitive first. It must
 /// lie within 4 ulp of the true one, at which the ray is in the primitive's box, and not be NaN. It is always asked
@@ -169,7 +169,7 @@ std::optional<BvhHit<S>> closest_hit(const Bvh<S, N>& bvh, const Ray<S, N>& ray,
 }
 
 /// Whether the ray meets any of the primitives, for shadows and lines of sight: the first one found ends the search.
-/// hit and the doors are closest_hit's, but only whether there is a t matters.
+/// `hit` and the input checks are those of closest_hit, but only whether there is a t matters.
 template <class S, int N, class Hit, class Trace = NoTrace>
 bool any_hit(const Bvh<S, N>& bvh, const Ray<S, N>& ray, const Hit& hit, Trace&& trace = {}) {
   using namespace bvh_ray;
@@ -203,8 +203,8 @@ bool any_hit(const Bvh<S, N>& bvh, const Ray<S, N>& ray, const Hit& hit, Trace&&
   return false;
 }
 
-/// All hits of the ray among the primitives, each its first, by rising t, and by index among those with one t. hit and
-/// the doors are closest_hit's.
+/// Returns all hits of the ray among the primitives, the first of each, by rising t, and by index among those with one
+/// t. `hit` and the input checks are those of closest_hit.
 template <class S, int N, class Hit, class Trace = NoTrace>
 std::vector<BvhHit<S>> all_hits(const Bvh<S, N>& bvh, const Ray<S, N>& ray, const Hit& hit, Trace&& trace = {}) {
   std::vector<BvhHit<S>> hits;

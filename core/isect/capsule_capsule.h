@@ -49,7 +49,7 @@ struct Contained {
 using Event = std::variant<Between, End, Contained, Fallback>;
 
 namespace detail {
-/// Segments that cross, strictly between their ends.
+/// Whether the segments cross, strictly between their ends.
 template <class Trace>
 Between between(const Capsule<double, 2>& a, const Capsule<double, 2>& b, Trace&& trace) {
   const auto parted = [&](const Capsule<double, 2>& x, const Capsule<double, 2>& y) {
@@ -99,8 +99,8 @@ int compare(const Capsule<double, N>& a, const Capsule<double, N>& b, Trace&& tr
   return least;
 }
 
-/// Whether some point is interior to both of two segments that have a common point, and neither of which contains the
-/// other: they cross between their ends, or an end of each lies on the other and these are two points.
+/// Whether some point is interior to both of two segments that have a common point and neither of which contains the
+/// other: whether they cross between their ends, or an end of each lies on the other and these ends are two points.
 template <int N, class Trace>
 bool segments_overlap(const Capsule<double, N>& a, const Capsule<double, N>& b, Trace&& trace) {
   if (between(a, b, trace).holds) return true;

@@ -5,8 +5,8 @@
 // Both find a nearest point on each segment, p + s (q - p) and p + t (q - p), and compare their square distance. Both
 // count touching as an intersection, but rounding may decide there, and far more of it where the segments are nearly
 // parallel: then the determinant of their lines, |u|^2 |v|^2 - (u.v)^2, cancels. Squares overflow or vanish beyond
-// 1e+-154 in double, 1e+-19 in float, the determinant beyond the roots of these; a radius below 0 is taken as it is, as
-// long as the sum of both is not.
+// 1e+-154 in double, 1e+-19 in float, the determinant beyond the roots of these; a radius below 0 is taken as it is,
+// unless the sum of both is below 0.
 
 #include <variant>
 
@@ -35,7 +35,7 @@ template <class S, int N>
 using MethodEvent = std::variant<Lines<S>, Closest<S, N>, Compared<S>>;
 
 namespace detail {
-/// num / den in [0, 1], den > 0; without 0 / 0 where den is 0, and 0 for NaN.
+/// num / den clamped to [0, 1], den > 0; without 0 / 0 where den is 0, and 0 for NaN.
 template <class S>
 S clamped_quotient(const S& num, const S& den) {
   return !(num > S(0)) ? S(0) : num >= den ? S(1) : num / den;
@@ -53,7 +53,7 @@ bool within(const Capsule<S, N>& a, const Capsule<S, N>& b, const S& s, const S&
 }
 }  // namespace detail
 
-/// s where the lines come nearest, clamped; then the t nearest to that; if that is clamped, too, s anew. NaN: no.
+/// Finds s where the lines come nearest, clamped; then the t nearest to that; if that is clamped, too, s anew. NaN: no.
 /// Source: Ericson, Real-Time Collision Detection (2005), 5.1.9, ClosestPtSegmentSegment, with 0 in place of its
 /// epsilon.
 template <class S, int N, class Trace = NoTrace>
@@ -74,9 +74,9 @@ bool clamped(const Capsule<S, N>& a, const Capsule<S, N>& b, Trace&& trace = {})
   return detail::within<S, N>(a, b, s, t, trace);
 }
 
-/// The same by numerators and denominators, with lines taken for parallel where the determinant is below `small`: it
-/// is absolute, so that it fails small capsules and slender angles; of a segment that is a point it knows nothing. NaN:
-/// no. Source: Sunday, Distance between 3D lines and segments (softSurfer, 2001), with 1e-8.
+/// Finds the nearest points by numerators and denominators. Lines count as parallel where the determinant is below
+/// `small`; that is absolute, so that small capsules and slender angles fail; segments that are points are not handled.
+/// NaN: no. Source: Sunday, Distance between 3D lines and segments (softSurfer, 2001), with 1e-8.
 template <class S, int N, class Trace = NoTrace>
 bool sunday(const Capsule<S, N>& a, const Capsule<S, N>& b, const S& small, Trace&& trace = {}) {
   const Vector<S, N> u = a.q - a.p, v = b.q - b.p, w = a.p - b.p;

@@ -2,7 +2,7 @@
 // Capsule against a convex solid given by half-spaces (isect/half_spaces.h): a box, an oriented box, a k-DOP, a
 // frustum.
 //
-// Most capsules lie wholly beyond one face, or their segment passes through the solid. Of the others:
+// Most capsules lie wholly beyond one face, or their segment passes through the solid. The others need more:
 //
 // The capsule is the ball that moves from p to q. It meets the solid iff the ball at p meets what the solid sweeps
 // moving from q to p, which is convex again: its half-spaces follow from those of the solid by eliminating the time t
@@ -10,10 +10,10 @@
 //
 //   a_i.y + w_i + max(0, s_i) >= 0,   and   s_i (a_j.y + w_j) - s_j (a_i.y + w_i) >= 0   where s_i > 0 > s_j.
 //
-// Of the latter only those matter whose two faces share a point of the solid: elsewhere both sides are never 0 at once,
+// Only those of the latter matter whose two faces share a point of the solid: elsewhere both sides are never 0 at once,
 // so that nothing that is swept reaches the limit.
 //
-// So the ball's test does (isect/sphere_half_spaces.h). Source: Schrijver, Theory of Linear and Integer Programming
+// So the ball's test decides (isect/sphere_half_spaces.h). Source: Schrijver, Theory of Linear and Integer Programming
 // (1986), 12.2.
 
 #include <array>
@@ -65,7 +65,7 @@ int distance(const Capsule<double, 3>& capsule, const HalfSpaces& solid, Trace&&
     at_q.push_back(sign > 0);
   }
   std::vector<std::pair<int, int>> between;
-  const bool few = approached.size() * left.size() <= 9;  // of a box: asking would cost more than it saves
+  const bool few = approached.size() * left.size() <= 9;  // as for a box: asking would cost more than it saves
   for (const int i : approached)
     for (const int j : left)
       if (few || share_a_point(solid, i, j, trace)) between.emplace_back(i, j);
@@ -86,7 +86,7 @@ int distance(const Capsule<double, 3>& capsule, const HalfSpaces& solid, Trace&&
   return inequalities::distance(count + static_cast<int>(between.size()), swept, capsule.radius, trace);
 }
 
-/// What `distance` says; 1 for a solid without a point.
+/// Returns what `distance` does; 1 for a solid without a point.
 template <class Trace>
 int reach(const Capsule<double, 3>& capsule, const HalfSpaces& solid, Trace&& trace) {
   const auto& [p, q, r] = capsule;

@@ -7,7 +7,7 @@
 //   x = (p Q - q P) / (Q - P).
 //
 // The signs are exact, so which vertices survive is certain. New vertices are rounded: a box clips at one plane after
-// the other, and from the second on at what rounding made of the first ones. Source: Sutherland, Hodgman, Reentrant
+// the other, and each from the second on cuts vertices that were rounded before. Source: Sutherland, Hodgman, Reentrant
 // polygon clipping, Comm. ACM 17 (1974).
 
 #include <variant>
@@ -76,7 +76,7 @@ Ring<S, N> cut(const Ring<S, N>& ring, const Height& height, const Settle& settl
 
 }  // namespace detail
 
-/// The ring at one plane, in floating point. Naive: rounding may decide which vertices survive.
+/// Clips the ring at one plane, in floating point. Naive: rounding may decide which vertices survive.
 template <class S, int N, class Trace = NoTrace>
 Ring<S, N> sutherland_hodgman(const Ring<S, N>& ring, const Plane<S, N>& half_space, Trace&& trace = {}) {
   Ring<S, N> kept;
@@ -96,10 +96,10 @@ Ring<S, N> sutherland_hodgman(const Ring<S, N>& ring, const Plane<S, N>& half_sp
 
 /// The part of a convex polygon on the plane or on the side that its normal points to, normal.x + d >= 0.
 ///
-/// Which vertices survive is true for all finite input of any magnitude; each coordinate of a new one lies within 2
-/// ulp of S of the true one. A polygon that touches the plane from below keeps the vertices on it, one or two.
-/// Vertices may coincide. A ring that is not convex comes out with edges along the plane. Nothing kept: an empty
-/// ring; so too for a zero normal, which makes no half-space, NaN or an infinite coordinate.
+/// Which vertices survive is true for all finite input of any magnitude; each coordinate of a new one lies within 2 ulp
+/// of S of the true one. A polygon that touches the plane from below keeps the vertices on it, one or two. Vertices may
+/// coincide. A ring that is not convex comes out with edges along the plane. The ring is empty where nothing is kept,
+/// and for a zero normal, which makes no half-space, NaN or an infinite coordinate.
 template <class S, int N, class Trace = NoTrace>
 Ring<S, N> clip(const Ring<S, N>& ring, const Plane<S, N>& half_space, Trace&& trace = {}) {
   if (!finite(ring) || !finite(half_space) || half_space.normal == Vector<S, N>::Zero()) return {};
@@ -114,9 +114,9 @@ Ring<S, N> clip(const Ring<S, N>& ring, const Plane<S, N>& half_space, Trace&& t
 /// The part of a convex polygon in the closed box.
 ///
 /// All its vertices lie in the box, exactly, and every input vertex in the box is among them, unchanged. Each plane
-/// cuts at coordinates within 2 ulp of S for the vertices that it is given; a cut of a cut moves on by as much, so
-/// that a polygon which passes a corner or an edge within rounding may be missed, or met. Otherwise as at one plane.
-/// An empty box keeps nothing.
+/// cuts at coordinates within 2 ulp of S for the vertices that it is given; a cut of a cut moves on by as much, so that
+/// a polygon which passes a corner or an edge within rounding may be missed, or met. Otherwise as for one plane. An
+/// empty box keeps nothing.
 template <class S, int N, class Trace = NoTrace>
 Ring<S, N> clip(const Ring<S, N>& ring, const Aabb<S, N>& box, Trace&& trace = {}) {
   if (empty(box) || !finite(ring) || !finite(box)) return {};

@@ -2,8 +2,8 @@
 // Clipping a ray, a line or a segment: which t are kept.
 //
 // A box keeps the stretch between the last entry and the first exit: isect/ray_aabb.h. A half-space n.x + D >= 0 keeps
-// the t on one side of the crossing with its plane, t = -(n.o + D) / (n.d): beyond it where the ray heads up
-// (n.d > 0), before it where it heads down; all or nothing of a parallel ray, by the side of its origin. Source: the
+// the t on one side of the crossing with its plane, t = -(n.o + D) / (n.d): beyond it where the ray heads up (n.d > 0),
+// before it where it heads down; of a parallel ray it keeps all or nothing, by the side of its origin. Source: the
 // note, N01; Cyrus, Beck, Computers & Graphics 3 (1978), and Liang, Barsky, ACM Trans. Graphics 3 (1984), for the
 // parameters; Newman, Sproull, Principles of Interactive Computer Graphics (1973), for Cohen and Sutherland's outcodes.
 
@@ -76,8 +76,8 @@ int outcode(const Point<S, N>& point, const Aabb<S, N>& box) {
 struct Outcodes {
   int p, q;
 };
-/// One side of the box, which the line enters (heading 1), leaves (-1) or runs along (0), and what it leaves of the
-/// range; `holds`: something. t is where the line crosses the side; of a line along it, 0.
+/// One side of the box, which the line enters (heading 1), leaves (-1) or runs along (0), and what is left of the
+/// range; `holds`: something is left. t is where the line crosses the side; 0 if the line runs along it.
 template <class S>
 struct Narrowed {
   int axis;
@@ -90,8 +90,8 @@ struct Narrowed {
 template <class S>
 using LiangBarskyEvent = std::variant<Outcodes, Narrowed<S>>;
 
-/// The t of [0, 1] in the box, side by side, after the trivial acceptance and rejection by outcodes. Naive: where the
-/// last entry nearly is the first exit, at a corner, rounding may decide. Finite arguments.
+/// The t of [0, 1] in the box, clipped at one side after the other, after the trivial acceptance and rejection by
+/// outcodes. Naive: where the last entry nearly is the first exit, at a corner, rounding may decide. Finite arguments.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> liang_barsky(const Segment<S, N>& segment, const Aabb<S, N>& box, Trace&& trace = {}) {
   const Outcodes codes = {outcode(segment.p, box), outcode(segment.q, box)};
@@ -137,10 +137,10 @@ std::optional<Interval<S>> clip(const Segment<S, N>& segment, const Aabb<S, N>& 
 
 /// The t of the ray's range on the plane or on the side that its normal points to, normal.x + d >= 0.
 ///
-/// Whether there is one is true for all finite input of any magnitude; a ray that touches the plane with one end
-/// keeps that t. The new end lies within 2 ulp of S of the true one, in the range. A zero direction makes the ray a
-/// point: all or nothing. A zero normal makes no half-space: nothing is kept; nor of an empty range, NaN or an
-/// infinite coordinate.
+/// Whether there is one is true for all finite input of any magnitude; a ray that touches the plane with one end keeps
+/// that t. The new end lies within 2 ulp of S of the true one, in the range. A zero direction makes the ray a point:
+/// all or nothing. Nothing is kept for a zero normal, which makes no half-space, an empty range, NaN or an infinite
+/// coordinate.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> clip(const Ray<S, N>& ray, const Plane<S, N>& half_space, Trace&& trace = {}) {
   if (!finite(ray) || !finite(half_space) || half_space.normal == Vector<S, N>::Zero()) return {};
@@ -150,7 +150,7 @@ std::optional<Interval<S>> clip(const Ray<S, N>& ray, const Plane<S, N>& half_sp
   return clip_segment::detail::keep_above(ray.range, t, trace);
 }
 
-/// The t of [0, 1] at which p + t (q - p) lies there, both end points taken as given; otherwise as for a ray.
+/// The t of [0, 1] at which p + t (q - p) lies in the half-space, both end points as given; otherwise as for a ray.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> clip(const Segment<S, N>& segment, const Plane<S, N>& half_space, Trace&& trace = {}) {
   if (!finite(segment) || !finite(half_space) || half_space.normal == Vector<S, N>::Zero()) return {};

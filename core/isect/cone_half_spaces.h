@@ -4,8 +4,8 @@
 //
 // Seen from its apex the cone is a disc, its base, and what of the solid lies between the planes of apex and base casts
 // a convex shadow onto the base's plane: they meet iff the disc meets the shadow, or the solid holds the apex.
-// isect/parts/round_half_spaces.h has the shadow's edges, by elimination, compares its distance from the axis with the
-// radius, by duality, and says when interiors meet.
+// isect/parts/round_half_spaces.h finds the shadow's edges by elimination, compares its distance from the axis with the
+// radius by duality, and says when interiors meet.
 
 #include <isect/parts/round_half_spaces.h>
 

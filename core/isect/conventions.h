@@ -17,12 +17,12 @@
 #if defined(__FAST_MATH__)
 #error "isect needs IEEE arithmetic: build without -ffast-math"
 #endif
-// See core/CMakeLists.txt for the options that no macro tells: -ffp-contract=off, and -fno-tree-slp-vectorize with GCC.
+// See core/CMakeLists.txt for the options that no macro shows: -ffp-contract=off, and -fno-tree-slp-vectorize with GCC.
 static_assert(FLT_EVAL_METHOD == 0, "isect needs arithmetic in the type itself: build with -mfpmath=sse");
 
 namespace isect {
 
-/// How two sets lie; the first that holds.
+/// How two sets lie; where several hold, the first.
 enum class Relation {
   disjoint,    ///< no common point
   equal,       ///< the same set
@@ -41,11 +41,11 @@ constexpr Relation reversed(Relation r) {
 /// Where a point lies with respect to a set: in its interior, on its boundary, or outside.
 enum class Location { in, on, out };
 
-/// What a view volume has of a shape. `crossing` is what remains: it may still be outside, near an edge of the volume.
+/// How a shape lies to a view volume. `crossing` is the rest: it may still be outside, near an edge of the volume.
 enum class Culling { outside, inside, crossing };
 
 // Whether code shall be small and quick to compile rather than fast: a build says so by ISECT_SMALL_CODE, or -Os. All
-// answers are the same, bit for bit. Then nothing runs in plain doubles first, what these leave open is settled by
+// answers are the same, bit for bit. Then nothing runs in plain doubles first, what doubles leave open is settled by
 // isect/numbers/recorded.h, and the operations of numbers may stay calls.
 #if defined(ISECT_SMALL_CODE) || defined(__OPTIMIZE_SIZE__)
 inline constexpr bool small_code = true;

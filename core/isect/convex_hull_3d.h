@@ -36,9 +36,9 @@
 
 namespace isect {
 
-/// A convex polytope by its boundary. In `dimension` 3 the triangles are counter-clockwise seen from outside. In 2
-/// the vertices are a polygon in their order, the triangles cover it on both sides; in 1 or 0 they are the ends of a
-/// segment or a point, without triangles; -1 of no points.
+/// A convex polytope by its boundary. In `dimension` 3 the triangles are counter-clockwise seen from outside. In 2 the
+/// vertices are a polygon in their order, the triangles cover it on both sides; in 1 or 0 they are the ends of a
+/// segment or a point, without triangles; it is -1 for no points.
 template <class S>
 struct Hull3 {
   std::vector<Point<S, 3>> vertices;
@@ -104,9 +104,9 @@ Indices hull(const Points& points, Trace&& trace) {
 
 }  // namespace convex_hull_3d
 
-/// The hull of the points. Exact: its vertices are the points given, as they are, that are in no hull of the others,
-/// in the order given (of a polygon in its own), each once; points within faces and edges and repeated ones are left
-/// out. O(n log n) for most inputs. Throws std::invalid_argument where a coordinate is NaN or infinite.
+/// The hull of the points. Exact: its vertices are the points given, as they are, that are in no hull of the others, in
+/// the order given (for a polygon, in the polygon's order), each once; points within faces and edges and repeated ones
+/// are left out. O(n log n) for most inputs. Throws std::invalid_argument where a coordinate is NaN or infinite.
 template <class S, class Trace = NoTrace>
 Hull3<S> convex_hull(std::span<const Point<S, 3>> points, Trace&& trace = {}) {
   static_assert(is_scalar<S>());

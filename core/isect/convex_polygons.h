@@ -86,7 +86,7 @@ Separation separate(const ConvexPolygon<S>& a, const ConvexPolygon<S>& b, bool o
   return found;
 }
 
-/// An edge of either polygon.
+/// Looks for an edge of either polygon that separates them.
 template <class S, class Trace>
 Separation separate(const ConvexPolygon<S>& a, const ConvexPolygon<S>& b, Trace&& trace) {
   const Separation by_a = separate(a, b, false, trace);

@@ -3,8 +3,8 @@
 // frustum, a hull.
 //
 // Seen along its axis the cylinder is a disc, and what of the solid lies between the planes of its ends a convex
-// polygon, its shadow: they meet iff the disc meets the shadow. isect/parts/round_half_spaces.h has the shadow's edges,
-// by elimination, compares its distance from the axis with the radius, by duality, and says when interiors meet.
+// polygon, its shadow: they meet iff the disc meets the shadow. isect/parts/round_half_spaces.h finds the shadow's
+// edges by elimination, compares its distance from the axis with the radius by duality, and says when interiors meet.
 
 #include <isect/parts/round_half_spaces.h>
 

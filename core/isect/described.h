@@ -1,6 +1,6 @@
 #pragma once
-// What each shape is made of, told once: its name, its fields in the order in which they are written, and what they
-// must keep so that it has a point. Whoever reads, writes, checks or explains shapes goes through these lists, whatever
+// The parts of each shape, listed once: its name, its fields in the order in which they are written, and what they must
+// keep so that it has a point. Code that reads, writes, checks or explains shapes goes through these lists, whatever
 // the format or the language:
 //
 //   each_field(ball, [](const auto& field, const auto& value) { print(field.name, value); });  // center, radius
@@ -16,7 +16,7 @@
 
 namespace isect {
 
-/// What a value says: a place; a vector of any length but 0; an axis of length 1; lengths along axes; a radius of at
+/// What a value means: a place; a vector of any length but 0; an axis of length 1; lengths along axes; a radius of at
 /// least 0; a number; an end of a range, which may be infinite.
 enum class Means { place, direction, axis, lengths, radius, number, end };
 
@@ -27,7 +27,7 @@ struct FieldOf {
   Means means;
   const char* help;
   At at;
-  bool optional = false;  ///< if it is not given it stays as X{} has it
+  bool optional = false;  ///< if it is not given, the value of X{} stays
 };
 template <class At>
 FieldOf(const char*, Means, const char*, At) -> FieldOf<At>;
@@ -43,7 +43,7 @@ struct Member {
 /// What a shape X must keep to have a point.
 template <class X>
 struct Need {
-  const char* field;      ///< the one to blame
+  const char* field;      ///< the one that breaks it
   const char* allowed;    ///< "a radius of at least 0"
   const char* otherwise;  ///< "the ball is empty: its radius is below 0"
   bool (*holds)(const X&);

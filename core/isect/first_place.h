@@ -1,13 +1,13 @@
 #pragma once
-// Where a ray, a line or a segment first meets a shape, as the number itself (isect/numbers/place.h): what puts hits in
-// order that their doubles do not tell apart. All of it in exact numbers, for the few that are to be told apart;
-// whether and where, to an ulp or two, is asked of each pair's own header first.
+// Where a ray, a line or a segment first meets a shape, as the number itself (isect/numbers/place.h): it orders hits
+// that their doubles do not tell apart. All of it runs in exact numbers, for the few that are to be told apart; each
+// pair's own header says first whether they meet, and where to an ulp or two.
 //
-// A convex set has of a line what lies between the greatest of some places and the least of others: of a half-space
-// there is one, -(n.o + d) / n.d, of a ball or an endless cylinder a root of each kind; of one half of a double cone,
-// through whose inside a line passes, one root. A capsule is the balls around its ends and what of a cylinder lies
-// between them; whatever is made of several sets is met where the first of them is. Of a polygon, isect/ray_outline.h
-// says what is met first in its plane, and its plane is crossed at one quotient.
+// A convex set holds the part of a line between the greatest of some places and the least of others: a half-space gives
+// one place, -(n.o + d) / n.d, a ball or an endless cylinder a root of each kind; one half of a double cone, through
+// whose inside a line passes, one root. A capsule is the balls around its ends and the part of a cylinder between them;
+// a set made of several is met where the first of them is. For a polygon, isect/ray_outline.h says what is met first in
+// its plane, and its plane is crossed at one quotient.
 //
 // Source: Cyrus, Beck, Generalized two- and three-dimensional clipping, Computers & Graphics 3 (1978).
 
@@ -29,7 +29,7 @@ namespace first_place_detail {
 
 using Exact3 = Components<Exact, 3>;
 
-/// A line, with its direction as the numbers that it is.
+/// A line, with its direction in exact numbers.
 struct Course {
   Point<double, 3> origin;
   Exact3 direction;
@@ -40,13 +40,13 @@ struct Course {
       : origin(line.origin), direction(line.template along<Exact>()), range(line.range) {}
 };
 
-/// What of the line lies in a convex set: from the greatest of `from` to the least of `to`.
+/// The part of the line in a convex set: from the greatest of `from` to the least of `to`.
 struct Chord {
   std::vector<Place> from, to;
   bool none = false;
 };
 
-/// -num / rate is where num + rate t is 0; the chord is where that is not negative.
+/// Cuts the chord to num + rate t >= 0; that is 0 at t = -num / rate.
 inline void cut(Chord& chord, const Exact& num, const Exact& rate) {
   if (rate.sign() == 0)
     chord.none |= num.sign() < 0;
@@ -54,7 +54,7 @@ inline void cut(Chord& chord, const Exact& num, const Exact& rate) {
     (rate.sign() > 0 ? chord.from : chord.to).push_back(quotient_at(-num, rate));
 }
 
-/// The chord is where a t^2 + 2 b t + c <= 0, a >= 0, and b = 0 where a is.
+/// Cuts the chord to a t^2 + 2 b t + c <= 0; a >= 0, and b = 0 where a is.
 inline void cut_by_roots(Chord& chord, const Quadratic<Exact>& f) {
   chord.none |= f.a.sign() == 0 ? f.c.sign() > 0 : f.discriminant.sign() < 0;
   if (chord.none || f.a.sign() == 0) return;
@@ -62,7 +62,7 @@ inline void cut_by_roots(Chord& chord, const Quadratic<Exact>& f) {
   chord.to.push_back({-f.b, f.a, 1, f.discriminant});
 }
 
-/// The chord is where a t^2 + 2 b t + c <= 0 in the half of a double cone that the line enters iff `rate` is above 0.
+/// Cuts the chord to a t^2 + 2 b t + c <= 0 in the half of a double cone that the line enters iff `rate` is above 0.
 inline void cut_by_roots_of_half(Chord& chord, const Quadratic<Exact>& f, const Exact& rate) {
   if (f.a.sign() > 0) return cut_by_roots(chord, f);
   if (f.a.sign() == 0) return cut(chord, -f.c, Exact(-2.0) * f.b);
@@ -82,12 +82,12 @@ inline Chord chord_of(const Course& line, const HalfSpaces& solid) {
   return chord;
 }
 
-/// Where n.x + w = 0, for x of the line.
+/// Cuts the chord to n.x + w = 0, for x of the line; n.x + w is num + rate t.
 inline void cut_by_plane(Chord& chord, const Exact& num, const Exact& rate) {
   cut(chord, num, rate), cut(chord, -num, -rate);
 }
 
-/// What the line has in common with another one: of a point its place.
+/// Returns the part that the line has in common with another one; if that is a point, its place.
 inline Chord chord_of(const Course& line, const Course& other) {
   const Exact3 f = difference<Exact>(line.origin, other.origin), &d = other.direction;
   Chord chord;
@@ -146,7 +146,7 @@ std::optional<Place> first_in(const Straight<3, ends>& line, const Capsule<doubl
   }
   return first;
 }
-/// A cylinder or a cone: between the planes of its ends its side alone.
+/// Finds the first place in a cylinder or a cone: between the planes of its ends only its side counts.
 template <bool ends, class Solid>
 requires requires(Solid solid) { round_solid::discs(solid); }
 std::optional<Place> first_in(const Straight<3, ends>& line, const Solid& solid) {
@@ -200,7 +200,7 @@ std::optional<Place> first_in(const Straight<2, ends>& line, const Polygon<doubl
 
 inline Ray<double, 3> as_given(const Straight<3, false>& line) { return {line.origin, line.heading, line.range}; }
 inline Segment<double, 3> as_given(const Straight<3, true>& line) { return {line.origin, line.heading}; }
-/// Where its plane is crossed, or in it.
+/// Finds the first place in a polygon: where its plane is crossed, or within the plane.
 template <bool ends>
 std::optional<Place> first_in(const Straight<3, ends>& line, const Polygon<double, 3>& polygon) {
   if (!first_hit(as_given(line), polygon)) return {};
@@ -220,7 +220,7 @@ std::optional<Place> first_in(const Straight<3, ends>& line, const Polygon<doubl
 /// by the even-odd rule.
 ///
 /// Exact, for all finite input of any magnitude. Where the range begins in the shape, it is where the range begins.
-/// Nothing where they have no point in common, where a whole line lies in what has no end, and, but for a polygon,
+/// Nothing where they have no point in common, where a whole line lies in what has no end, and, except for a polygon,
 /// where a line without direction begins nowhere. An empty shape, NaN or an infinite coordinate: nothing.
 template <int N, class Shape>
 std::optional<Place> first_place(const Ray<double, N>& ray, const Shape& shape) {

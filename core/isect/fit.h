@@ -50,7 +50,7 @@ std::size_t extreme(const std::vector<Point<S, N>>& points, const Farther& farth
   return best;
 }
 
-/// The least x of S for which holds(x), a predicate that is true from some x on, near `guess`; infinite without one.
+/// Returns the least x of S with holds(x), a predicate that is true from some x near `guess` on; infinite without one.
 template <class S, class Holds>
 S least(S guess, const Holds& holds) {
   constexpr S most = std::numeric_limits<S>::max(), infinity = std::numeric_limits<S>::infinity();
@@ -159,7 +159,7 @@ Aabb<S, N> fit_aabb(const std::vector<Point<S, N>>& points) {
 }
 
 /// A ball that holds all points, with the least radius of S for its center. The center is near that of the smallest
-/// ball; radius -1 of no points.
+/// ball; radius -1 for no points.
 template <class S, int N, class Trace = NoTrace>
 Sphere<S, N> fit_sphere(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
   if (!fit::detail::usable(points)) return {Point<S, N>::Zero(), S(-1)};
@@ -167,9 +167,9 @@ Sphere<S, N> fit_sphere(const std::vector<Point<S, N>>& points, Trace&& trace = 
   return fit::detail::least_ball(points, scaled.template original<S>(fit::detail::ball_center<N>(scaled.q)), trace);
 }
 
-/// An oriented box that holds all points, with the least half-lengths of S for its center and axes; they are -1 of no
-/// points. The axes are the principal ones, as rounded, or those of the frame where their box is no larger. Points
-/// that lie nearly in a plane have a box nearly as thin. Source: Gottschalk, Lin, Manocha, OBBTree, SIGGRAPH 1996.
+/// An oriented box that holds all points, with the least half-lengths of S for its center and axes; they are -1 for no
+/// points. The axes are the principal ones, as rounded, or those of the frame where their box is no larger. Points that
+/// lie nearly in a plane have a box nearly as thin. Source: Gottschalk, Lin, Manocha, OBBTree, SIGGRAPH 1996.
 template <class S, int N, class Trace = NoTrace>
 Obb<S, N> fit_obb(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
   if (!fit::detail::usable(points))
@@ -184,7 +184,7 @@ Obb<S, N> fit_obb(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
 }
 
 /// The k-DOP of these normals that holds all points, each end the tightest of S: lo is the largest number that no n.x
-/// lies below, hi the least that none lies above. Inverted slabs of no points; all of space without normals.
+/// lies below, hi the least that none lies above. Inverted slabs for no points; all of space without normals.
 template <class S, int N, class Trace = NoTrace>
 Kdop<S, N> fit_kdop(const std::vector<Point<S, N>>& points, const std::vector<Vector<S, N>>& normals,
                     Trace&& trace = {}) {

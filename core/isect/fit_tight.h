@@ -24,7 +24,7 @@ using Event = std::variant<Supported, fit::Extreme, Fallback>;
 
 namespace detail {
 
-/// Whether a is smaller than b, but for rounding; by halves, so that no volume overflows.
+/// Whether a is smaller than b, up to rounding; half-lengths are scaled, so that no volume overflows.
 template <class S, int N>
 bool smaller(const Obb<S, N>& a, const Obb<S, N>& b) {
   const double scale = static_cast<double>(b.half.maxCoeff());
@@ -41,7 +41,7 @@ bool smaller(const Obb<S, N>& a, const Obb<S, N>& b) {
 }  // namespace fit_tight
 
 /// The smallest ball that holds all points, with its center rounded to S; the radius is the least of S for that center.
-/// Radius -1 of no points, or with a NaN or an infinity among them.
+/// Radius -1 for no points, or with a NaN or an infinity among them.
 ///
 /// Bound. Let the smallest ball have the center c and the radius R. Each coordinate of the center found is the number
 /// of S nearest to c's, within 0.501 ulp; so it lies within d <= 0.87 ulp of c's largest coordinate from c, and the
@@ -83,15 +83,15 @@ Obb<S, N> box_along(const std::vector<Point<S, N>>& points, const Axes& axes, Tr
 
 }  // namespace fit_tight::detail
 
-/// An oriented box that holds all points and is no larger than fit_obb's; in 2D the smallest but for rounding, in 3D
-/// the smallest of many local minima. Half-lengths -1 of no points, or with a NaN or an infinity among them.
+/// An oriented box that holds all points and is no larger than fit_obb's; in 2D the smallest up to rounding, in 3D the
+/// smallest of many local minima. Half-lengths -1 for no points, or with a NaN or an infinity among them.
 template <class S, int N, class Trace = NoTrace>
 Obb<S, N> fit_obb_tight(const std::vector<Point<S, N>>& points, Trace&& trace = {}) {
   return fit_tight::detail::box_along(
       points, [](const std::vector<Point<double, N>>& q) { return fit::detail::tight_axes(q); }, trace);
 }
 
-/// The same around the vertices of a hull that is known already.
+/// Fits that box to the vertices of a hull that is known already.
 template <class S, class Trace = NoTrace>
 Obb<S, 3> fit_obb_tight(const Hull3<S>& hull, Trace&& trace = {}) {
   return fit_tight::detail::box_along(

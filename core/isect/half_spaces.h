@@ -2,7 +2,7 @@
 // A convex solid as the common part of half-spaces: one form for boxes, oriented boxes, k-DOPs, frusta and hulls of
 // points, so that any two of them can be asked how they lie, exactly.
 //
-// The half-spaces are what the shape's own numbers say, not rounded: the face of an oriented box has a product of two
+// The half-spaces follow from the shape's own numbers, not rounded: the face of an oriented box has a product of two
 // axes as its normal, a hull's facet one of two differences of corners. Every verdict is the sign of a determinant of
 // them, see isect/parts/inequalities.h. A lies in B iff for no face of B there is a point of A beyond it.
 //
@@ -30,24 +30,24 @@ namespace half_spaces {
 
 /// normal.x + d >= 0, as given.
 using Level = Plane<double, 3>;
-/// Beside one face of an oriented box, of pair `i`.
+/// The inner side of one face, of pair `i`, of an oriented box.
 struct BoxFace {
   Obb<double, 3> box;
   int i, side;
 };
-/// Where a, b, c turn clockwise.
+/// The side of the plane of a, b, c from which they turn clockwise.
 struct Behind {
   Point<double, 3> a, b, c;
 };
-/// Beside the edge a b of a triangle, where its corner c is.
+/// The side of a triangle's edge a b on which its corner c is.
 struct Beside {
   Point<double, 3> a, b, c;
 };
-/// From a on in the direction of b.
+/// The points from a on in the direction of b.
 struct Beyond {
   Point<double, 3> a, b;
 };
-/// On one side of the plane through a and b along coordinate axis `i`.
+/// One side of the plane through a and b along coordinate axis `i`.
 struct Along {
   Point<double, 3> a, b;
   int i;
@@ -63,7 +63,7 @@ using Event = std::variant<Fallback>;
 
 }  // namespace half_spaces
 
-/// The points that lie in all of them. In the plane `dimension` is 2.
+/// The points that lie in all faces. In the plane `dimension` is 2.
 struct HalfSpaces {
   std::vector<half_spaces::Face> faces;
   int dimension = 3;
@@ -120,10 +120,10 @@ inequalities::Row<W> row(const Face& face) {
   return r;
 }
 
-/// No point at all.
+/// Returns a half-space without a point.
 inline Face nothing() { return {Level{Vector<double, 3>::Zero(), -1}}; }
 
-/// x, and 0 where the plane ends.
+/// Returns x, with 0 for the coordinate that the plane lacks.
 template <class S, int N>
 Vector<double, 3> in_space(const Vector<S, N>& x) {
   Vector<double, 3> v = Vector<double, 3>::Zero();
@@ -165,8 +165,8 @@ bool inside(const HalfSpaces& a, const std::vector<Face>& b, Trace&& trace) {
   });
 }
 
-/// Whether some point is interior to both solids, which have a common point: of a thin one within the plane or line
-/// that it spans, so that the faces that it lies on as a whole do not count.
+/// Whether some point is interior to both solids, which have a common point. A thin one has its interior within the
+/// plane or line that it spans, so that the faces that it lies on as a whole do not count.
 template <class Trace>
 bool interiors_meet(const HalfSpaces& a, const HalfSpaces& b, Trace&& trace) {
   const std::vector<Face> faces = both(a, b).faces;
@@ -199,7 +199,7 @@ HalfSpaces half_spaces_of(const Aabb<S, N>& box) {
   return result;
 }
 
-/// Dependent axes: no point.
+/// A box with dependent axes has no point.
 template <class S, int N>
 HalfSpaces half_spaces_of(const Obb<S, N>& box) {
   Obb<double, 3> wide = {half_spaces::detail::in_space<S, N>(box.center), Eigen::Matrix3d::Identity(),
@@ -237,7 +237,7 @@ HalfSpaces half_spaces_of(const Frustum<S>& frustum) {
 
 namespace half_spaces::detail {
 
-/// What half_spaces_of makes of a segment; finite.
+/// Returns the half-spaces of a segment, which is finite.
 inline HalfSpaces segment(const Point<double, 3>& p, const Point<double, 3>& q, int dimension) {
   if (p == q)
     return dimension == 2 ? half_spaces_of(Aabb<double, 2>{p.head<2>(), p.head<2>()})
@@ -250,7 +250,7 @@ inline HalfSpaces segment(const Point<double, 3>& p, const Point<double, 3>& q, 
 
 }  // namespace half_spaces::detail
 
-/// Its ends may be the same.
+/// The segment's ends may be the same.
 template <class S, int N>
 HalfSpaces half_spaces_of(const Segment<S, N>& segment) {
   using namespace half_spaces::detail;
@@ -258,7 +258,7 @@ HalfSpaces half_spaces_of(const Segment<S, N>& segment) {
   return half_spaces::detail::segment(in_space<S, N>(segment.p), in_space<S, N>(segment.q), N);
 }
 
-/// For a triangle in space that has an area: its plane from both sides, and a side for each edge.
+/// Returns the half-spaces of a triangle with an area: its plane from both sides, and a side for each edge.
 template <class S>
 HalfSpaces half_spaces_of(const Triangle<S, 3>& triangle) {
   if (!finite(triangle)) return {{half_spaces::detail::nothing()}};
@@ -268,7 +268,7 @@ HalfSpaces half_spaces_of(const Triangle<S, 3>& triangle) {
   return {{{Behind{a, b, c}}, {Behind{a, b, c}, true}, {Beside{a, b, c}}, {Beside{b, c, a}}, {Beside{c, a, b}}}};
 }
 
-/// For a hull that has a volume.
+/// Returns the half-spaces of a hull that has a volume.
 template <class S>
 HalfSpaces half_spaces_of(const Hull3<S>& hull) {
   assert(hull.dimension == 3);

@@ -5,8 +5,8 @@
 //
 //   common = [max(a.lo, b.lo), min(a.hi, b.hi)],
 //
-// which is inverted when they are disjoint, one point when they touch, and a when b contains a. Nothing but
-// comparisons of inputs: exact for free. Source: the note, N12.
+// which is inverted when they are disjoint, one point when they touch, and a when b contains a. Only inputs are
+// compared: exact for free. Source: the note, N12.
 
 #include <algorithm>
 #include <limits>
@@ -35,7 +35,7 @@ using Event = std::variant<Common<S>, Beyond<S>>;
 
 namespace detail {
 
-/// Whether no number lies in it: inverted, NaN, or a single end at infinity, which is no number.
+/// Whether no number lies in the interval: it is inverted, NaN, or a single end at infinity, which is no number.
 template <class S>
 bool holds_nothing(const Interval<S>& x) {
   constexpr S infinity = std::numeric_limits<S>::infinity();
@@ -44,8 +44,8 @@ bool holds_nothing(const Interval<S>& x) {
 
 }  // namespace detail
 
-/// The note's test, disjoint iff a.lo > b.hi or b.lo > a.hi. Naive: right for intervals that are what they claim to
-/// be, but it takes inverted ones and NaN, of which no comparison holds, for overlapping.
+/// The note's test, disjoint iff a.lo > b.hi or b.lo > a.hi. Naive: right for valid intervals, but it takes inverted
+/// ones and NaN, for which no comparison holds, for overlapping.
 template <class S, class Trace = NoTrace>
 bool ends(const Interval<S>& a, const Interval<S>& b, Trace&& trace = {}) {
   const bool a_beyond_b = a.lo > b.hi;

@@ -17,9 +17,9 @@ struct Middles {
 template <class S>
 using MethodEvent = std::variant<Common<S>, Middles<S>>;
 
-/// Whether the larger lower end is at most the smaller upper end. One comparison decides, and without a branch; of
-/// two intervals one of which is inverted the common part is inverted, too. NaN may slip through std::max and
-/// std::min, and infinite ends are taken for numbers.
+/// Whether the larger lower end is at most the smaller upper end. One comparison decides, without a branch; if one
+/// interval is inverted, the common part is inverted, too. NaN may slip through std::max and std::min, and infinite
+/// ends are taken for numbers.
 template <class S, class Trace = NoTrace>
 bool min_max(const Interval<S>& a, const Interval<S>& b, Trace&& trace = {}) {
   const Interval<S> common = {std::max(a.lo, b.lo), std::min(a.hi, b.hi)};
@@ -27,8 +27,8 @@ bool min_max(const Interval<S>& a, const Interval<S>& b, Trace&& trace = {}) {
   return common.lo <= common.hi;
 }
 
-/// By middles and half-lengths, as engines keep them. Naive: the middle rounds, so that a quarter of the intervals
-/// that touch come apart.
+/// Compares middles and half-lengths, as engines keep them. Naive: the middle rounds, so that a quarter of the
+/// intervals that touch come apart.
 template <class S, class Trace = NoTrace>
 bool by_middles(const Interval<S>& a, const Interval<S>& b, Trace&& trace = {}) {
   const S apart = (a.lo + a.hi) / S(2) - (b.lo + b.hi) / S(2);

@@ -2,9 +2,9 @@
 // k-DOP against k-DOP with the same normals.
 //
 // Where the intervals of one slab are disjoint, a plane across that normal parts the two: they are disjoint for
-// certain. Where all overlap, the k-DOPs may still be disjoint, parted by a direction that is no normal of theirs:
-// "may" is all that the test says, and all that a bounding volume needs. Nothing but comparisons of inputs: exact for
-// free.
+// certain. Where all overlap, the k-DOPs may still be disjoint, parted along a direction other than their
+// normals: "may" is all that the test says, and all that a bounding volume needs. Only inputs are compared: exact
+// for free.
 //
 // Whether touching objects have touching slabs was decided when their k-DOPs were built. With normals such as (1, 1,
 // 0) the products of grid coordinates are exact, and so are the ends. Divided by sqrt 2 they round, each object's in

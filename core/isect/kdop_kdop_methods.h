@@ -29,8 +29,8 @@ std::vector<Vector<S, N>> unit_normals(std::vector<Vector<S, N>> normals) {
   return normals;
 }
 
-/// From the least to the largest n.p over the points, as rounded. Naive: a slab may lack some of its points by
-/// rounding, and those of objects that touch may come apart, unless all products and sums are exact, as for small
+/// Makes slabs from the least to the largest n.p over the points, as rounded. Naive: a slab may lack some of its points
+/// by rounding, and those of objects that touch may come apart, unless all products and sums are exact, as for small
 /// integers. Source: the note, N08.
 template <class S, int N, class Trace = NoTrace>
 Kdop<S, N> rounded_kdop(const std::vector<Point<S, N>>& points, const std::vector<Vector<S, N>>& normals,

@@ -7,8 +7,8 @@
 // through them. These are signs of polynomials in the numbers given. A vertex is rounded at last, and nothing is
 // decided on it: not emptiness, not which vertices a face has, nor their order around it.
 //
-// A bounded polytope has a vertex. So one without is empty: its slabs contradict each other, even where each by
-// itself is none. There are (k choose N) choices, few for a k-DOP. Source: the note, N08.
+// A bounded polytope has a vertex. So one without a vertex is empty: its slabs contradict each other, even where no
+// slab is empty by itself. There are (k choose N) choices, few for a k-DOP. Source: the note, N08.
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -68,7 +68,7 @@ W determinant(const std::array<W, 2>& a, const std::array<W, 2>& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
-/// Where N planes meet.
+/// Returns the point where N planes meet.
 template <class W>
 Homogeneous<W, 2> meet(const std::array<HalfSpace<2>, 2>& planes) {
   const Components<W, 2> a = exactly<W>(planes[0].normal), b = exactly<W>(planes[1].normal);
@@ -102,7 +102,7 @@ int sign_of_normals(const std::array<HalfSpace<N>, N>& planes, Trace&& trace) {
   return (determinant > 0) - (determinant < 0);
 }
 
-/// Whether the normals span space: no k-DOP is bounded without.
+/// Whether the normals span space: otherwise the k-DOP is unbounded.
 template <int N, class Trace>
 bool span(const std::vector<HalfSpace<N>>& planes, Trace&& trace, std::vector<int> chosen = {}) {
   if (chosen.size() == N) {
@@ -146,7 +146,7 @@ class Corners {
  private:
   using Choice = std::array<int, N>;  ///< of planes, in order
 
-  /// Tries all choices that begin with the `count` first of these and go on from `first`.
+  /// Tries all choices that begin with the first `count` of these and go on from `first`.
   void extend(Choice chosen, int count, int first) {
     if (count == N) return add(chosen);
     for (chosen[count] = first; chosen[count] < static_cast<int>(planes_.size()); ++chosen[count])

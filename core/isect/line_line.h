@@ -37,10 +37,10 @@ struct Result {
 
 using Event = std::variant<Fallback>;
 
-/// Origin, direction and range, of a segment its two ends as given.
+/// A line by origin, direction and range; a segment by its two ends as given.
 struct Straight {
   Point<double, 3> origin;
-  Vector<double, 3> direction;  ///< of a segment its other end
+  Vector<double, 3> direction;  ///< for a segment its other end
   Interval<double> range;
   bool segment = false;
 
@@ -65,7 +65,7 @@ bool vanishes(const Text& text, Trace&& trace) {
   return true;
 }
 
-/// On one line, along that of a, whose direction is not 0.
+/// Intersects a and b on one line; the direction of a is not 0.
 template <class Trace>
 Result on_one_line(const Straight& a, const Straight& b, Trace&& trace) {
   const auto product = [&]<class W>() -> W { return dot(a.along<W>(), b.along<W>()); };

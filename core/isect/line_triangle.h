@@ -3,7 +3,7 @@
 // where the triangle is a segment or a point; isect/ray_triangle.h leaves both to others.
 //
 // A triangle without area is the segment between those two corners that have the third between them, which the line
-// meets as in isect/line_line.h. Of any other the ray meets what isect/ray_triangle.h says, or, in its plane, what
+// meets as in isect/line_line.h. Any other the ray meets as isect/ray_triangle.h says, or, in its plane, as
 // isect/ray_outline.h does.
 
 #include <array>
@@ -18,7 +18,7 @@ namespace isect {
 
 namespace line_triangle::detail {
 
-/// The first t of a triangle that has no area.
+/// Returns the first t in a triangle that has no area.
 template <class S, class Line>
 std::optional<S> first_of_thin(const Line& line, const Triangle<double, 3>& x) {
   const Capsule<double, 3> edge = triangle_half_spaces::detail::as_segment(x, NoTrace());
@@ -28,7 +28,7 @@ std::optional<S> first_of_thin(const Line& line, const Triangle<double, 3>& x) {
   return static_cast<S>(straight_line.is_point() ? straight_line.range.lo : *met.t);
 }
 
-/// In the plane of a triangle that has an area.
+/// Returns the first t of a line in the plane of a triangle that has an area.
 template <class Line, class S>
 std::optional<S> first_in_plane(const Line& line, const Triangle<S, 3>& x) {
   const std::array<Ring<S, 3>, 1> ring = {Ring<S, 3>{x.vertices[0], x.vertices[1], x.vertices[2]}};
@@ -54,7 +54,7 @@ std::optional<S> first_hit(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle)
   if (!triangle_half_spaces::detail::degenerate(wide, NoTrace())) return {};
   return line_triangle::detail::first_of_thin<S>(in_doubles(ray), wide);
 }
-/// The same of a segment with both ends as given: t of [0, 1].
+/// The first t of [0, 1] at which the segment, with both ends as given, meets the triangle; otherwise as for a ray.
 template <class S>
 std::optional<S> first_hit(const Segment<S, 3>& segment, const Triangle<S, 3>& triangle) {
   if (!finite(segment) || !finite(triangle)) return {};

@@ -3,8 +3,8 @@
 // box, a hull, or any half-spaces.
 //
 // Where no triangle has a point inside the convex body, the body's inside lies wholly in the solid or wholly out of it,
-// and any point of it tells which. Where one has, the solid's inside and the body's meet, and the body is not held. The
-// solid is held where all corners of its triangles are. Source: as in isect/point_mesh.h.
+// and any point of it tells which. Where one has, the solid's inside and the body's meet, and the body does not lie in
+// the solid. The solid lies in the body where all corners of its triangles do. Source: as in isect/point_mesh.h.
 
 #include <algorithm>
 #include <array>
@@ -57,11 +57,11 @@ Relation relation(const TriangleMesh<S>& mesh, const HalfSpaces& body, const Inn
       mesh, [&](const Corners& x) { return -triangle_half_spaces::detail::common(x, body.faces, NoTrace()); },
       [&](const Point3& p) { return isect::locate(p, body); }, inner_in);
 }
-/// Where the mean of some points, which must outlive it, lies to a surface.
+/// Returns what tells where the mean of some points, which must outlive it, lies to a surface.
 inline auto mean_in(std::span<const Point3> points) {
   return [points](const Surface& surface) { return mesh_surface::locate(mesh_surface::Mean{points}, surface); };
 }
-/// To a cylinder or a cone.
+/// Relates the solid (A) to a cylinder or a cone.
 template <class S, class Solid>
 Relation round_relation(const TriangleMesh<S>& mesh, const Solid& solid) {
   const auto reach = [&](const Corners& x) {
@@ -174,7 +174,7 @@ Relation relate(const TriangleMesh<S>& mesh, const Cone<S>& cone) {
   return mesh_convex::detail::round_relation(mesh, cast<double>(cone));
 }
 
-/// They may be unbounded: no solid holds those.
+/// The half-spaces may be unbounded: then no solid of a mesh holds them.
 template <class S>
 Relation relate(const TriangleMesh<S>& mesh, const HalfSpaces& solid) {
   if (mesh.triangles.empty() || !has_volume(solid)) return Relation::disjoint;

@@ -5,8 +5,8 @@
 // through it part space into sectors, each in or out of either solid: so the sectors there tell what the solids have in
 // common and what each has alone. Where a triangle's inside crosses another's, all four kinds of sectors are there.
 // Else the segment belongs to an edge of one, whose triangles are put in order about it, beside those of the other's
-// edge or the two halves of the other's triangle. Every part of a surface between such segments borders on one; what
-// has none, but for single points, lies in or out of the other solid as a whole, and a ray tells which.
+// edge or the two halves of the other's triangle. Every part of a surface between such segments borders on one; a part
+// without one, single points aside, lies in or out of the other solid as a whole, and a ray tells which.
 //
 // All this is decided by signs of volumes and areas. Pairs of triangles come from hierarchies: O(n lg n) and the pairs,
 // and n for each connected part of a surface.
@@ -54,7 +54,7 @@ inline bool clash(const Surface& mesh, int i, int j) {
     const Signs side_i = sides(y, x);
     return !beside(side_i) && !beside(sides(x, y)) && meet(x, side_i, y);
   }
-  // what they have in common beside the corner reaches a side across from it
+  // what else they have in common reaches the side across from the corner
   const int common_j = 3 - alone_j;  // the corners are 0, 1, 2
   return meets(mesh.corner(i, common_i + 1), mesh.corner(i, common_i + 2), y) ||
          meets(mesh.corner(j, common_j + 1), mesh.corner(j, common_j + 2), x);
@@ -131,7 +131,7 @@ struct Common {
 
   bool all() const { return both && first && second; }
 
-  /// The sectors about the axis from p to q.
+  /// Notes what the sectors about the axis from p to q hold.
   void look_around(const Point3& p, const Point3& q, std::vector<HalfPlane>& halves) {
     const Point3 start = halves.front().at;
     const auto turned = [&](const Point3& x, const Point3& y) { return orient3d(q, x, y, p); };
@@ -157,7 +157,7 @@ struct Common {
   }
 };
 
-/// The half-planes of the triangles at an edge from p to q.
+/// Adds the half-planes of the triangles at an edge from p to q.
 inline void add_edge(const Solid& solid, int t, int side, const Point3& p, const Point3& q, bool of_first,
                      std::vector<HalfPlane>& halves) {
   int axis = 0;
@@ -168,7 +168,7 @@ inline void add_edge(const Solid& solid, int t, int side, const Point3& p, const
     halves.push_back({solid.surface.corner(s.triangle, s.side + 2), of_first, along == bool(solid.above[s.triangle])});
   }
 }
-/// The two halves of a triangle inside which the axis runs.
+/// Adds the two halves of a triangle inside which the axis runs.
 inline void add_halves(const Solid& solid, int t, const Point3& p, const Point3& q, bool of_first,
                        std::vector<HalfPlane>& halves) {
   const auto& v = solid.surface.triangles[t].vertices;
@@ -179,7 +179,7 @@ inline void add_halves(const Solid& solid, int t, const Point3& p, const Point3&
       halves.push_back({x, of_first, (side == sense) == bool(solid.above[t])});
 }
 
-/// What triangle i of the first surface and j of the second have in common.
+/// Finds what triangle i of the first surface and j of the second have in common.
 inline void compare(const Solid& a, int i, const Solid& b, int j, std::vector<char>& bordered_a,
                     std::vector<char>& bordered_b, Common& common) {
   const Corners &x = a.surface.triangles[i], &y = b.surface.triangles[j];
@@ -224,7 +224,7 @@ inline void compare(const Solid& a, int i, const Solid& b, int j, std::vector<ch
   if (!common.touch) common.touch = meet(x, of_x, y);
 }
 
-/// Where the parts of a surface lie that have no stretch in common with the other: each wholly in or out of its solid.
+/// Places the parts of a surface that have no stretch in common with the other: each wholly in or out of its solid.
 inline void place_parts(const Solid& a, const std::vector<char>& bordered, const Solid& b, bool& inside,
                         bool& outside) {
   for (std::size_t part = 0; part < bordered.size(); ++part) {
@@ -253,7 +253,7 @@ inline Relation relation(const Surface& a, const Surface& b) {
     if (!common.all()) compare(first, i, second, j, bordered_a, bordered_b, common);
   });
   if (!common.all()) {
-    // the surface of one inside the other has either side of it there
+    // a surface inside the other solid has both its sides in there
     bool inside = false;
     place_parts(first, bordered_a, second, inside, common.first);
     common.both |= inside, common.second |= inside;
@@ -267,7 +267,7 @@ inline Relation relation(const Surface& a, const Surface& b) {
                          : Relation::equal;
 }
 
-/// Whether the mesh may be asked at all.
+/// Whether the mesh has valid indices and finite vertices.
 template <class S>
 bool meaningful(const TriangleMesh<S>& mesh) {
   return valid(mesh) && std::ranges::all_of(mesh.vertices, [](const Point<S, 3>& v) { return finite(v); });
@@ -309,8 +309,8 @@ Relation relate(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
   return mesh_mesh::detail::relation(mesh_surface::Surface(a), mesh_surface::Surface(b));
 }
 
-/// As relate has it, but nothing where one of the meshes bounds no solid. Closed meshes whose boxes are apart are
-/// disjoint, and are not asked whether they cross themselves.
+/// Returns what relate does, but nothing where one of the meshes bounds no solid. Closed meshes whose boxes are apart
+/// are disjoint; whether they cross themselves is not checked.
 template <class S>
 std::optional<Relation> relate_solids(const TriangleMesh<S>& a, const TriangleMesh<S>& b) {
   using namespace mesh_mesh::detail;

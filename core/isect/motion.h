@@ -213,8 +213,8 @@ Moving<Shape, double, N> wide(const Moving<Shape, S, N>& a) {
   return {cast<double>(a.shape), a.velocity.template cast<double>()};
 }
 
-/// When balls that meet by the duration do so, where C / -B overflows. Its half may not: it is t at most. Infinite only
-/// where they have not met by the largest S.
+/// Returns when balls meet that do so by the duration, where C / -B overflows. Half of that may not: it is at most t.
+/// Infinite only where they have not met by the largest S.
 template <class S, int N>
 [[gnu::noinline, gnu::cold]] S late_contact(const Moving<Sphere, S, N>& a, const Moving<Sphere, S, N>& b, S duration,
                                             double root) {

@@ -25,7 +25,7 @@ namespace obb_obb {
 namespace detail {
 
 /// Whether a gap of 0 says nothing: the axis is the product of two parallel edges, which vanishes, or both boxes lie in
-/// one plane across it, which neither does that has a volume.
+/// one plane across it, which no box with a volume does.
 template <int N>
 bool says_nothing(const Obb<double, N>& a, const Obb<double, N>& b, const Axis& axis) {
   const auto vanishes = [&](int k) {
@@ -46,7 +46,7 @@ struct Settled {
   bool touching = false;
 };
 
-/// Whether the boxes have the same axes, but for order and signs, as boxes along the coordinate axes do: then the face
+/// Whether the boxes have the same axes, up to order and signs, as boxes along the coordinate axes do: then the face
 /// normals of A are all that there is to ask.
 template <int N>
 bool same_axes(const Obb<double, N>& a, const Obb<double, N>& b) {
@@ -58,8 +58,8 @@ bool same_axes(const Obb<double, N>& a, const Obb<double, N>& b) {
   return true;
 }
 
-/// Every axis that the first pass left open exactly, up to the first that separates; who listens hears of all. Finite
-/// boxes with independent axes.
+/// Asks every axis that the first pass left open exactly, up to the first that separates; a listener hears of all. The
+/// boxes are finite and have independent axes.
 template <int N, class Trace>
 [[gnu::noinline, gnu::cold]] Settled settle(const Obb<double, N>& a, const Obb<double, N>& b, unsigned open,
                                             Trace&& trace) {
@@ -85,7 +85,7 @@ bool inside(const Obb<double, N>& a, const Obb<double, N>& b, Trace&& trace) {
   return true;
 }
 
-/// The first pass, when only a verdict is wanted: in S, or in doubles when someone listens.
+/// Runs the first pass, when only a verdict is wanted: in S, or in doubles when someone listens.
 template <class S, int N, class Trace>
 FirstPass verdict(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace) {
   if constexpr (heard<Trace>)
@@ -94,7 +94,7 @@ FirstPass verdict(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace) {
     return first_pass(a, b, trace);
 }
 
-/// Whether there is such a box and it has a point.
+/// Whether the box exists and has a point.
 template <class S, int N, class Trace>
 bool exists(const Obb<S, N>& box, Trace&& trace) {
   return !empty(box) && finite(box) && point_obb::detail::independent(cast<double>(box).axes, trace);

@@ -46,7 +46,7 @@ int octave(const Aabb<S, N>& box) {
 }
 
 /// The level of each octave, 0 that of the largest boxes. A level spans two octaves, one where the next is far more
-/// numerous, more where the rest is few.
+/// numerous, more where the rest are few.
 inline std::vector<int> levels(const std::vector<int>& count) {
   std::vector<int> level(count.size(), 0);
   int rest = 0, inside = 0, top = 0, current = 0;

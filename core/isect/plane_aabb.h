@@ -80,8 +80,8 @@ int corners(const Plane<S, N>& plane, const Aabb<S, N>& box, Trace&& trace = {})
 
 }  // namespace plane_aabb
 
-/// The sign of n.x + d for all points x of the box, or 0 where the box meets the plane. Exact. A zero normal makes no
-/// plane; it, an empty box, NaN or an infinite coordinate: 0.
+/// The sign of n.x + d for all points x of the box, or 0 where the box meets the plane. Exact. A zero normal, which
+/// makes no plane, an empty box, NaN or an infinite coordinate: 0.
 template <class S, int N, class Trace = NoTrace>
 int side(const Plane<S, N>& plane, const Aabb<S, N>& box, Trace&& trace = {}) {
   if (!plane_aabb::detail::meaningful(plane, box)) return 0;
@@ -89,9 +89,9 @@ int side(const Plane<S, N>& plane, const Aabb<S, N>& box, Trace&& trace = {}) {
   return signs.least == signs.greatest ? signs.least : 0;
 }
 
-/// disjoint; touching, when the box has points in the plane and on one side of it at most, be it a face, an edge or a
-/// corner; or overlapping, when it has points on both sides. Exact. A zero normal makes no plane; it, an empty box,
-/// NaN or an infinite coordinate: disjoint.
+/// Returns disjoint; touching, when the box has points in the plane and on one side of it at most, be it a face, an
+/// edge or a corner; or overlapping, when it has points on both sides. Exact. A zero normal, which makes no plane, an
+/// empty box, NaN or an infinite coordinate: disjoint.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Plane<S, N>& plane, const Aabb<S, N>& box, Trace&& trace = {}) {
   if (!plane_aabb::detail::meaningful(plane, box)) return Relation::disjoint;

@@ -18,8 +18,8 @@ using plane_round::Decision, plane_round::Event;
 
 }  // namespace plane_cylinder
 
-/// The sign of n.x + e for all points x of the cylinder, or 0 where it meets the plane. Exact. A zero normal makes no
-/// plane; it, an empty cylinder, NaN or an infinite coordinate: 0.
+/// The sign of n.x + e for all points x of the cylinder, or 0 where it meets the plane. Exact. A zero normal, which
+/// makes no plane, an empty cylinder, NaN or an infinite coordinate: 0.
 template <class S, class Trace = NoTrace>
 int side(const Plane<S, 3>& plane, const Cylinder<S>& cylinder, Trace&& trace = {}) {
   if (!plane_round::detail::meaningful(plane, cylinder)) return 0;
@@ -28,9 +28,9 @@ int side(const Plane<S, 3>& plane, const Cylinder<S>& cylinder, Trace&& trace = 
   return signs.lowest > 0 ? 1 : signs.highest < 0 ? -1 : 0;
 }
 
-/// disjoint; touching, when the cylinder has points in the plane and on one side of it at most; or overlapping, when it
-/// has points on both sides. Exact. Radius 0 makes the cylinder a segment. A zero normal makes no plane; it, an empty
-/// cylinder, NaN or an infinite coordinate: disjoint.
+/// Returns disjoint; touching, when the cylinder has points in the plane and on one side of it at most; or overlapping,
+/// when it has points on both sides. Exact. Radius 0 makes the cylinder a segment. A zero normal, which makes no plane,
+/// an empty cylinder, NaN or an infinite coordinate: disjoint.
 template <class S, class Trace = NoTrace>
 Relation relate(const Plane<S, 3>& plane, const Cylinder<S>& cylinder, Trace&& trace = {}) {
   if (!plane_round::detail::meaningful(plane, cylinder)) return Relation::disjoint;

@@ -58,8 +58,8 @@ bool meaningful(const Plane<S, N>& plane, const Sphere<S, N>& sphere) {
 
 }  // namespace plane_sphere
 
-/// The sign of n.x + d for all points x of the ball, or 0 where the ball meets the plane. Exact. A zero normal makes
-/// no plane; it, an empty ball, NaN or an infinite coordinate: 0.
+/// The sign of n.x + d for all points x of the ball, or 0 where the ball meets the plane. Exact. A zero normal, which
+/// makes no plane, an empty ball, NaN or an infinite coordinate: 0.
 template <class S, int N, class Trace = NoTrace>
 int side(const Plane<S, N>& plane, const Sphere<S, N>& sphere, Trace&& trace = {}) {
   if (!plane_sphere::detail::meaningful(plane, sphere)) return 0;
@@ -67,9 +67,9 @@ int side(const Plane<S, N>& plane, const Sphere<S, N>& sphere, Trace&& trace = {
   return signs.clear > 0 ? signs.center : 0;
 }
 
-/// disjoint; touching, when the ball has points in the plane and on one side of it at most; or overlapping, when it
-/// has points on both sides. Exact. A ball of radius 0 can only touch. A zero normal makes no plane; it, an empty
-/// ball, NaN or an infinite coordinate: disjoint.
+/// Returns disjoint; touching, when the ball has points in the plane and on one side of it at most; or overlapping,
+/// when it has points on both sides. Exact. A ball of radius 0 can only touch. A zero normal, which makes no plane, an
+/// empty ball, NaN or an infinite coordinate: disjoint.
 template <class S, int N, class Trace = NoTrace>
 Relation relate(const Plane<S, N>& plane, const Sphere<S, N>& sphere, Trace&& trace = {}) {
   if (!plane_sphere::detail::meaningful(plane, sphere)) return Relation::disjoint;

@@ -1,7 +1,7 @@
 #pragma once
 // Point against axis-aligned box: the point's coordinate on every axis against the box's interval there.
 //
-// Nothing but comparisons of inputs: exact for free. Source: the note, N06.
+// Only inputs are compared: exact for free. Source: the note, N06.
 
 #include <variant>
 

@@ -23,8 +23,8 @@
 
 namespace isect {
 
-/// A convex polygon with an area. Its vertices turn left at every vertex, go around once, and are finite: what
-/// `make_convex` makes, and what the tests rely on.
+/// A convex polygon with an area. Its vertices turn left at every vertex, go around once, and are finite: `make_convex`
+/// ensures that, and the tests rely on it.
 template <class S>
 struct ConvexPolygon {
   Ring<S, 2> vertices;
@@ -36,7 +36,7 @@ namespace point_convex_polygon {
 struct Wedge {
   int lo, mid, hi, turn;
 };
-/// The turn of v_lo, v_hi, p. Of the wedge: positive when p lies in the triangle with v0. Of the edge after v_mid:
+/// The turn of v_lo, v_hi, p. For the wedge: positive when p lies in the triangle with v0. For the edge after v_mid:
 /// negative when p lies outside.
 struct Chord {
   int lo, hi, turn;
@@ -80,7 +80,7 @@ std::optional<ConvexPolygon<S>> make_convex(const Ring<S, 2>& ring) {
   return polygon;
 }
 
-/// Where the point lies. Exact; of n vertices at most 3 + 3 lg (n - 2) orientations, lg rounded up. A point with a NaN
+/// Where the point lies. Exact; for n vertices at most 3 + 3 lg (n - 2) orientations, lg rounded up. A point with a NaN
 /// or infinite coordinate: out.
 template <class S, class Trace = NoTrace>
 Location locate(const Point<S, 2>& point, const ConvexPolygon<S>& polygon, Trace&& trace = {}) {

@@ -23,8 +23,8 @@ enum class Beside {
   before,  ///< on its line, but before its range begins
   beyond,  ///< on its line, but behind the range's end
   left,    ///< in the plane: off its line, on the left, seen along the direction
-  right,   ///< in the plane: the same on the right
-  aside    ///< in space: off its line; in the plane, too, off what has no direction
+  right,   ///< in the plane: off its line, on the right
+  aside    ///< in space: off its line; in the plane: off a point, a line without direction
 };
 
 namespace point_line {
@@ -75,15 +75,15 @@ Beside beside(const Straight<N, ends>& line, const Point<double, N>& point, Trac
 
 /// How a point lies to a ray, or to a line, whose range is infinite at both ends.
 ///
-/// Exact, for all finite input of any magnitude. An end of the range belongs to it. On an empty range no point lies:
-/// one of its line is before or beyond it. A zero direction makes the ray a point: any other lies aside. NaN or an
+/// Exact, for all finite input of any magnitude. An end of the range belongs to it. No point lies on an empty range: a
+/// point of its line is before or beyond it. A zero direction makes the ray a point: any other lies aside. NaN or an
 /// infinite coordinate: aside.
 template <class S, int N, class Trace = NoTrace>
 Beside beside(const Point<S, N>& point, const Ray<S, N>& ray, Trace&& trace = {}) {
   if (!finite(point) || !finite(ray)) return Beside::aside;
   return point_line::detail::beside<N>(straight(ray), point.template cast<double>(), trace);
 }
-/// The same of a segment with both ends as given: before p, beyond q. One whose ends coincide is a point.
+/// How a point lies to a segment with both ends as given: before p, beyond q. A segment whose ends coincide is a point.
 template <class S, int N, class Trace = NoTrace>
 Beside beside(const Point<S, N>& point, const Segment<S, N>& segment, Trace&& trace = {}) {
   if (!finite(point) || !finite(segment)) return Beside::aside;

@@ -3,7 +3,7 @@
 // number of times.
 //
 // A crossing counts only where the ray passes within a triangle. A ray that meets an edge or a corner, or lies in a
-// triangle's plane, says nothing, and another direction is asked: on which of these the ray does, is decided exactly.
+// triangle's plane, says nothing, and another direction is asked: which of these a ray does is decided exactly.
 // Source: O'Rourke, Computational Geometry in C, 2nd ed. (1998), 7.5.
 
 #include <algorithm>
@@ -42,8 +42,8 @@ bool closed(const TriangleMesh<S>& mesh) {
 
 namespace detail {
 
-/// Whether a ray of that direction, to larger coordinates, crosses an odd number of times; nothing where it says
-/// nothing.
+/// Whether a ray of that direction, to larger coordinates, crosses the surface an odd number of times; nothing where it
+/// is unclear.
 template <class S>
 std::optional<bool> odd(const Point<S, 3>& p, const Vector<S, 3>& direction, const TriangleMesh<S>& mesh) {
   const Ray<S, 3> ray = {p, direction};
@@ -63,8 +63,8 @@ std::optional<bool> odd(const Point<S, 3>& p, const Vector<S, 3>& direction, con
 
 }  // namespace point_mesh
 
-/// Where the point lies. Exact. The mesh is closed (see point_mesh::closed) and its indices are valid; one with a NaN
-/// or an infinite coordinate, and such a point: out.
+/// Where the point lies. Exact. The mesh is closed (see point_mesh::closed) and its indices are valid. Out for a mesh,
+/// or a point, with a NaN or an infinite coordinate.
 template <class S>
 Location locate(const Point<S, 3>& p, const TriangleMesh<S>& mesh) {
   if (!finite(p) || !std::ranges::all_of(mesh.vertices, [](const Point<S, 3>& v) { return finite(v); }))

@@ -68,7 +68,7 @@ typename X::Scalar dot_columns(const X& x, int i, const Y& y, int j) {
   return sum;
 }
 
-/// A bound of |U^T U - 1| (its spectral norm), but for 20 u: the sum of its entries on and above the diagonal.
+/// A bound of |U^T U - 1| (its spectral norm), up to 20 u: the sum of its entries on and above the diagonal.
 template <class S, int N>
 S skew(const Eigen::Matrix<S, N, N>& u) {
   S sum = 0;
@@ -82,8 +82,8 @@ S skew(const Eigen::Matrix<S, N, N>& u) {
 }  // namespace point_obb
 
 /// Whether the point lies in the box's interior, on its boundary, or outside. Exact. A flat box, some half_i = 0, has
-/// no interior: its points lie on it. Outside an empty box, one with dependent axes (there is no such box), and
-/// whatever has a NaN or an infinite coordinate.
+/// no interior: its points lie on it. Out for an empty box, one with dependent axes (there is no such box), NaN or an
+/// infinite coordinate.
 template <class S, int N, class Trace = NoTrace>
 Location locate(const Point<S, N>& point, const Obb<S, N>& box, Trace&& trace = {}) {
   if (empty(box) || !finite(box) || !finite(point)) return Location::out;

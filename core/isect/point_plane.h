@@ -19,7 +19,7 @@ using Event = std::variant<Height, Fallback>;
 }  // namespace point_plane
 
 /// The sign of n.x + d: 1 on the side that the normal points to, 0 in the plane, -1 on the other side. Exact, for all
-/// finite input of any magnitude. A zero normal makes no plane; it, NaN or an infinite coordinate: 0.
+/// finite input of any magnitude. A zero normal, which makes no plane, NaN or an infinite coordinate: 0.
 template <class S, int N, class Trace = NoTrace>
 int side(const Plane<S, N>& plane, const Point<S, N>& point, Trace&& trace = {}) {
   if (!finite(plane) || !finite(point) || plane.normal.isZero(0)) return 0;
@@ -30,8 +30,8 @@ int side(const Plane<S, N>& plane, const Point<S, N>& point, Trace&& trace = {})
   return sign;
 }
 
-/// How many points lie behind a plane, in it, and before it, where its normal points. All of a shape's corners behind
-/// or before it: the plane misses what is spanned by them.
+/// How many points lie behind a plane, in it, and before it, where its normal points. If all of a shape's corners lie
+/// behind it, or all before it, the plane misses what they span.
 struct Sides {
   int behind = 0, on = 0, before = 0;
 

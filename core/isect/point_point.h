@@ -2,7 +2,7 @@
 // Point against point.
 //
 // Points are equal when their coordinates are: 0.1 + 0.2 is not 0.3, and that is no error of the test. Whoever wants
-// points that are near says how near. Then |p - q| <= tolerance is asked of the squares. Source: the note, N11.
+// points that are near says how near. Then |p - q| <= tolerance is decided by the squares. Source: the note, N11.
 
 #include <variant>
 
@@ -61,7 +61,7 @@ bool equal(const Point<S, N>& p, const Point<S, N>& q, Trace&& trace = {}) {
 }
 
 /// Whether the points are at most `tolerance` apart, in Euclidean distance. Exact. A tolerance of 0 asks whether they
-/// are equal; a negative one or NaN is never kept, an infinite one by all points. NaN or an infinite coordinate: no.
+/// are equal; no points meet a negative one or NaN, all meet an infinite one. NaN or an infinite coordinate: no.
 template <class S, int N, class Trace = NoTrace>
 bool nearly_equal(const Point<S, N>& p, const Point<S, N>& q, S tolerance, Trace&& trace = {}) {
   static_assert(is_scalar<S>());

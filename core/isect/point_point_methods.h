@@ -17,8 +17,8 @@ struct Compared {
 template <class S>
 using MethodEvent = std::variant<Compared<S>>;
 
-/// Naive: rounding may decide, and squares overflow or vanish beyond 1e+-154 in double, 1e+-19 in float: then all
-/// points are near, or none.
+/// Whether the points are near, by squares. Naive: rounding may decide, and squares overflow or vanish beyond 1e+-154
+/// in double, 1e+-19 in float: then all points are near, or none.
 template <class S, int N, class Trace = NoTrace>
 bool near_by_squares(const Point<S, N>& p, const Point<S, N>& q, S tolerance, Trace&& trace = {}) {
   const Vector<S, N> f = p - q;
@@ -37,7 +37,7 @@ bool near_by_distance(const Point<S, N>& p, const Point<S, N>& q, S tolerance, T
   return distance <= tolerance;
 }
 
-/// Coordinate by coordinate: that is a cube, where a ball is meant.
+/// Compares coordinate by coordinate: that is a cube, where a ball is meant.
 template <class S, int N, class Trace = NoTrace>
 bool near_by_coordinates(const Point<S, N>& p, const Point<S, N>& q, S tolerance, Trace&& trace = {}) {
   for (int i = 0; i < N; ++i) {

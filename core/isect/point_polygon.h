@@ -71,7 +71,7 @@ inline Passage crossed(int turn, int up) {
   return turn == up ? Passage::crossed_right : Passage::crossed_left;
 }
 
-/// What the ray meets of the edges first, ..., last - 1 of a ring; see `wind`.
+/// Counts what the ray meets of the edges first, ..., last - 1 of a ring; see `wind`.
 template <class Vertex, class Height, class Abscissa, class Side, class Trace = NoTrace>
 Crossings walk(std::span<const Vertex> vertices, std::size_t first, std::size_t last, const Height& height,
                const Abscissa& abscissa, const Side& side, int ring = 0, Trace&& trace = {}) {
@@ -112,9 +112,9 @@ Crossings walk(std::span<const Vertex> vertices, std::size_t first, std::size_t 
 
 }  // namespace detail
 
-/// What the ray meets of a ring of any type of vertices, seen through predicates of the caller's own: `height(v)` and
-/// `abscissa(v)` are the signs of v.y - p.y and v.x - p.x, `side(a, b)` is orient2d(a, b, p). As right as they are. The
-/// number `ring` is for the events.
+/// Counts what the ray meets of a ring of any type of vertices, seen through predicates of the caller's own:
+/// `height(v)` and `abscissa(v)` are the signs of v.y - p.y and v.x - p.x, `side(a, b)` is orient2d(a, b, p). The
+/// counts are as right as they are. The number `ring` is for the events.
 template <class Vertex, class Height, class Abscissa, class Side, class Trace = NoTrace>
 Crossings wind(std::span<const Vertex> vertices, const Height& height, const Abscissa& abscissa, const Side& side,
                int ring = 0, Trace&& trace = {}) {
@@ -124,8 +124,8 @@ Crossings wind(std::span<const Vertex> vertices, const Height& height, const Abs
 
 namespace detail {
 
-/// What the ray meets of a ring with coordinates; nothing when one of those looked at is not finite. Comparisons, many
-/// at once, settle most edges.
+/// Counts what the ray meets of a ring with coordinates; nothing when one of those looked at is not finite.
+/// Comparisons, many at once, settle most edges.
 template <class S, class Trace>
 std::optional<Crossings> wind_points(const Point<S, 2>& p, std::span<const Point<S, 2>> vertices, int ring,
                                      Trace&& trace) {

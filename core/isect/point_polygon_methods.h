@@ -39,7 +39,7 @@ using ClosedEvent = std::variant<Reaches, CrossesAt<S>>;
 template <class S>
 using FormEvent = std::variant<Straddles, ProductsCompared<S>, EdgeMoved<S>, SideKnown, CrossesAt<S>>;
 
-/// The division of `crossings_naive` multiplied out. Source: E. Haines, Point in polygon strategies, Graphics Gems IV
+/// Multiplies out the division of `crossings_naive`. Source: E. Haines, Point in polygon strategies, Graphics Gems IV
 /// (1994), the crossings-multiply test.
 template <class S, class Trace = NoTrace>
 bool crossings_multiplied(const Point<S, 2>& p, const Ring<S, 2>& ring, Trace&& trace = {}) {
@@ -58,8 +58,8 @@ bool crossings_multiplied(const Point<S, 2>& p, const Ring<S, 2>& ring, Trace&& 
   return inside;
 }
 
-/// The polygon moved so that the point becomes the origin, and a division only where an edge has its ends on both sides
-/// of it. The move rounds each vertex for itself, so that edges may lose the point that lies between them.
+/// Moves the polygon so that the point becomes the origin, and divides only where an edge has its ends on both sides of
+/// it. The move rounds each vertex by itself, so that edges may lose the point that lies between them.
 /// Source: E. Haines, Essential ray tracing algorithms, in Glassner (ed.), An Introduction to Ray Tracing (1989),
 /// ch. 2.
 template <class S, class Trace = NoTrace>

@@ -1,9 +1,9 @@
 #pragma once
 // A polygon of any form in the plane against a convex body: a ball, a capsule, or half-spaces.
 //
-// Let an edge part where the polygon is from where it is not. If no such edge passes through the body's inside, that
+// Some edges part the polygon from the rest of the plane. If no such edge passes through the body's inside, the inside
 // lies in the polygon or out of it as a whole, and any point of it tells which. If one does, the body has points of
-// both kinds beside it. The polygon lies in the body where its corners do.
+// both kinds beside that edge. The polygon lies in the body where its corners do.
 //
 // Rings may run along each other: what they run along an even number of times parts nothing. So edges are cut where
 // others on their line end, and pieces that then are there twice are dropped. No new point is needed for that.
@@ -98,7 +98,7 @@ inline int reach_of(const HalfSpaces& body, const Point2& p, const Point2& q) {
   return triangle_half_spaces::detail::common({{a, b, b}}, body.faces, NoTrace());
 }
 
-/// By the ray to the right, which passes an edge on the left of a point not.
+/// Whether the point lies among the edges, by the ray to the right, which does not pass an edge on the left of it.
 inline bool is_among(const Point2& p, const std::vector<Edge>& edges) {
   bool odd = false;
   for (const Edge& e : edges) odd ^= polygon_polygon::detail::crossed_rightwards(e, p);
@@ -168,7 +168,7 @@ Location locate_corner(const HalfSpaces& solid, const Polygon<S, 2>& polygon) {
   return where;
 }
 
-/// Whether an edge has a point in common with a convex shape, or all of that lies within. `edge_meets` is asked of
+/// Whether an edge has a point in common with a convex shape, or all of the shape lies within. `edge_meets` is asked of
 /// edges, `some_point` tells where a point of the shape lies.
 template <class S, class Meets, class Locate>
 bool meets(const Polygon<S, 2>& polygon, const Meets& edge_meets, const Locate& some_point) {
@@ -198,7 +198,7 @@ Relation relate(const Polygon<S, 2>& polygon, const Sphere<S, 2>& ball) {
   return relate(polygon, Capsule<S, 2>{ball.center, ball.center, ball.radius});
 }
 
-/// They may be unbounded. They have an interior: others are told to be disjoint (`intersects` holds for those, too).
+/// The half-spaces may be unbounded. They have an interior: else the result is disjoint (`intersects` is right then).
 template <class S>
 Relation relate(const Polygon<S, 2>& polygon, const HalfSpaces& solid) {
   using namespace polygon_convex::detail;

@@ -153,7 +153,7 @@ void touched(const PolygonGrid& grid, const Point<double, 2>& a, const Point<dou
   }
 }
 
-/// So many cells, none of them thinner than a few representable numbers.
+/// Makes `wanted` cells, or fewer, so that none is thinner than a few representable numbers.
 inline PolygonGrid::Axis axis(double lo, double hi, double wanted) {
   const double size = std::max(std::abs(lo), std::abs(hi)), most = (hi - lo) / (0x1p-46 * size);
   PolygonGrid::Axis axis;
@@ -165,7 +165,7 @@ inline PolygonGrid::Axis axis(double lo, double hi, double wanted) {
   return axis;
 }
 
-/// Cells of equal sides: 4 n or so, fewer where the edges would touch more than 12 n of them.
+/// Chooses cells of equal sides: 4 n or so, fewer where the edges would touch more than 12 n of them.
 template <class Edges>
 void choose_lines(PolygonGrid& grid, std::size_t n, const Edges& each_edge) {
   double wide = 0, high = 0;  // of all edges
@@ -259,7 +259,7 @@ std::optional<int> winding(const Point<S, 2>& point, const PolygonGrid& grid, Tr
   if (grid.cells.empty()) return 0;
   const Point<double, 2> p = point.template cast<double>();
   const bool within = p[0] >= grid.lo[0] && p[0] <= grid.hi[0] && p[1] >= grid.lo[1] && p[1] <= grid.hi[1];
-  if (!within) return 0;  // so for NaN
+  if (!within) return 0;  // for NaN, too
 
   const auto& [columns, rows] = grid.axes;
   const int column = columns.cell(p[0]), row = rows.cell(p[1]);

@@ -2,7 +2,7 @@
 // A polygon in space, cut into triangles (isect/polygon_triangles.h), against points, lines, triangles, convex solids,
 // round ones and other polygons.
 //
-// A convex polygon is half-spaces, as any plate. Of another one each triangle is asked, and then:
+// A convex polygon is half-spaces, as any plate. For any other each triangle is asked, and then:
 //
 // - It lies in a convex B where its corners do.
 // - B lies in it where the triangles cover B. That is asked triangle by triangle: what of B lies beyond one of its
@@ -10,8 +10,8 @@
 //   has to lie in the triangles after it, and the rest is covered.
 // - A point is within it, and not on its outline, where it is within a triangle or a diagonal: a side of two triangles.
 //
-// All this are signs of determinants, see isect/half_spaces.h. A polygon that is not flat is the surface of its
-// triangles, and its points within are those between its edges.
+// All of this is decided by signs of determinants, see isect/half_spaces.h. A polygon that is not flat is the surface
+// of its triangles, and its points within are those between its edges.
 
 #include <algorithm>
 #include <array>
@@ -46,12 +46,12 @@ inline bool meet(const Part& a, const Part& b) {
   return (!a.box || !b.box || intersects(*a.box, *b.box)) && intersects(a.faces, b.faces);
 }
 
-/// A set as what it is put together of, and what makes up its points within, beside what is within those.
+/// A set as the union of its pieces. Its points within are those within a piece or within a diagonal.
 struct Parts {
   std::vector<Part> pieces, diagonals = {};
 };
 
-/// The triangles, and the sides of two of them.
+/// Returns the triangles, and as diagonals the sides that two of them share.
 template <class S>
 Parts parts_of(const TriangulatedPolygon<S>& x) {
   const auto at = [&](int i) -> Point<double, 3> {
@@ -119,7 +119,7 @@ inline Relation relation(const Parts& a, const Parts& b) {
   return interiors_meet(a, b) ? Relation::overlapping : Relation::touching;
 }
 
-/// To a convex solid that has a volume.
+/// Relates the polygon (A) to a convex solid that has a volume.
 template <class S>
 Relation to_solid(const TriangulatedPolygon<S>& a, const HalfSpaces& solid) {
   int most = -1;
@@ -167,7 +167,7 @@ HalfSpaces axis(const Cone<S>& x) {
   return half_spaces_of(Segment<S, 3>{x.apex, x.base});
 }
 
-/// How a surface (A), of so many triangles, lies to a round solid that has a volume.
+/// How a surface (A), of `count` triangles, lies to a round solid that has a volume.
 template <class Solid, class TriangleOf>
 Relation to_round(std::size_t count, const TriangleOf& triangle_of, const Solid& solid) {
   bool inside = true, touch = false, overlap = false;
@@ -182,7 +182,7 @@ Relation to_round(std::size_t count, const TriangleOf& triangle_of, const Solid&
                    : Relation::disjoint;
 }
 
-/// `exists`: the solid has a point.
+/// Relates the polygon (A) to a round solid; `exists`: the solid has a point.
 template <class S, class Solid>
 Relation relate_round(const TriangulatedPolygon<S>& polygon, const Solid& solid, bool exists) {
   if (empty(polygon) || !exists) return Relation::disjoint;
@@ -204,7 +204,7 @@ std::optional<S> first_hit(const Line& line, const TriangulatedPolygon<S>& polyg
 
 }  // namespace polygon_in_space
 
-/// Of a convex polygon that lies in one plane: this from both sides, and a side for each edge.
+/// Returns the half-spaces of a convex polygon in one plane: that from both sides, and a side for each edge.
 template <class S>
 HalfSpaces half_spaces_of(const TriangulatedPolygon<S>& polygon) {
   assert(!polygon.convex.empty());
@@ -222,7 +222,7 @@ HalfSpaces half_spaces_of(const TriangulatedPolygon<S>& polygon) {
 // or infinite, are disjoint from all. Two that are not flat, or a plate across one, overlap where points within both
 // meet.
 
-/// For a solid of space, without a volume, too.
+/// Relates the polygon (A) to a solid of space, which may have no volume.
 template <class S>
 Relation relate(const TriangulatedPolygon<S>& polygon, const HalfSpaces& solid) {
   using namespace polygon_in_space::detail;
@@ -241,7 +241,7 @@ Relation relate(const TriangulatedPolygon<S>& a, const TriangulatedPolygon<S>& b
   return relation(parts_of(a), parts_of(b));
 }
 
-/// For any triangle: one without an area is a segment or a point.
+/// Relates the polygon (A) to any triangle: one without an area is a segment or a point.
 template <class S>
 Relation relate(const TriangulatedPolygon<S>& polygon, const Triangle<S, 3>& x) {
   if (!finite(x)) return Relation::disjoint;

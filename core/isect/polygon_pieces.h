@@ -37,7 +37,7 @@ struct PolygonEdge {
   friend bool operator==(const PolygonEdge&, const PolygonEdge&) = default;
 };
 
-/// The boundary of a polygon. The pieces have a length, are distinct, and have no point in common but their ends.
+/// The boundary of a polygon. The pieces have a length, are distinct, and have no point in common except their ends.
 struct PolygonPieces {
   struct Piece {
     int low, high;     ///< its ends, as numbers of vertices: low < high
@@ -66,7 +66,7 @@ class Sweep {
  public:
   explicit Sweep(PolygonPieces& out) : out_(out), first_(out.vertices.size(), none), last_(out.vertices.size(), none) {}
 
-  /// An edge, that will be met at its low end.
+  /// Adds an edge, which the line will meet at its low end.
   void add(int low, int high, int times, const PolygonEdge& edge) {
     strands_.push_back({high, times, times, edge, none, none, none});
     start(low, static_cast<int>(strands_.size()) - 1);
@@ -106,10 +106,10 @@ class Sweep {
   /// An edge, or what is left of one. Those along one piece are a skew heap, the nearest end at its root.
   struct Strand {
     int high, times;
-    int all;  ///< of a root: the sum of `times` over its heap
+    int all;  ///< for a root: the sum of `times` over its heap
     PolygonEdge edge;
     int left, right;
-    int next;  ///< of a root: another heap that starts at the same vertex
+    int next;  ///< for a root: another heap that starts at the same vertex
   };
   /// A piece on the line. It carries its points: a search that fetched them would wait for memory. When
   /// the piece is cut, `high` stays; that is on the same line.
@@ -138,7 +138,7 @@ class Sweep {
     strand(strands).next = first;
     first = strands;
   }
-  /// One heap of two, along the same line.
+  /// Merges two heaps along the same line.
   int merged(int a, int b) {
     const int all = (a == none ? 0 : strand(a).all) + (b == none ? 0 : strand(b).all);
     int root = none;
@@ -175,7 +175,7 @@ class Sweep {
     return {from, to};
   }
 
-  /// What starts at a vertex, from below to above, of one direction the nearest end first.
+  /// Collects what starts at a vertex, from below to above, in one direction the nearest end first.
   void collect(int v) {
     around_.clear();
     for (int s = first_[v]; s != none; s = strand(s).next) around_.push_back(s);
@@ -190,7 +190,7 @@ class Sweep {
     return p == q || orient2d(out_.vertex(v), out_.vertex(p), out_.vertex(q)) == 0;
   }
 
-  /// Neighbours may cross at a vertex, where both will be cut.
+  /// Throws where neighbours cross, unless they do so at a vertex, where both will be cut.
   void refuse_crossing(Line::iterator a, Line::iterator b) const {
     if (a == line_.end() || b == line_.end()) return;
     if (a->side(b->low) * a->side(b->high) >= 0 || b->side(a->low) * b->side(a->high) >= 0) return;

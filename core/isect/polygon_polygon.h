@@ -9,22 +9,22 @@
 //   the interiors meet    iff a piece has both on one side,
 //   A does not lie in B   iff a piece has A and not B on one side, or is of A and lies outside of B.
 //
-// No point is computed. Along an edge e the left side is followed on the line of e moved to the left by less than
-// anything: another edge changes it iff that line parts its ends, those on the line of e counted as right of it. From
-// one edge to the next, around their common corner, it changes with every other edge that leaves the corner within the
-// angle on the left. The first of a ring is told by the crossings of a ray to the right. The right side differs from
-// the left if an odd number of edges runs along the piece. Where several edges meet e, the order is that of the
-// quotients t = (r - p) x (s - r) / (d x (s - r)): the sign of a polynomial of degree four. So all of it is
+// No point is computed. Along an edge e the left side is followed on the line of e, moved to the left by an
+// infinitesimal: another edge changes it iff that line parts its ends, those on the line of e counted as right of it.
+// From one edge to the next, around their common corner, it changes with every other edge that leaves the corner within
+// the angle on the left. For the first edge of a ring the crossings of a ray to the right tell it. The right side
+// differs from the left if an odd number of edges runs along the piece. Where several edges meet e, the order is that
+// of the quotients t = (r - p) x (s - r) / (d x (s - r)): the sign of a polynomial of degree four. So all of it is
 // comparisons and true signs.
 //
 // A hierarchy of the edges' boxes finds which meet, edge by edge, in O(n) space, until nothing is left open: two that
-// overlap are soon told. Else it takes O((n + k) lg (n + k)) with k pairs of edges whose boxes have a common point, two
-// of one polygon counted as well, and for each ring a ray past all edges to the right of it. Long edges side by side,
-// as of a comb that stands obliquely, have k near n^2; n small rings in rows may take n^1.5.
+// overlap are soon decided. Else it takes O((n + k) lg (n + k)) with k pairs of edges whose boxes have a common point,
+// pairs of one polygon counted as well, and for each ring a ray past all edges to the right of it. Long edges side by
+// side, as of a comb that stands obliquely, have k near n^2; n small rings in rows may take n^1.5.
 //
 // Source: M. Margalit, G. Knott, An algorithm for computing the union, intersection or difference of two polygons,
 // Computers & Graphics 13 (1989), for edges that are cut and classified; Edelsbrunner, Mücke, Simulation of simplicity,
-// ACM Trans. Graphics 9 (1990), for lines moved by less than anything.
+// ACM Trans. Graphics 9 (1990), for lines moved by an infinitesimal.
 
 #include <algorithm>
 #include <array>
@@ -94,7 +94,7 @@ class Order {
  public:
   explicit Order(const Line& line) : line_(line), axis_(line.heading(0) != 0 ? 0 : 1), heading_(line.heading(axis_)) {}
 
-  /// Where edge r s crosses the line, with the sides of both, or ends on it.
+  /// The mark where edge r s crosses the line, with the sides of both, or ends on it.
   Mark crossing(const Point2& r, const Point2& s, int side_r, int side_s) const {
     return {Mark::Kind::crossing, r, s, 0, side_s > side_r ? 1 : -1, (side_r > 0) != (side_s > 0)};
   }
@@ -108,7 +108,7 @@ class Order {
              return x.num * y.den - y.num * x.den;
            });
   }
-  /// The same of two points that the line holds.
+  /// The sign of the t of x less that of y, for two points that the line holds.
   int compare(const Point2& x, const Point2& y) const {
     return heading_ * ((x[axis_] > y[axis_]) - (x[axis_] < y[axis_]));
   }
@@ -127,7 +127,7 @@ class Order {
   int axis_, heading_;
 };
 
-/// From p to q, which differ unless the ring is a point. `start`: the first of its ring.
+/// An edge from p to q, which differ unless the ring is a point. `start`: it is the first of its ring.
 struct Edge {
   Point2 p, q;
   bool of_b, start;
@@ -179,7 +179,7 @@ inline bool crossed_rightwards(const Edge& e, const Point2& p) {
   return up ? orient2d(e.p, e.q, p) > 0 : orient2d(e.q, e.p, p) > 0;
 }
 
-/// Edges with the hierarchy of their boxes; of a few there is none.
+/// Edges with the hierarchy of their boxes; for a few edges there is none.
 struct Edges {
   static constexpr std::size_t few = 24;
 
@@ -193,7 +193,7 @@ struct Edges {
     if (all.size() > few) tree = build_bvh(boxes);
   }
 
-  /// Calls visit(number of an edge) for all whose boxes `near` does not rule out, until that is true.
+  /// Calls visit(number of an edge) for all whose boxes `near` does not rule out, until it returns true.
   template <class Near, class Visit>
   bool any(const Near& near, const Visit& visit) const {
     if (tree.nodes.empty()) {
@@ -282,8 +282,8 @@ class Overlay {
   const Found& found() const { return found_; }
 
  private:
-  /// Of an edge and another that has a common point with it: the sides of the other's ends, and whether it holds the
-  /// first end, or the last.
+  /// Another edge that has a common point with the one in question: the sides of the other's ends, and whether it holds
+  /// the first end of that one, or the last.
   struct Meeting {
     int other, p, q;
     bool at_start, at_end;
@@ -316,7 +316,7 @@ class Overlay {
     for (const Meeting& m : meetings_) use(m, edges_.all[m.other]);
   }
 
-  /// A ring that is a point.
+  /// Settles a ring that is a point.
   void point(int i) {
     const Edge& e = edges_.all[i];
     bool in_other = false;
@@ -337,7 +337,7 @@ class Overlay {
     });
   }
 
-  /// What lies on the left of the beginning of the first edge of a ring.
+  /// Whether A, and B, lies on the left of the beginning of the first edge of a ring.
   std::array<bool, 2> first_left(int i) const {
     const Edge& e = edges_.all[i];
     std::array<bool, 2> left = edges_.within(e.p);
@@ -345,7 +345,7 @@ class Overlay {
     each_leaving(i, [&](const Point2& x, bool of_b) { left[of_b] ^= from_right(e.p, x, e.q); });
     return left;
   }
-  /// The same of an edge, from the left of the end of the one before.
+  /// Whether A, and B, lies on the left of the beginning of an edge; `left` says so for the end of the one before.
   std::array<bool, 2> next_left(int i, std::array<bool, 2> left) const {
     const Edge& e = edges_.all[i];
     each_leaving(i,
@@ -411,7 +411,7 @@ class Overlay {
   Found found_;
 };
 
-/// The part of a line between two marks, or from one on, or all of it, against a polygon: A is the part.
+/// How a part of a line (A) lies to a polygon: the part between two marks, or from one on, or all of the line.
 template <class Line, class S>
 Relation relate_part(const Line& line, const std::optional<Mark>& from, const std::optional<Mark>& to,
                      const Polygon<S, 2>& polygon) {
@@ -469,7 +469,7 @@ Relation relate_part(const Line& line, const std::optional<Mark>& from, const st
   return found.relation();
 }
 
-/// A point, which is its own interior.
+/// How a point (A), which is its own interior, lies to a polygon.
 template <class S>
 Relation relate_point(const Point<S, 2>& p, const Polygon<S, 2>& polygon) {
   if (locate(p, polygon) == Location::out) return Relation::disjoint;
@@ -489,8 +489,8 @@ Relation relate_point(const Point<S, 2>& p, const Polygon<S, 2>& polygon) {
 /// Exact for all finite input of any magnitude. The interior is where `locate` says `in`, the set all where it does not
 /// say `out`: every edge belongs to it, one that parts nothing as well. So a polygon without an area has no interior,
 /// and touches what it meets unless one lies in the other. A polygon without a vertex is disjoint from everything; NaN
-/// or an infinite coordinate: disjoint. O((n + k) lg (n + k)), k pairs of edges whose boxes meet, beside a ray for each
-/// ring.
+/// or an infinite coordinate: disjoint. O((n + k) lg (n + k)), with k pairs of edges whose boxes meet, and a ray for
+/// each ring.
 template <class S>
 Relation relate(const Polygon<S, 2>& a, const Polygon<S, 2>& b) {
   using namespace polygon_polygon::detail;
@@ -504,7 +504,7 @@ Relation relate(const Polygon<S, 2>& a, const Polygon<S, 2>& b) {
   return Overlay(sorted).found().relation();
 }
 
-/// Whether two polygons have a common point. Exact; see relate. It stops at the first edges that meet: O(n lg m) beside
+/// Whether two polygons have a common point. Exact; see relate. It stops at the first edges that meet: O(n lg m), and
 /// the pairs of an edge of each whose boxes meet.
 template <class S>
 bool intersects(const Polygon<S, 2>& a, const Polygon<S, 2>& b) {

@@ -30,7 +30,7 @@ struct TriangulatedPolygon {
   static_assert(is_scalar<S>());
   Ring<S, 3> outline;
   std::vector<std::array<int, 3>> triangles;  ///< numbers of corners; each turns as the outline does
-  std::vector<int> convex;  ///< of a convex polygon whose corners lie in one plane: those that it turns at, in order
+  std::vector<int> convex;  ///< for a convex polygon whose corners lie in one plane: those that it turns at, in order
 };
 
 template <class S>
@@ -44,7 +44,7 @@ Triangle<S, 3> triangle(const TriangulatedPolygon<S>& x, std::size_t i) {
 }
 
 /// Whether the edges of a ring meet only where one ends and the next begins, and only in that point. Exact, in O(n^2);
-/// no below three points.
+/// no for fewer than three points.
 template <class S>
 bool is_simple(const Ring<S, 2>& ring) {
   using segment_segment::Meeting;
@@ -62,7 +62,7 @@ bool is_simple(const Ring<S, 2>& ring) {
 }
 
 /// The corners of an outline that goes once round a convex area, counter-clockwise, however often it names a corner or
-/// a point of a side; nothing of another outline. Exact.
+/// a point of a side; nothing for another outline. Exact.
 inline std::optional<Ring<double, 2>> convex_corners(const Ring<double, 2>& outline) {
   // A corner named again, or a point of the side between its neighbours, changes nothing.
   const auto says_nothing = [](const Point<double, 2>& a, const Point<double, 2>& b, const Point<double, 2>& c) {
@@ -98,7 +98,7 @@ template <class S>
 struct Seen {
   std::vector<int> numbers = {};  ///< which corners of the outline these are
   Ring<double, 2> corners = {};
-  bool clockwise;  ///< so the outline ran
+  bool clockwise;  ///< whether the outline ran so
 
   explicit Seen(const Ring<S, 3>& outline) {
     const int axis = segment_polygon::detail::steepest(outline);
@@ -113,7 +113,7 @@ struct Seen {
     for (const int i : numbers) corners.emplace_back(at(i)[(axis + 1) % 3], at(i)[(axis + 2) % 3]);
   }
 
-  /// By the numbers of the outline, turning as it does.
+  /// Returns the triangles by the numbers of the outline, turning as it does.
   std::vector<Three> as_given(std::vector<Three> triangles) const {
     for (Three& three : triangles) {
       for (int& i : three) i = numbers[static_cast<std::size_t>(i)];
@@ -130,8 +130,8 @@ class Ears {
     for (int i = 0; i < static_cast<int>(corners_.size()); ++i) left_.push_back(i);
   }
 
-  /// They cover what the outline winds around, each point as often as it does. None where no ear is found although
-  /// corners are left.
+  /// Returns triangles that cover what the outline winds around, each point as often as it does; none where no ear is
+  /// found although corners are left.
   std::vector<Three> cut() {
     std::vector<Three> triangles;
     for (std::size_t at = 0, tried = 0; left_.size() > 2 && tried <= left_.size(); ++tried) {
@@ -152,7 +152,7 @@ class Ears {
   int left(std::size_t i) const { return left_[i % left_.size()]; }
   const Point<double, 2>& corner(int i) const { return corners_[static_cast<std::size_t>(i)]; }
 
-  /// No other corner lies in the triangle, on its boundary neither, but where corners touch.
+  /// Whether a triangle turns left, and no other corner lies in it or on its boundary, except where corners touch.
   bool is_ear(const Three& three) const {
     const Point<double, 2>&a = corner(three[0]), &b = corner(three[1]), &c = corner(three[2]);
     if (orient2d(a, b, c) <= 0) return false;
@@ -181,7 +181,7 @@ inline bool all_apart(const Ring<double, 2>& corners, const std::vector<Three>& 
   return true;
 }
 
-/// See TriangulatedPolygon::convex.
+/// Finds TriangulatedPolygon::convex.
 template <class S>
 std::vector<int> convex(const Ring<S, 3>& outline, const Seen<S>& seen) {
   const std::optional<Ring<double, 2>> corners = convex_corners(seen.corners);
@@ -200,8 +200,8 @@ std::vector<int> convex(const Ring<S, 3>& outline, const Seen<S>& seen) {
 
 }  // namespace polygon_triangles::detail
 
-/// Whether an outline in space neither crosses nor touches itself, as it is seen along that axis. Exact, in O(n^2). It
-/// is finite; corners in the same place that follow each other count as one.
+/// Whether an outline in space neither crosses nor touches itself, as it is seen along that axis. Exact, in O(n^2). The
+/// outline is finite; corners in the same place that follow each other count as one.
 template <class S>
 bool is_simple(const Ring<S, 3>& outline) {
   return is_simple(polygon_triangles::detail::Seen<S>(outline).corners);
@@ -210,7 +210,7 @@ bool is_simple(const Ring<S, 3>& outline) {
 /// Triangles whose union is what the outline goes round, by the numbers of its corners; they turn as it does. An
 /// outline may touch itself: so programs write a face with a hole, which an edge leads to and back from. None if it has
 /// no area, crosses itself or runs back over an edge with nothing around it. Exact; O(n^2), and O(n^3) where ears are
-/// few. It is finite.
+/// few. The outline is finite.
 template <class S>
 std::vector<std::array<int, 3>> ears(const Ring<S, 3>& outline) {
   const polygon_triangles::detail::Seen<S> seen(outline);
@@ -219,8 +219,8 @@ std::vector<std::array<int, 3>> ears(const Ring<S, 3>& outline) {
   return seen.as_given(std::move(triangles));
 }
 
-/// The polygon of an outline that neither crosses nor touches itself; without triangles, so empty, of another outline,
-/// and of one that has no area or is not finite. Exact; time as of `ears`.
+/// Makes the polygon of an outline that neither crosses nor touches itself. Any other outline, and one that has no area
+/// or is not finite, gives no triangles, so an empty polygon. Exact; takes as long as `ears`.
 template <class S>
 TriangulatedPolygon<S> triangulated(Ring<S, 3> outline) {
   TriangulatedPolygon<S> result = {std::move(outline), {}, {}};
@@ -232,7 +232,7 @@ TriangulatedPolygon<S> triangulated(Ring<S, 3> outline) {
   return result;
 }
 
-/// The farthest that a corner lies off the plane that isect/ray_polygon.h takes for the outline's: through the first
+/// The greatest distance of a corner from the plane that isect/ray_polygon.h takes for the outline's: through the first
 /// corner, with Newell's normal. 0 if and only if all lie in it, exactly; else within 2 ulp of a double, or the least
 /// one. The outline is finite and has an area.
 template <class S>

@@ -63,8 +63,8 @@ struct Slabs {
   // clang-format on
 };
 
-/// The textbook's method in double, and whether rounding may have decided. Any input: what is not finite, or would
-/// overflow, makes that unknown.
+/// The textbook's method in double, and whether rounding may have decided. Any input: numbers that are not finite, or
+/// would overflow, make that unknown.
 ///
 /// Bound. A difference, a reciprocal and a product err by at most g(3) = 3 u / (1 - 3 u) of each t, the product by
 /// 2^-1075 more where it underflows; so do the greatest entry and the least exit. Differences that overflow make
@@ -93,8 +93,8 @@ Estimate estimate(const Ray<double, N>& ray, const Aabb<double, N>& box) {
   return {in, out, (gap > slack) - (-gap > slack)};
 }
 
-/// What may_intersect makes of infinite t: they come from a zero component, beside whose slab the ray may run, or
-/// from a difference that overflowed and tells nothing.
+/// Decides may_intersect for infinite t: they come from a zero component, beside whose slab the ray may run, or from a
+/// difference that overflowed and tells nothing.
 template <class S, int N>
 [[gnu::noinline, gnu::cold]] bool may_at_infinity(const Prepared<S, N>& ray, const Aabb<S, N>& box) {
   for (int i = 0; i < N; ++i)
@@ -141,8 +141,8 @@ std::optional<Interval<S>> slabs(const Ray<S, N>& ray, const Aabb<S, N>& box, Tr
 
 }  // namespace ray_aabb
 
-/// Whether the ray may meet the box: never no for one that does, and yes for few that pass it by within rounding. For
-/// bounding volume hierarchies, in S itself. An empty or NaN box, an empty or NaN ray: no.
+/// Whether the ray may meet the box: never no for one that does, and yes only for few that pass it by, within rounding.
+/// For bounding volume hierarchies, in S itself. An empty or NaN box, an empty or NaN ray: no.
 ///
 /// Bound. As in estimate, |error of t| <= g(3) |t| and half the least subnormal. For a true entry <= a true exit the
 /// computed ones differ by at most 2 g(3) |exit| the wrong way round, which the exit is given in advance. NaN, from
@@ -155,7 +155,7 @@ bool may_intersect(const ray_aabb::Prepared<S, N>& ray, const Aabb<S, N>& box) {
   for (int i = 0; i < N; ++i) {
     const S t[2] = {(box.lo[i] - ray.origin[i]) * ray.inverse[i], (box.hi[i] - ray.origin[i]) * ray.inverse[i]};
     const S entry = t[ray.backwards[i]],
-            exit = t[!ray.backwards[i]];  // an index, where a condition would be a branch
+            exit = t[!ray.backwards[i]];  // an index, as a condition would be a branch
     in = entry > in ? entry : in;
     out = exit < out ? exit : out;
   }

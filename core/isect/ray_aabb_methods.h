@@ -49,7 +49,7 @@ std::optional<Interval<S>> by_slabs(const Ray<S, N>& ray, const Aabb<S, N>& box,
 
 }  // namespace detail
 
-/// By std::min and std::max, which keep their first argument when the other is NaN. An inverted box is sorted, so
+/// Uses std::min and std::max, which keep their first argument when the other is NaN. An inverted box is sorted, so
 /// that it counts as the box it might have been.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> by_min_max(const Ray<S, N>& ray, const Aabb<S, N>& box, Trace&& trace = {}) {
@@ -59,7 +59,7 @@ std::optional<Interval<S>> by_min_max(const Ray<S, N>& ray, const Aabb<S, N>& bo
   return detail::by_slabs(ray, box, sort, later, earlier, trace);
 }
 
-/// By std::fmin and std::fmax, which pass NaN over: but of a plane the ray runs along they keep the other one's
+/// Uses std::fmin and std::fmax, which pass NaN over: but for a plane that the ray runs along they keep the other one's
 /// infinity at both ends. Several times slower, where they are calls.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> by_fmin_fmax(const Ray<S, N>& ray, const Aabb<S, N>& box, Trace&& trace = {}) {
@@ -69,8 +69,8 @@ std::optional<Interval<S>> by_fmin_fmax(const Ray<S, N>& ray, const Aabb<S, N>& 
   return detail::by_slabs(ray, box, sort, later, earlier, trace);
 }
 
-/// By the sign of the direction, which says beforehand through which plane the ray enters. A component of -0 counts as
-/// 0, whose reciprocal it has not: such rays miss from inside. Source: Smits, Efficiency issues for ray tracing, J.
+/// Uses the sign of the direction, which says beforehand through which plane the ray enters. A component of -0 counts
+/// as 0, but has another reciprocal: such rays miss from inside. Source: Smits, Efficiency issues for ray tracing, J.
 /// Graphics Tools 3 (1998); Williams et al., An efficient and robust ray-box intersection algorithm, ibid. 10 (2005),
 /// which mends -0.
 template <class S, int N, class Trace = NoTrace>

@@ -53,7 +53,7 @@ struct End {
   int end;
   int sign;
 };
-/// What of the surface the line passes: the ball around an end, or the side between them.
+/// The part of the surface that the line passes: the ball around an end, or the side between them.
 enum class Piece { p, q, side };
 /// Where the whole line enters the capsule, or leaves it.
 struct Passage {
@@ -195,8 +195,8 @@ bool meets(Straight<N, ends> line, const Capsule<double, N>& capsule, Trace&& tr
   return inner.holds && inner.sign <= 0;
 }
 
-/// What of the surface the whole line passes where it enters the capsule, which it meets, or leaves it. It has a
-/// direction.
+/// Returns the part of the surface that the whole line passes where it enters the capsule, which it meets, or leaves
+/// it. The line has a direction.
 template <int N, bool ends, class Trace>
 Piece passage(const Straight<N, ends>& line, const Capsule<double, N>& capsule, bool leaves, Trace&& trace) {
   const auto rate = [&]<class W>() -> W {
@@ -224,14 +224,14 @@ Piece passage(const Straight<N, ends>& line, const Capsule<double, N>& capsule, 
   return past(capsule.q, [](const auto& at) { return at.axis - at.all; }) > 0 ? Piece::q : Piece::side;
 }
 
-/// f = o - end, d: the ball around that end.
+/// The polynomial of the ball around that end, with f = o - end and d.
 template <Filtered W, int N, bool ends>
 Quadratic<W> ball(const Straight<N, ends>& line, const Point<double, N>& end, double r) {
   const Components<W, N> f = difference<W, N>(line.origin, end), d = line.template along<W>();
   const W rr = W(r) * W(r), dd = dot(d, d);
   return {dd, dot(f, d), dot(f, f) - rr, rr * dd - point_segment::detail::cross_squared(f, d)};
 }
-/// The endless cylinder.
+/// The polynomial of the endless cylinder.
 template <Filtered W, int N, bool ends>
 Quadratic<W> cylinder(const Straight<N, ends>& line, const Capsule<double, N>& capsule) {
   const Components<W, N> d = line.template along<W>(), v = difference<W, N>(capsule.q, capsule.p),
@@ -247,7 +247,7 @@ Quadratic<W> cylinder(const Straight<N, ends>& line, const Capsule<double, N>& c
   }
 }
 
-/// Where the whole line enters the capsule, which it meets, or leaves it. It has a direction.
+/// Where the whole line enters the capsule, which it meets, or leaves it. The line has a direction.
 template <class S, int N, bool ends, class Trace>
 S passes_at(const Straight<N, ends>& line, const Capsule<double, N>& capsule, bool leaves, Trace&& trace) {
   const Piece through = passage(line, capsule, leaves, trace);
@@ -311,7 +311,7 @@ bool intersects(const Ray<S, N>& ray, const Capsule<S, N>& capsule, Trace&& trac
       [&](auto& listener) { return ray_capsule::detail::meets<N>(straight(ray), in_doubles(capsule), listener); },
       trace);
 }
-/// The same of a segment with both ends as given.
+/// Whether a point of the segment, with both ends as given, lies in the capsule; otherwise as for a ray.
 template <class S, int N, class Trace = NoTrace>
 bool intersects(const Segment<S, N>& segment, const Capsule<S, N>& capsule, Trace&& trace = {}) {
   if (!ray_capsule::detail::may_meet(segment, capsule)) return false;
@@ -332,7 +332,7 @@ std::optional<Interval<S>> intersect(const Ray<S, N>& ray, const Capsule<S, N>& 
   if (!ray_capsule::detail::may_meet(ray, capsule) || !ray_range::has_points(ray.range)) return {};
   return ray_capsule::detail::part_in<S>(straight(ray), in_doubles(capsule), ray.range, trace);
 }
-/// The same of a segment with both ends as given: t of [0, 1].
+/// The t of [0, 1] at which the segment, with both ends as given, is in the closed capsule; otherwise as for a ray.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> intersect(const Segment<S, N>& segment, const Capsule<S, N>& capsule, Trace&& trace = {}) {
   if (!ray_capsule::detail::may_meet(segment, capsule)) return {};

@@ -1,9 +1,9 @@
 #pragma once
 // Ray, segment or line against cone: whether they meet, and which part of the one lies in the other.
 //
-// Between the apex and the plane of the base the cone is all whose distance from the axis is at most r / |d| times its
-// height over the apex: with d leading from there to the center of the base, f to the ray's origin, and u along the
-// ray, that is where
+// Between the apex and the plane of the base the cone is all points whose distance from the axis is at most r / |d|
+// times its height over the apex: with d leading from there to the center of the base, f to the ray's origin, and u
+// along the ray, that is where
 //
 //   d.d |(f + t u) x d|^2 <= r^2 ((f + t u).d)^2,
 //
@@ -31,7 +31,7 @@ bool intersects(const Ray<S, 3>& ray, const Cone<S>& cone, Trace&& trace = {}) {
   if (!ray_round::detail::may_meet(ray, cone) || !ray_range::has_points(ray.range)) return false;
   return ray_round::detail::meets(straight(ray), in_doubles(cone), trace);
 }
-/// The same of a segment with both ends as given.
+/// Whether a point of the segment, with both ends as given, lies in the cone; otherwise as for a ray.
 template <class S, class Trace = NoTrace>
 bool intersects(const Segment<S, 3>& segment, const Cone<S>& cone, Trace&& trace = {}) {
   if (!ray_round::detail::may_meet(segment, cone)) return false;
@@ -50,7 +50,7 @@ std::optional<Interval<S>> intersect(const Ray<S, 3>& ray, const Cone<S>& cone, 
   if (!ray_round::detail::may_meet(ray, cone) || !ray_range::has_points(ray.range)) return {};
   return ray_round::detail::part_in<S>(straight(ray), in_doubles(cone), ray.range, trace);
 }
-/// The same of a segment with both ends as given: t of [0, 1].
+/// The t of [0, 1] at which the segment, with both ends as given, is in the closed cone; otherwise as for a ray.
 template <class S, class Trace = NoTrace>
 std::optional<Interval<S>> intersect(const Segment<S, 3>& segment, const Cone<S>& cone, Trace&& trace = {}) {
   if (!ray_round::detail::may_meet(segment, cone)) return {};

@@ -29,7 +29,7 @@ bool intersects(const Ray<S, 3>& ray, const Cylinder<S>& cylinder, Trace&& trace
   if (!ray_round::detail::may_meet(ray, cylinder) || !ray_range::has_points(ray.range)) return false;
   return ray_round::detail::meets(straight(ray), in_doubles(cylinder), trace);
 }
-/// The same of a segment with both ends as given.
+/// Whether a point of the segment, with both ends as given, lies in the cylinder; otherwise as for a ray.
 template <class S, class Trace = NoTrace>
 bool intersects(const Segment<S, 3>& segment, const Cylinder<S>& cylinder, Trace&& trace = {}) {
   if (!ray_round::detail::may_meet(segment, cylinder)) return false;
@@ -48,7 +48,7 @@ std::optional<Interval<S>> intersect(const Ray<S, 3>& ray, const Cylinder<S>& cy
   if (!ray_round::detail::may_meet(ray, cylinder) || !ray_range::has_points(ray.range)) return {};
   return ray_round::detail::part_in<S>(straight(ray), in_doubles(cylinder), ray.range, trace);
 }
-/// The same of a segment with both ends as given: t of [0, 1].
+/// The t of [0, 1] at which the segment, with both ends as given, is in the closed cylinder; otherwise as for a ray.
 template <class S, class Trace = NoTrace>
 std::optional<Interval<S>> intersect(const Segment<S, 3>& segment, const Cylinder<S>& cylinder, Trace&& trace = {}) {
   if (!ray_round::detail::may_meet(segment, cylinder)) return {};

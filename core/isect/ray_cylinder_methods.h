@@ -23,7 +23,7 @@ struct Left {
 template <class S>
 using QuadraticEvent = std::variant<Coefficients<S>, Left<S>>;
 
-/// The first t of the range between the ends and between the roots of the side's quadratic. Rounding may decide who is
+/// The first t of the range between the ends and between the roots of the side's quadratic. Rounding may decide what is
 /// touched; squares overflow or vanish beyond 1e+-77 in double, 1e+-9 in float, as products of four lengths do. Source:
 /// Ericson, Real-Time Collision Detection (2005), 5.3.7, with its ends as slabs (5.3.3).
 template <class S, class Trace = NoTrace>

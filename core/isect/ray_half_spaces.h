@@ -90,7 +90,7 @@ std::optional<Interval<S>> intersect(const Ray<S, N>& ray, const HalfSpaces& sol
                                           trace);
 }
 
-/// The same of a segment with both ends as given: t of [0, 1].
+/// The t of [0, 1] at which the segment, with both ends as given, is in the solid; otherwise as for a ray.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> intersect(const Segment<S, N>& segment, const HalfSpaces& solid, Trace&& trace = {}) {
   if (!finite(segment)) return {};

@@ -29,7 +29,7 @@ struct RayMesh {
   std::vector<ray_mesh::detail::Node> nodes;  ///< node 0 is the root, if there are nodes
   std::vector<Triangle<S, 3>> triangles;
   std::vector<int> indices;  ///< of the triangles in the mesh
-  double reach = 0;          ///< the greatest coordinate, or least, without sign
+  double reach = 0;          ///< the largest absolute value of a coordinate
 };
 
 namespace ray_mesh {
@@ -69,7 +69,7 @@ Family widened(const Bvh<S, 3>& bvh, int index) {
 
 }  // namespace ray_mesh
 
-/// The mesh prepared. O(n lg n), nearly all of it in build_bvh. A triangle with a NaN or infinite coordinate is left
+/// Prepares the mesh. O(n lg n), nearly all of it in build_bvh. A triangle with a NaN or infinite coordinate is left
 /// out.
 template <class S>
 RayMesh<S> make_ray_mesh(const TriangleMesh<S>& mesh) {
@@ -120,8 +120,8 @@ void fetch(const RayMesh<S>& mesh, int first, int count) {
   for (int line = 0; line < 2 + (count > 0); ++line) __builtin_prefetch(from + 64 * line);
 }
 
-/// Asks visit(triangle, sign) of the triangles that the ray's line may meet, in leaves whose boxes the ray meets up to
-/// `end`, the nearest first, until it returns true. visit may lower `end`; `sign` is that of the volumes, or 0 where
+/// Calls visit(triangle, sign) for the triangles that the ray's line may meet, in leaves whose boxes the ray meets up
+/// to `end`, the nearest first, until it returns true. visit may lower `end`; `sign` is that of the volumes, or 0 where
 /// those are not sure.
 template <class S, class Visit>
 void each_near(const RayMesh<S>& mesh, const Ray<S, 3>& ray, const float& end, const Visit& visit) {

@@ -28,8 +28,8 @@ using Event = std::variant<slabs::Outside, slabs::Stretch, Fallback>;
 
 namespace detail {
 
-/// The slabs of an oriented box, as lo <= n_i.d t <= hi, each n_i the way of u_i. `sign` is that of D = n_0.u_0. What
-/// they have of the axes alone is found once in the arithmetics that most signs are settled in.
+/// The slabs of an oriented box, as lo <= n_i.d t <= hi, each n_i the way of u_i. `sign` is that of D = n_0.u_0. The
+/// parts that depend on the axes alone are found once in each arithmetic that most signs are settled in.
 template <int N>
 class Slabs {
  public:

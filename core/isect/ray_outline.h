@@ -35,7 +35,7 @@ struct Start {
   Location location;
 };
 /// The edge that begins at corner `index` of a ring is crossed, or that corner passed, in the range and before all that
-/// were met yet.
+/// were met so far.
 struct Nearer {
   int ring, index;
   bool corner;
@@ -80,7 +80,7 @@ Location locate(const Straight<2, ends>& line, double t, std::span<const Ring<S,
   return inside ? Location::in : Location::out;
 }
 
-/// A corner that the line passes, b = a, or an edge that it crosses; `den` is the sign of its quotient's.
+/// A corner that the line passes, b = a, or an edge that it crosses; `den` is the sign of its quotient's denominator.
 struct Met {
   Point<double, 2> a, b;
   int den;
@@ -93,7 +93,7 @@ Ratio<W> parameter(const Straight<2, ends>& line, const Met& met) {
   return {cross(f, edge), cross(d, edge)};
 }
 
-/// What the line first meets of the boundary in its range. It has a direction.
+/// Finds what the line, which has a direction, first meets of the boundary in its range.
 template <class S, bool ends, class Trace>
 std::optional<Met> first_met(const Straight<2, ends>& line, std::span<const Ring<S, 2>> rings, Trace&& trace) {
   std::optional<Met> first;
@@ -164,7 +164,7 @@ std::optional<S> first_hit(const Straight<2, ends>& line, const Interval<S>& ran
       trace);
 }
 
-/// Without the coordinate along which an outline's normal is largest.
+/// Drops the coordinate along which an outline's normal is largest.
 template <class S>
 Point<S, 2> flattened(const Point<S, 3>& x, int axis) {
   return {x[(axis + 1) % 3], x[(axis + 2) % 3]};
@@ -204,7 +204,7 @@ std::optional<S> first_hit(const Ray<S, 2>& ray, const Polygon<S, 2>& polygon, F
   if (!finite(ray)) return {};
   return ray_outline::detail::first_hit<S>(straight(ray), ray.range, polygon.rings, rule, trace);
 }
-/// The same of a segment with both ends as given: t of [0, 1].
+/// The first t of [0, 1] at which the segment, with both ends as given, meets the polygon; otherwise as for a ray.
 template <class S, class Trace = NoTrace>
 std::optional<S> first_hit(const Segment<S, 2>& segment, const Polygon<S, 2>& polygon,
                            FillRule rule = FillRule::even_odd, Trace&& trace = {}) {
@@ -213,8 +213,8 @@ std::optional<S> first_hit(const Segment<S, 2>& segment, const Polygon<S, 2>& po
 }
 
 /// The first t at which a ray or a line meets a polygon in space, its boundary included: where `intersect` of
-/// isect/ray_polygon.h says, or where it lies in the plane, which the first ring spans, as in the plane. Exact and
-/// bound as in both; a first ring without area: none.
+/// isect/ray_polygon.h says, or, for a line in the plane, which the first ring spans, as in 2D. Exact, and with the
+/// bounds of both; none for a first ring without area.
 template <class S>
 std::optional<S> first_hit(const Ray<S, 3>& ray, const Polygon<S, 3>& polygon, FillRule rule = FillRule::even_odd) {
   using namespace ray_outline::detail;
@@ -223,7 +223,7 @@ std::optional<S> first_hit(const Ray<S, 3>& ray, const Polygon<S, 3>& polygon, F
   const int axis = segment_polygon::detail::steepest(polygon.rings[0]);
   return first_hit(flattened(ray, axis), flattened<S>(polygon.rings, axis), rule);
 }
-/// The same of a segment with both ends as given: t of [0, 1].
+/// The first t of [0, 1] at which the segment, with both ends as given, meets the polygon; otherwise as for a ray.
 template <class S>
 std::optional<S> first_hit(const Segment<S, 3>& segment, const Polygon<S, 3>& polygon,
                            FillRule rule = FillRule::even_odd) {

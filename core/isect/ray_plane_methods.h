@@ -16,11 +16,11 @@ struct ToPoint {
 template <class S, int N>
 using MethodEvent = std::variant<ToPoint<S, N>, Numerator<S>, Denominator<S>, Parallel<S>, InRange<S>>;
 
-/// t = n.(p - o) / n.d for a point p of the plane. Far from the frame's origin the difference keeps what n.o + D
-/// loses by cancellation, if p is near and on the plane. A ray with |n.d| <= epsilon counts as parallel: 0 asks for
-/// that itself; a larger one, as many write against quotients that overflow, depends on the lengths of n and d and
-/// misses planes at a grazing angle. Naive: rounding may decide. Source: Ericson, Real-Time Collision Detection
-/// (2005), 5.3.1.
+/// t = n.(p - o) / n.d for a point p of the plane. Far from the frame's origin the difference keeps what n.o + D loses
+/// by cancellation, if p is near and on the plane. A ray with |n.d| <= epsilon counts as parallel: 0 means exactly
+/// parallel; a larger one, as many write against quotients that overflow, depends on the lengths of n and d and misses
+/// planes at a grazing angle. Naive: rounding may decide. Source: Ericson, Real-Time Collision Detection (2005),
+/// 5.3.1.
 template <class S, int N, class Trace = NoTrace>
 std::optional<S> towards_point(const Ray<S, N>& ray, const Vector<S, N>& normal, const Point<S, N>& point,
                                const S& epsilon, Trace&& trace = {}) {

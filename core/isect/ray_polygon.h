@@ -163,7 +163,7 @@ Location locate(const Crossing<S>& crossing, int den, int axis, std::span<const 
   return inside ? Location::in : Location::out;
 }
 
-/// The first ring and the ray are in the signs of the plane, so that in a first try NaN and infinity leave those open.
+/// The signs of the plane depend on the first ring and the ray; so in a first try NaN and infinity leave them open.
 template <class S, class Trace>
 RayPolygon<S> meet(const Ray<S, 3>& ray, std::span<const Ring<S, 3>> rings, FillRule rule, Trace& trace) {
   RayPolygon<S> result;

@@ -6,9 +6,9 @@
 //   A t^2 + 2 B t + C = 0,    A = d.d,    B = f.d,    C = f.f - r^2,
 //   t = (-B -+ sqrt D) / A,   D = B^2 - A C = A r^2 - |f x d|^2              (Lagrange's identity).
 //
-// Real roots mean that the *line* meets the sphere. Which of them the ray has is asked of its range's ends:
-// an end e lies between the roots where C(e) = |f + e d|^2 - r^2 < 0, and otherwise before or after them by
-// the sign of B(e) = (f + e d).d. So every verdict is the sign of a polynomial, without a root and without a
+// Real roots mean that the *line* meets the sphere. The ends of the ray's range tell which of them the ray has:
+// an end e lies between the roots where C(e) = |f + e d|^2 - r^2 < 0, and otherwise before or after them by the
+// sign of B(e) = (f + e d).d. So every verdict is the sign of a polynomial, without a root and without a
 // division.
 //
 // decide<W> in isect/parts/ray_sphere_roots.h is that text. It runs in double; where a sign is within its error

@@ -3,7 +3,7 @@
 // isect/ray_triangle.h: for lessons and comparison. `intersect` there is right for all input.
 //
 // Two triangles that share an edge ask for its sign with the same numbers, so that a line may not slip between them;
-// but rounding may make the sign of an edge that the line passes through what it likes, and a 0 belongs to both.
+// but rounding may give any sign to an edge that the line passes through, and a 0 belongs to both.
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -25,7 +25,7 @@ using VolumesEvent = std::variant<SignedVolumes<S>, Determinant<S>, InRange<S>, 
 
 namespace detail {
 
-/// From weights that are not divided yet and t times their sum to the hit, if the range holds it.
+/// Turns weights that are not divided yet and t times their sum into the hit, if the range holds it.
 template <class S, class Trace>
 std::optional<Hit<S>> divided(S b, S c, S sum, S t_sum, const Interval<S>& range, Trace&& trace) {
   trace(Determinant<S>{sum});
@@ -45,7 +45,7 @@ bool agree(S a, S b, S c) {
 
 }  // namespace detail
 
-/// By d.(B x C), d.(C x A), d.(A x B) with A, B, C relative to the origin of the ray. Source: Ericson, Real-Time
+/// Uses d.(B x C), d.(C x A), d.(A x B) with A, B, C relative to the origin of the ray. Source: Ericson, Real-Time
 /// Collision Detection (2005), 5.3.4; Amanatides, Choi, Ray tracing triangular meshes (1997).
 template <class S, class Trace = NoTrace>
 std::optional<Hit<S>> signed_volumes(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&& trace = {}) {

@@ -1,9 +1,9 @@
 #pragma once
-// Segment, with both ends as given, against plane: what isect/ray_plane.h says of a ray, whose direction is a vector of
-// floating-point numbers, said where q - p is none.
+// Segment, with both ends as given, against plane: as isect/ray_plane.h for a ray, but the direction q - p need not be
+// a vector of floating-point numbers.
 //
 // With the heights h(x) = n.x + D the segment meets the plane iff those of its ends have no common sign but 0; its line
-// meets it at t = h(p) / n.(p - q), unless that is 0. Source: as there.
+// meets it at t = h(p) / n.(p - q), unless the denominator is 0. Source: as there.
 
 #include <optional>
 #include <variant>
@@ -54,8 +54,8 @@ RayPlane<S> meet(const Segment<double, N>& segment, const Plane<double, N>& plan
 ///
 /// Every verdict (parallel, coplanar, whether line and t have a value, meets) is the true one for all finite input of
 /// any magnitude. Both t lie within 2 ulp of S of the true value, that of the segment in [0, 1]; one too large for S is
-/// infinite. Where p is q, it is parallel, and coplanar iff it lies on the plane. A zero normal makes no plane; it, NaN
-/// or an infinite coordinate: no hit.
+/// infinite. Where p is q, it is parallel, and coplanar iff it lies on the plane. A zero normal, which makes no plane,
+/// NaN or an infinite coordinate: no hit.
 template <class S, int N, class Trace = NoTrace>
 RayPlane<S> intersect(const Segment<S, N>& segment, const Plane<S, N>& plane, Trace&& trace = {}) {
   if (!finite(segment) || !finite(plane) || plane.normal.isZero(0)) return {};

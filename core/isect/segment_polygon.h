@@ -1,6 +1,6 @@
 #pragma once
-// Segment, with both ends as given, against polygon in space: what isect/ray_polygon.h says of a ray, whose direction
-// is a vector of floating-point numbers, said where q - p is none.
+// Segment, with both ends as given, against polygon in space: as isect/ray_polygon.h for a ray, but the direction q - p
+// need not be a vector of floating-point numbers.
 //
 // The plane goes through the first vertex p_0, with Newell's normal n. The line p + t d, d = q - p, meets it at
 //

@@ -60,7 +60,7 @@ using Event = std::variant<Apart, Sides, Fallback>;
 
 namespace detail {
 
-/// From left to right.
+/// Returns the segment from left to right.
 template <class S>
 Segment<S, 2> ordered(const Segment<S, 2>& a) {
   return before(a.q, a.p) ? Segment<S, 2>{a.q, a.p} : a;

@@ -1,6 +1,6 @@
 #pragma once
-// Segment, with both ends as given, against sphere: what isect/ray_sphere.h says of a ray, whose direction is a vector
-// of floating-point numbers, said where q - p is none.
+// Segment, with both ends as given, against sphere: as isect/ray_sphere.h for a ray, but the direction q - p need not
+// be a vector of floating-point numbers.
 //
 // With f = p - c and d = q - p, nowhere rounded, the line p + t d meets the sphere at the roots of
 //

@@ -172,7 +172,7 @@ struct Frustum {
   std::array<Plane<S, 3>, 6> planes;
 };
 
-// Whether every coordinate is finite. The tests ask it at their doors.
+// Whether every coordinate is finite. The tests check it first.
 
 template <class S>
 bool finite(const Interval<S>& x) {
@@ -277,7 +277,7 @@ template <class S, int N>
 bool empty(const Aabb<S, N>& x) {
   return !(x.lo.array() <= x.hi.array()).all();
 }
-/// Slab by slab: slabs that contradict each other are not seen.
+/// Looks at each slab by itself: slabs that contradict each other are not noticed.
 template <class S, int N>
 bool empty(const Kdop<S, N>& x) {
   for (const Interval<S>& slab : x.slabs)
@@ -289,7 +289,7 @@ bool empty(const Obb<S, N>& x) {
   return !(x.half.array() >= 0).all();
 }
 
-// The same shape in another scalar: float to double, which is exact, or double to float, which rounds.
+// Converts a shape to another scalar: float to double, which is exact, or double to float, which rounds.
 
 template <class T, class S>
 Interval<T> cast(const Interval<S>& x) {

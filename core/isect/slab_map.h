@@ -106,7 +106,7 @@ bool on_line(const SlabMap& map, int slab, const Point<double, 2>& p, Trace&& tr
   return holds;
 }
 
-/// Vertices and edges, by height.
+/// Takes over vertices and edges, by height.
 inline void take(SlabMap& map, const PolygonPieces& boundary) {
   const std::vector<Point<double, 2>>& old = boundary.vertices;
   std::vector<std::int32_t> sorted(old.size()), number(old.size());

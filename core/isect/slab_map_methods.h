@@ -3,9 +3,9 @@
 // of edges at a height, in plain floating point. What is taught and compared; `locate` of isect/slab_map.h is right for
 // all input, and orders by orientations.
 //
-// Naive: edges closer than roundoff are put in the wrong order, or in none; and a point near an edge may be told to lie
-// on its other side. On the boundary: anything. The polygon must be simple; no more than a few thousand vertices, as
-// the slabs may hold n^2/4 edges.
+// Naive: edges closer than roundoff are put in the wrong order, or in none; and a point near an edge may be put on its
+// other side. On the boundary: anything. The polygon must be simple; no more than a few thousand vertices, as the slabs
+// may hold n^2/4 edges.
 
 #include <algorithm>
 #include <variant>

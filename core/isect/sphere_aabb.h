@@ -93,8 +93,8 @@ template <class S, int N, class Trace>
   return point_sphere::detail::settled<double, N>(nearest<N>(ball.center, cast<double>(box)), ball, trace);
 }
 
-/// The sign of farthest^2 - r^2. Rounding keeps the order of c - lo and hi - c, so the larger of the two as computed
-/// is the larger one, computed.
+/// The sign of farthest^2 - r^2. Rounding keeps the order of c - lo and hi - c, so the larger of the two as computed is
+/// the larger one as computed.
 template <int N, class Trace>
 int contained(const Aabb<double, N>& box, const Sphere<double, N>& ball, Trace&& trace) {
   const Vector<double, N> f = (ball.center - box.lo).cwiseMax(box.hi - ball.center);

@@ -25,7 +25,7 @@ struct Rejected {
 template <class S, int N>
 using MethodEvent = std::variant<Nearest<S, N>, Axis<S>, Compared<S>, Rejected<S>>;
 
-/// The nearest point by clamping the center to the box. NaN in the center or the radius: no.
+/// Finds the nearest point by clamping the center to the box. NaN in the center or the radius: no.
 /// Source: Ericson, Real-Time Collision Detection (2005), 5.1.3 and 5.2.5.
 template <class S, int N, class Trace = NoTrace>
 bool clamped(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace = {}) {
@@ -38,7 +38,7 @@ bool clamped(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace = 
   return distance2 <= radius2;
 }
 
-/// accumulate that gives up at the first axis whose gap exceeds r.
+/// Does what accumulate does, but gives up at the first axis whose gap exceeds r.
 /// Source: Larsson, Akenine-Moller, Lengyel, On faster sphere-box overlap testing, J. Graphics Tools 12 (2007).
 template <class S, int N, class Trace = NoTrace>
 bool with_rejections(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace = {}) {

@@ -35,7 +35,7 @@ struct Contained {
 using Event = std::variant<Reach, Contained, Fallback>;
 
 namespace detail {
-/// Finite, not empty.
+/// Compares the distance with r + s; both are finite and not empty.
 template <int N, class Trace>
 Reach reach(const Sphere<double, N>& ball, const Capsule<double, N>& capsule, Trace&& trace) {
   const Nearest nearest = point_segment::detail::nearest<N>(ball.center, capsule.p, capsule.q, trace);

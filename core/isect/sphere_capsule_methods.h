@@ -3,7 +3,7 @@
 // isect/sphere_capsule.h is right for all input.
 //
 // Both count touching as an intersection, but rounding may decide there; squares overflow or vanish beyond 1e+-154 in
-// double, 1e+-19 in float; a radius below 0 is taken as it is, as long as the sum of both is not.
+// double, 1e+-19 in float; a radius below 0 is taken as it is, unless the sum of both is below 0.
 
 #include <variant>
 
@@ -34,8 +34,8 @@ bool within(const S& distance2, const S& reach, Trace&& trace) {
 }
 }  // namespace detail
 
-/// The nearest point by clamping t to the segment. NaN: no. Source: Ericson, Real-Time Collision Detection (2005),
-/// 5.1.2, ClosestPtPointSegment.
+/// Finds the nearest point by clamping t to the segment. NaN: no. Source: Ericson, Real-Time Collision Detection
+/// (2005), 5.1.2, ClosestPtPointSegment.
 template <class S, int N, class Trace = NoTrace>
 bool clamped(const Sphere<S, N>& sphere, const Capsule<S, N>& capsule, Trace&& trace = {}) {
   const Vector<S, N> d = capsule.q - capsule.p, w = sphere.center - capsule.p;
@@ -48,7 +48,7 @@ bool clamped(const Sphere<S, N>& sphere, const Capsule<S, N>& capsule, Trace&& t
   return detail::within<S>(f.dot(f), sphere.radius + capsule.radius, trace);
 }
 
-/// The square distance alone, by Pythagoras: between the ends two squares that nearly cancel where the center lies far
+/// Finds the square distance alone, by Pythagoras: between the ends two squares nearly cancel where the center lies far
 /// from p and near the segment. Source: Ericson, Real-Time Collision Detection (2005), 5.1.2.1, SqDistPointSegment, as
 /// TestSphereCapsule (4.5.1) calls it.
 template <class S, int N, class Trace = NoTrace>

@@ -28,9 +28,9 @@ namespace isect {
 
 namespace sphere_cone {
 
-/// Where the cone's point nearest to the center lies: at the center itself, or on what.
+/// Where the cone's point nearest to the center lies: at the center itself, or on which part.
 enum class Nearest { center, side, base, rim, apex };
-/// That, and the sign of its distance less the ball's radius.
+/// That place, and the sign of its distance less the ball's radius.
 struct Reach {
   Nearest nearest;
   int sign;
@@ -71,7 +71,7 @@ int sign_at(const Point<double, 3>& c, const Cone<double>& cone, const Text& tex
   return sign_of([&]<class W>() -> W { return text(profile<W>(c, cone)); }, trace);
 }
 
-/// `at` are the signs of h, of h - d.d, and of g.
+/// Finds that place; `at` are the signs of h, of h - d.d, and of g.
 template <class Trace>
 Nearest nearest(const Point<double, 3>& c, const Cone<double>& cone, const round_solid::Signs& at, Trace&& trace) {
   if (at.first >= 0 && at.last <= 0 && at.side <= 0) return Nearest::center;
@@ -123,7 +123,7 @@ Reach reach(const Sphere<double, 3>& ball, const Cone<double>& cone, Trace&& tra
   }
 }
 
-/// Of a ball that meets the cone.
+/// Whether a ball that meets the cone lies in it, and the cone in the ball.
 template <class Trace>
 Contained contained(const Sphere<double, 3>& ball, const Cone<double>& cone, Nearest nearest, Trace&& trace) {
   const double s = ball.radius;

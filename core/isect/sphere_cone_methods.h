@@ -18,7 +18,7 @@ struct InProfile {
 template <class S>
 using ProfileEvent = std::variant<InProfile<S>>;
 
-/// By the distance from half a triangle in the plane through the axis and the center. Rounding may decide there;
+/// Uses the distance from half a triangle in the plane through the axis and the center. Rounding may decide there;
 /// squares overflow or vanish beyond 1e+-154 in double, 1e+-19 in float; a radius below 0 is taken as it is. NaN, as
 /// without an axis: no. Source: Ericson, Real-Time Collision Detection (2005), 5.1.5, in the plane.
 template <class S, class Trace = NoTrace>

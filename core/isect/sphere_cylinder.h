@@ -23,9 +23,9 @@ namespace isect {
 
 namespace sphere_cylinder {
 
-/// Where the cylinder's point nearest to the center lies: at the center itself, or on what.
+/// Where the cylinder's point nearest to the center lies: at the center itself, or on which part.
 enum class Nearest { center, side, end_p, end_q, rim_p, rim_q };
-/// That, and the sign of its distance less the ball's radius.
+/// That place, and the sign of its distance less the ball's radius.
 struct Reach {
   Nearest nearest;
   int sign;
@@ -53,7 +53,7 @@ Reach reach(const Sphere<double, 3>& ball, const Cylinder<double>& cylinder, Tra
   return {Nearest::side, sphere_round::from_axis(ball, discs[0], cylinder, std::plus<>(), trace)};
 }
 
-/// Of a ball that meets the cylinder.
+/// Whether a ball that meets the cylinder lies in it, and the cylinder in the ball.
 template <class Trace>
 Contained contained(const Sphere<double, 3>& ball, const Cylinder<double>& cylinder, Nearest nearest, Trace&& trace) {
   const auto discs = round_solid::discs(cylinder);

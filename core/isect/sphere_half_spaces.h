@@ -2,10 +2,10 @@
 // Sphere against a convex solid given by half-spaces (isect/half_spaces.h): an oriented box, a k-DOP, a frustum, a
 // hull.
 //
-// Most balls lie wholly beyond one face, or have their center in the solid. Of the others, the distance of the center
-// from the solid is compared with the radius by duality: isect/parts/inequality_distance.h. The ball lies
-// in the solid iff its center is at least r inside each face, and the solid in the ball iff its corners do and it is
-// bounded. All is compared squared and multiplied out.
+// Most balls lie wholly beyond one face, or have their center in the solid. For the others, the distance of the center
+// from the solid is compared with the radius by duality: isect/parts/inequality_distance.h. The ball lies in the solid
+// iff its center is at least r inside each face, and the solid in the ball iff its corners do and it is bounded. All is
+// compared squared and multiplied out.
 
 #include <algorithm>
 #include <array>
@@ -78,7 +78,7 @@ bool contained(const Point<double, 3>& center, double r, const HalfSpaces& solid
   return true;
 }
 
-/// Of the plane: its own faces, and the plane itself for a third, so that there are corners.
+/// Returns the faces, and for a solid in the plane the plane itself as well, so that there are corners.
 inline std::vector<half_spaces::Face> with_corners(const HalfSpaces& solid) {
   std::vector<half_spaces::Face> faces = solid.faces;
   if (solid.dimension == 2) faces.push_back({half_spaces::Level{Vector<double, 3>::UnitZ(), 0}});

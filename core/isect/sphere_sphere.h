@@ -25,7 +25,7 @@ struct Decision {
 };
 using Event = std::variant<Decision, Fallback>;
 
-/// The note's method, its rounded numbers.
+/// The rounded numbers of the note's method.
 template <class S>
 struct Compared {
   S distance2, sum2;

@@ -22,7 +22,7 @@ struct Lengths {
 template <class S>
 using MethodEvent = std::variant<Compared<S>, Lengths<S>>;
 
-/// The note's squares with <=. Source: Ericson, Real-Time Collision Detection (2005), 4.3.1.
+/// Compares the note's squares with <=. Source: Ericson, Real-Time Collision Detection (2005), 4.3.1.
 template <class S, int N, class Trace = NoTrace>
 bool closed_squared_distance(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
   const Vector<S, N> l = a.center - b.center;
@@ -33,7 +33,7 @@ bool closed_squared_distance(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace
   return distance2 <= sum2;
 }
 
-/// By the distance itself: one square root more.
+/// Compares the distance itself: one square root more.
 template <class S, int N, class Trace = NoTrace>
 bool by_distance(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
   const Vector<S, N> l = a.center - b.center;
@@ -58,7 +58,7 @@ S hypot(S x, S y, S z) {
 
 }  // namespace detail
 
-/// By std::hypot, whose squares neither overflow nor vanish.
+/// Uses std::hypot, whose squares neither overflow nor vanish.
 template <class S, int N, class Trace = NoTrace>
 bool by_hypot(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
   const Vector<S, N> l = a.center - b.center;
@@ -73,7 +73,7 @@ bool by_hypot(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) 
   return distance <= sum;
 }
 
-/// Which of the six relations, by rounded squares.
+/// Returns which of the six relations holds, by rounded squares.
 template <class S, int N, class Trace = NoTrace>
 Relation squared_relation(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
   const Vector<S, N> l = a.center - b.center;

@@ -30,7 +30,7 @@ struct SphereTree {
 
     bool leaf() const { return left == 0; }
   };
-  std::vector<Node> nodes;  ///< 2n - 1 of n spheres, the root first
+  std::vector<Node> nodes;  ///< 2n - 1 for n spheres, the root first
 };
 
 namespace sphere_tree {
@@ -57,7 +57,7 @@ bool holds(const Sphere<S, N>& outer, const Sphere<S, N>& inner) {
   return relation == Relation::equal || relation == Relation::a_inside_b;
 }
 
-/// A ball that contains both balls exactly: one of them, or the smallest one but for rounding.
+/// A ball that contains both balls exactly: one of them, or the smallest one up to rounding.
 template <class S, int N>
 Sphere<S, N> around(const Sphere<S, N>& a, const Sphere<S, N>& b) {
   if (holds(a, b)) return a;
@@ -75,7 +75,7 @@ Sphere<S, N> around(const Sphere<S, N>& a, const Sphere<S, N>& b) {
   return ball;
 }
 
-/// Whether a node can't be ruled out; exact but for infinite balls, which meet everything.
+/// Whether a node can't be ruled out; exact except for infinite balls, which meet everything.
 template <class S, int N>
 bool may_meet(const Sphere<S, N>& a, const Sphere<S, N>& b) {
   return std::isinf(a.radius) || std::isinf(b.radius) || intersects(a, b);

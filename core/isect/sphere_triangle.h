@@ -81,7 +81,7 @@ int compare(const Capsule<double, 3>& capsule, const Triangle<double, 3>& x, Tra
   return through ? (capsule.radius > 0 ? -1 : 0) : least;
 }
 
-/// Of what has a volume; `reach` is the sign of a distance less a radius.
+/// How a body with a volume (A) lies to a triangle; `reach`: the sign of a distance less a radius, `held`: A holds it.
 inline Relation relation(int reach, bool held) {
   if (reach > 0) return Relation::disjoint;
   if (held) return Relation::b_inside_a;

@@ -1,5 +1,5 @@
 #pragma once
-// What an algorithm tells while it runs, and how to listen.
+// What an algorithm reports while it runs, and how to listen.
 //
 // Most algorithms take a last parameter `Trace&& trace = {}` and call it with typed events that copy values they
 // have computed anyway. The default listener does nothing and costs nothing: the machine code equals that

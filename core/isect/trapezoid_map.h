@@ -35,7 +35,7 @@ namespace isect {
 
 /// A polygon prepared for point location. `make_trapezoid_map` makes it.
 struct TrapezoidMap {
-  /// Between two pieces of the boundary and two walls; without one of them it goes on for ever.
+  /// The region between two pieces of the boundary and two walls; without one of them it goes on for ever.
   struct Trapezoid {
     int bottom, top;  ///< pieces; -1 for none
     int left, right;  ///< the vertices of its walls; -1 and the number of vertices for none

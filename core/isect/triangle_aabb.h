@@ -136,8 +136,8 @@ std::optional<int> gap(const Triangle<double, N>& triangle, const Aabb<double, N
   return std::max(before, behind);
 }
 
-/// What all axes say together: 1 some separates, 0 some touches, -1 all overlap. Those that the first pass left open
-/// are asked, all where somebody listens.
+/// Asks the axes that the first pass left open, or all where somebody listens, and returns what all say together: 1
+/// some separates, 0 some touches, -1 all overlap.
 template <int N, class Trace>
 [[gnu::noinline, gnu::cold]] int settle(const Triangle<double, N>& triangle, const Aabb<double, N>& box, unsigned open,
                                         Trace&& trace) {
@@ -154,7 +154,7 @@ template <int N, class Trace>
   return most;
 }
 
-/// What `settle` returns; plain doubles answer most cases. A listener hears all axes.
+/// Returns what `settle` does; plain doubles answer most cases. A listener hears all axes.
 template <int N, class Trace>
 int outer(const Triangle<double, N>& triangle, const Aabb<double, N>& box, Trace&& trace) {
   if constexpr (heard<Trace>) {

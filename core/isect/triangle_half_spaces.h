@@ -21,7 +21,7 @@ using Event = std::variant<Fallback>;
 
 namespace detail {
 
-/// In s, in t, in nothing else, and without them.
+/// Returns inequality i: the factors of s, of t and of nothing else, and the constant.
 template <Filtered W>
 inequalities::Row<W> row(const std::vector<half_spaces::Face>& faces, const Triangle<double, 3>& x, int i) {
   if (i == 0) return {W(1), W(0), W(0), W(0)};
@@ -33,7 +33,7 @@ inequalities::Row<W> row(const std::vector<half_spaces::Face>& faces, const Tria
   return {dot(n, difference<W>(b, a)), dot(n, difference<W>(c, a)), W(0), dot(n, exactly<W>(a)) + face[3]};
 }
 
-/// Whether no corner lies in one of the half-spaces, as of most triangles that have no point in all.
+/// Whether some half-space holds no corner, as for most triangles that have no point in all half-spaces.
 template <class Trace>
 bool beyond_a_face(const Triangle<double, 3>& x, const std::vector<half_spaces::Face>& faces, Trace&& trace) {
   return std::ranges::any_of(faces, [&](const half_spaces::Face& face) {
@@ -56,7 +56,7 @@ int common(const Triangle<double, 3>& x, const std::vector<half_spaces::Face>& f
   return inequalities::common(half_spaces::detail::count(faces) + 3, text, trace);
 }
 
-/// Whether a point of the triangle lies in all.
+/// Whether a point of the triangle lies in all half-spaces.
 template <class Trace>
 bool meets(const Triangle<double, 3>& x, const std::vector<half_spaces::Face>& faces, Trace&& trace) {
   if (beyond_a_face(x, faces, trace)) return false;
@@ -91,7 +91,7 @@ Capsule<double, 3> as_segment(const Triangle<double, 3>& x, Trace&& trace) {
   return {x.vertices[0], x.vertices[0], 0};
 }
 
-/// Of any triangle; in the plane the prism over it.
+/// Returns any triangle as half-spaces; in the plane the prism over it.
 template <class Trace>
 HalfSpaces solid_of(const Triangle<double, 3>& x, int dimension, Trace&& trace) {
   if (degenerate(x, trace)) {

@@ -94,8 +94,8 @@ bool any_hit(const Bvh<S, 3>& bvh, const TriangleMesh<S>& mesh, const Ray<S, 3>&
   return any_hit(bvh, ray, hit, trace);
 }
 
-/// All triangles of the mesh that the ray meets, by rising t, and by index among those with one t: where its rounded t
-/// are the same, at an edge, say. Else as closest_hit.
+/// All triangles of the mesh that the ray meets, by rising t, and by index among those whose rounded t is the same, as
+/// at an edge. Otherwise as closest_hit.
 template <class S, class Trace = NoTrace>
 std::vector<BvhHit<S>> all_hits(const Bvh<S, 3>& bvh, const TriangleMesh<S>& mesh, const Ray<S, 3>& ray,
                                 Trace&& trace = {}) {

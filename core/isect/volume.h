@@ -44,7 +44,7 @@ struct Size {
 };
 
 /// Adds sizes that are not negative, at the scale of the largest: only negligible parts are lost, and nothing but the
-/// sum can overflow or underflow. Of sizes within 1.9 u each: within 3 ulp, of S too.
+/// sum can overflow or underflow. If each size is within 1.9 u, the sum is within 3 ulp, of S too.
 template <class S>
 S sum(const std::vector<Size>& sizes) {
   int most = std::numeric_limits<int>::min();
@@ -114,7 +114,7 @@ Size length(const Point<double, N>& a, const Point<double, N>& b) {
   return root(square, 1, exponent_of<N>(half, half));
 }
 
-/// The faces cut into triangles.
+/// Cuts the faces into triangles.
 template <class S>
 std::vector<std::array<int, 3>> triangles(const Polytope<S, 3>& polytope) {
   std::vector<std::array<int, 3>> all;
@@ -125,8 +125,8 @@ std::vector<std::array<int, 3>> triangles(const Polytope<S, 3>& polytope) {
 
 }  // namespace volume_detail
 
-/// The volume within a closed surface: of triangles counter-clockwise seen from outside, of which every edge has its
-/// two. Within 2 ulp of S of the true one; negative when it is turned inside out. NaN with a NaN or an infinity.
+/// The volume within a closed surface: triangles counter-clockwise seen from outside, two at every edge. Within 2 ulp
+/// of S of the true one; negative when it is turned inside out. NaN with a NaN or an infinity.
 template <class S>
 S volume(const std::vector<Point<S, 3>>& vertices, const std::vector<std::array<int, 3>>& triangles) {
   if (!finite(vertices)) return std::numeric_limits<S>::quiet_NaN();
@@ -142,7 +142,7 @@ S surface_area(const std::vector<Point<S, 3>>& vertices, const std::vector<std::
   return volume_detail::area(vertices, triangles);
 }
 
-// Of bounding volumes. Empty ones have volume and surface 0, those with an infinite number NaN.
+// Volumes and surfaces of bounding volumes. Empty ones have 0, those with an infinite number NaN.
 
 /// Within 2 ulp.
 template <class S, int N>
@@ -246,7 +246,7 @@ S surface_area(const Kdop<S, 2>& kdop) {
   return volume_detail::sum<S>(sides);
 }
 
-/// Of its vertices as they are, within 2 ulp.
+/// Takes its vertices as they are; within 2 ulp.
 template <class S>
 S volume(const Polytope<S, 3>& solid) {
   return volume(solid.vertices, volume_detail::triangles(solid));
@@ -257,8 +257,8 @@ S surface_area(const Polytope<S, 3>& solid) {
   return surface_area(solid.vertices, volume_detail::triangles(solid));
 }
 
-/// Of its polytope, whose vertices are within 2 ulp of the true ones; 0 where its slabs contradict each other. Throws
-/// where it is unbounded.
+/// Returns the volume of its polytope, whose vertices are within 2 ulp of the true ones; 0 where its slabs contradict
+/// each other. Throws where it is unbounded.
 template <class S>
 S volume(const Kdop<S, 3>& kdop) {
   return volume(polytope(kdop));
@@ -268,19 +268,19 @@ S surface_area(const Kdop<S, 3>& kdop) {
   return surface_area(polytope(kdop));
 }
 
-/// Within 2 ulp; 0 of a hull in a plane.
+/// Within 2 ulp; 0 for a hull in a plane.
 template <class S>
 S volume(const Hull3<S>& hull) {
   return volume(hull.vertices, hull.triangles);
 }
-/// Within 3 ulp; both sides of a hull in a plane.
+/// Within 3 ulp; a hull in a plane counts on both sides.
 template <class S>
 S surface_area(const Hull3<S>& hull) {
   return surface_area(hull.vertices, hull.triangles);
 }
 
-/// What of the bounding volume is not filled by the object in it: the volume of the one less that of the other, each
-/// as above, so with the errors of both and a rounding. The smaller, the tighter the fit.
+/// The part of the bounding volume that the object in it does not fill: the volume of the one less that of the other,
+/// each as above, so with the errors of both and a rounding. The smaller, the tighter the fit.
 template <class Bounding, class S>
 S void_volume(const Bounding& bounding, S object) {
   return volume(bounding) - object;

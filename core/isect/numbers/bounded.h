@@ -32,17 +32,17 @@
 namespace isect {
 
 namespace detail {
-/// Of a product of sizes; tiny where that is NaN, infinity times 0.
+/// Raises a product of sizes to tiny at least; to tiny where it is NaN, infinity times 0.
 ISECT_INLINE double at_least_tiny(double size) { return std::max(0x1p-960, size); }
 }  // namespace detail
 
-/// T is double or DoubleDouble; or Compensated or Threefold, for a number found otherwise.
+/// A value with an error bound. T is double or DoubleDouble; or Compensated or Threefold, for one found elsewhere.
 template <class T>
 class Bounded {
  public:
   Bounded() = default;
   Bounded(double x) : value_{x}, size_(std::abs(x)) {}
-  /// A number found otherwise: a sum of products, each of `roundings` roundings at most, whose sizes add up to `size`
+  /// A number found elsewhere: a sum of products, each of `roundings` roundings at most, whose sizes add up to `size`
   /// at most. At least 2^-960 of that makes up for products that underflow.
   Bounded(const T& value, double size, int roundings) : value_(value), size_(size), roundings_(roundings) {}
 
@@ -63,10 +63,10 @@ class Bounded {
   ISECT_INLINE friend Bounded operator-(const Bounded& a) { return {-a.value_, a.size_, a.roundings_}; }
   ISECT_INLINE friend Bounded abs(const Bounded& a) { return leading(a.value_) < 0 ? -a : a; }
 
-  /// Whether the value has the sign of the truth. False for what overflowed, as inf - inf is NaN. An error that
-  /// underflows is none: without products all is a multiple of the least double.
+  /// Whether the value has the sign of the truth. False where it overflowed, as inf - inf is NaN. An error that
+  /// underflows is no error: without products all are multiples of the least double.
   ISECT_INLINE bool certain() const { return std::abs(leading(value_)) - error() >= 0; }
-  /// The sign of the value, whether or not that of the truth.
+  /// The sign of the value, whether or not the truth has it.
   ISECT_INLINE int apparent_sign() const { return (leading(value_) > 0) - (leading(value_) < 0); }
   /// 1, 0, -1, or nothing where the error could turn it.
   std::optional<int> sign() const { return certain() ? std::optional(apparent_sign()) : std::nullopt; }
@@ -87,8 +87,8 @@ class Bounded {
   }
 
  private:
-  /// In DoubleDouble that of a product with 0 is 0: else no sum of zeros would be certain. In double asking for it
-  /// would cost more than it saves.
+  /// In DoubleDouble a product with 0 has size 0: else no sum of zeros would be certain. In double the test for 0 would
+  /// cost more than it saves.
   static double size_of_product(double a, double b) {
     if constexpr (std::is_same_v<T, DoubleDouble>)
       return a == 0 || b == 0 ? 0 : a * b + 0x1p-960;
@@ -114,7 +114,7 @@ ISECT_INLINE Bounded<double> dot(const std::array<Bounded<double>, N>& x, const 
   return {sum, detail::at_least_tiny(N * (largest_x * largest_y)), roundings + static_cast<int>(N)};
 }
 
-/// x times y, likewise.
+/// The cross product of x and y, its sizes found likewise.
 ISECT_INLINE std::array<Bounded<double>, 3> cross(const std::array<Bounded<double>, 3>& x,
                                                   const std::array<Bounded<double>, 3>& y) {
   const double largest_x = std::max(std::max(x[0].size(), x[1].size()), x[2].size()),
@@ -131,7 +131,7 @@ ISECT_INLINE std::array<Bounded<double>, 3> cross(const std::array<Bounded<doubl
 class Grid;
 class Recorded;
 
-/// What the polynomial texts of predicates run in: one after the other.
+/// The arithmetics that the polynomial texts of predicates run in, one after the other.
 template <class W>
 concept Filtered = std::same_as<W, Bounded<double>> || std::same_as<W, Grid> || std::same_as<W, Recorded> ||
     is_compensated<W> || is_threefold<W> || std::same_as<W, Bounded<DoubleDouble>> || std::same_as<W, ShortExact> ||

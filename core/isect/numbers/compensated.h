@@ -4,7 +4,7 @@
 // lo is never folded back into hi, so that an operation costs half as much and none waits for the lo of another.
 //
 // Bound. Let s be the sum of the products' sizes and k the count of roundings, as in isect/numbers/bounded.h; k < 2^20.
-// Then |lo| <= k u s and |truth - (hi + lo)| <= 2 k^2 u^2 s, but for factors of 1 + 4 k u:
+// Then |lo| <= k u s and |truth - (hi + lo)| <= 2 k^2 u^2 s, up to factors of 1 + 4 k u:
 //
 //   difference of doubles    k = 1: |lo| <= u |hi|, no error.
 //   sum                      errors add up; lo rounds twice, (2 k + 1) u^2 s; and 2 k^2 + 2 k + 1 < 2 (k + 1)^2.
@@ -50,7 +50,7 @@ struct CompensatedBy {
   }
 };
 
-/// As the compiler was told to build, and with fused products in any case.
+/// Compensated fuses products if the compiler was told to, Fused in any case.
 using Compensated = CompensatedBy<fuses_products>;
 using Fused = CompensatedBy<true>;
 
@@ -60,7 +60,7 @@ template <bool fused>
 inline constexpr bool is_compensated<CompensatedBy<fused>> = true;
 
 namespace detail {
-/// Whether the compiler sees that it is 0, as of a leaf: that saves what it is multiplied by and added to.
+/// Whether the compiler sees that x is 0, as for a leaf: that saves the products and sums with it.
 ISECT_INLINE bool nothing(double x) { return __builtin_constant_p(x == 0) && x == 0; }
 ISECT_INLINE double plus(double x, double y) { return nothing(y) ? x : nothing(x) ? y : x + y; }
 ISECT_INLINE double times(double x, double y) { return nothing(y) ? 0 : x * y; }
@@ -91,7 +91,7 @@ ISECT_INLINE CompensatedBy<fused> abs(const CompensatedBy<fused>& x) {
 }
 
 namespace detail {
-/// x / y by 1 / y.hi.
+/// x / y by `inverse`, 1 / y.hi.
 template <bool fused>
 ISECT_INLINE double quotient(const CompensatedBy<fused>& x, const CompensatedBy<fused>& y, double inverse) {
   const double q = x.hi * inverse;
@@ -139,7 +139,7 @@ ISECT_INLINE SumOf<Two> two_product_of(const Two& x, const Two& y) {
     return {p, split_rest(x, y, p)};
 }
 
-/// Component i of a vector of doubles, or of numbers with tails.
+/// Whether V is a vector of numbers with tails rather than of doubles; head(v, i) is component i without its tail.
 template <class V>
 inline constexpr bool has_tails = requires(const V& v) {
   v[0].lo;

@@ -44,7 +44,7 @@ struct Counted {
 template <class S>
 inline constexpr bool has_bounds<Counted<S>> = has_bounds<S>;
 
-/// Asked at the doors of algorithms, and no step of theirs: not counted.
+/// Input checks at the start of algorithms, not part of them: not counted.
 template <class S, int N, int M>
 bool finite(const Eigen::Matrix<Counted<S>, N, M>& x) {
   return x.unaryExpr([](const Counted<S>& c) { return c.value; }).allFinite();

@@ -16,7 +16,7 @@ struct DoubleDouble {
   double hi = 0, lo = 0;
 };
 
-/// What is said here of doubles holds for vectors of them, number by number.
+/// All that this header says of doubles holds for vectors of them, number by number.
 template <class T>
 struct SumOf {
   T hi, lo;
@@ -91,7 +91,7 @@ inline DoubleDouble operator*(const DoubleDouble& x, double y) {
 namespace detail {
 inline double head(double x) { return x; }
 inline double head(const DoubleDouble& x) { return x.hi; }
-/// What x.hi y.hi leaves of x y, to first order.
+/// The part of x y that x.hi y.hi leaves out, to first order.
 inline double tail(double, double) { return 0; }
 inline double tail(const DoubleDouble& x, double y) { return x.lo * y; }
 inline double tail(const DoubleDouble& x, const DoubleDouble& y) { return x.hi * y.lo + x.lo * y.hi; }
@@ -120,7 +120,7 @@ inline DoubleDouble sqrt(const DoubleDouble& x) {
   return fast_two_sum(s, ((x.hi - square.hi) - square.lo + x.lo) / (2 * s));
 }
 
-/// The double nearest to x / y but for a relative 8 u^2 before the last rounding.
+/// The double nearest to x / y, up to a relative 8 u^2 before the last rounding.
 inline double quotient(const DoubleDouble& x, const DoubleDouble& y) {
   const double t = x.hi / y.hi;
   const DoubleDouble back = two_product(t, y.hi);

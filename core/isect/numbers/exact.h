@@ -41,7 +41,7 @@ class Digits {
   int size() const { return size_; }
   Digit* data() { return far_ ? far_.get() : near_; }
   const Digit* data() const { return far_ ? far_.get() : near_; }
-  /// Only the digits from first to end, not included, stay.
+  /// Keeps only the digits from first to end, not included.
   void keep(int first, int end) {
     if (first > 0) std::copy(data() + first, data() + end, data());
     size_ = end - first;
@@ -56,7 +56,7 @@ class Digits {
 }  // namespace detail
 
 /// No heap is needed where the highest and the lowest bit of all numbers on the way are less than 13,248 places apart:
-/// in no polynomial of degree six or less, as a double's bits lie 2,098 places apart at most.
+/// so never in a polynomial of degree six or less, as a double's bits lie 2,098 places apart at most.
 class Exact {
  public:
   Exact() = default;
@@ -87,14 +87,14 @@ class Exact {
   friend Exact sqrt(const Exact& x);
   /// The double nearest to x / y, y != 0; infinite when too large.
   friend double quotient(const Exact& x, const Exact& y);
-  /// The same but for a relative 2^-100, in a fraction of the time.
+  /// Returns what `quotient` does up to a relative 2^-100, in a fraction of the time.
   friend double near_quotient(const Exact& x, const Exact& y);
 
  private:
   using Digit = detail::Digit;
   using TwoDigits = detail::TwoDigits;
 
-  /// `size` digits to be written, the first of which counts 2^(64 first).
+  /// Makes room for `size` digits to be written, the first of which counts 2^(64 first).
   Exact(int size, int first, bool negative) : digits_(size), first_(first), negative_(negative) {}
 
   /// 2^exponent.
@@ -222,7 +222,7 @@ inline double quotient(const Exact& x, const Exact& y) {
 
 inline double near_quotient(const Exact& x, const Exact& y) {
   if (x.size() == 0) return 0;
-  // Far beyond the range of doubles std::ldexp still says so.
+  // Even far beyond the range of doubles std::ldexp gives infinity, or 0.
   const double q = std::ldexp(quotient(x.leading_digits(), y.leading_digits()), 64 * (x.end() - y.end()));
   return x.negative_ == y.negative_ ? q : -q;
 }

@@ -23,7 +23,7 @@
 
 namespace isect {
 
-/// Without rounding: what it knows of a sign is certain, and it needs no bound.
+/// An arithmetic without rounding: each sign that it knows is certain, and it needs no bound.
 template <class W>
 concept Unrounded = std::same_as<W, ShortExact> || std::same_as<W, MediumExact> || std::same_as<W, Exact>;
 
@@ -31,7 +31,7 @@ concept Unrounded = std::same_as<W, ShortExact> || std::same_as<W, MediumExact> 
 template <class W>
 inline constexpr double unit = static_cast<double>(std::numeric_limits<W>::epsilon() / 2);
 template <bool fused>
-inline constexpr double unit<CompensatedBy<fused>> = unit<double>;  // of hi; see there what all of it errs by
+inline constexpr double unit<CompensatedBy<fused>> = unit<double>;  // of hi; the bound of all of it stands there
 template <>
 inline constexpr double unit<DoubleDouble> = 8 * unit<double>* unit<double>;
 template <Unrounded W>
@@ -40,7 +40,7 @@ inline constexpr double unit<W> = 0;
 template <class W>
 concept Arithmetic = std::same_as<W, double> || std::same_as<W, DoubleDouble> || Unrounded<W>;
 
-/// x - y of two doubles in W; exact but for W = double.
+/// x - y of two doubles in W; exact unless W is double.
 template <Arithmetic W>
 W difference(double x, double y) {
   if constexpr (std::same_as<W, DoubleDouble>)

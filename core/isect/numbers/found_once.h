@@ -1,6 +1,6 @@
 #pragma once
-// What a text needs again and again, found once in each arithmetic that asks for it: a normal, a point by numerator and
-// denominator. Where steps are recorded it is found anew, as it is no number yet.
+// Values that a text needs again and again, such as a normal, or a point by numerator and denominator: each is found
+// once in each arithmetic that asks for it. Where steps are recorded it is found anew, as it is no number yet.
 
 #include <memory>
 #include <new>
@@ -11,12 +11,12 @@
 
 namespace isect {
 
-/// How a text gets at what is kept in W between its runs: by reference, or anew.
+/// The type by which a text gets what is kept in W between its runs: by reference, or anew.
 template <class W, class Kept>
 using kept_t = std::conditional_t<std::is_same_v<W, Recorded>, Kept, const Kept&>;
 
 namespace detail {
-/// Memory for a T. An optional one would be filled with zeros first, and an Exact takes 1,700 bytes.
+/// Memory for a T. A std::optional<T> would be filled with zeros first, and an Exact takes 1,700 bytes.
 template <class T>
 union Place {
   T value;
@@ -25,7 +25,7 @@ union Place {
   ~Place() {}
 };
 
-/// One Value<W> for each W, those that were found.
+/// Holds a Value<W> for each W in which it was found.
 template <template <class> class Value, class... W>
 class FoundIn {
  public:
@@ -63,7 +63,7 @@ class FoundIn {
 template <template <class> class Value>
 class FoundOnce {
  public:
-  /// What find() returned when it was first asked for in W.
+  /// Returns what find() returned when it was first called in W.
   template <Filtered W, class Find>
   ISECT_INLINE kept_t<W, Value<W>> in(const Find& find) const {
     if constexpr (std::is_same_v<W, Recorded>)

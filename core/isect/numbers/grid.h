@@ -1,5 +1,5 @@
 #pragma once
-// The grid that a number lies on, so that what is exactly zero is known to be.
+// The grid that a number lies on, so that a number that is exactly zero is known to be zero.
 //
 // Every double is a whole multiple of a power of two, that of its last bit which is not 0. Sums of multiples of g are
 // multiples of g, and products of multiples of g and h are multiples of g h. So each polynomial has a grid g of its
@@ -25,8 +25,8 @@ namespace isect {
 class Grid {
  public:
   Grid() = default;
-  /// Of x itself: its last bit if that is normal, else 0. Without a branch, as whether a coordinate is 0 is hard to
-  /// foresee.
+  /// The grid of x itself: its last bit if that is normal, else 0. Without a branch, as whether a coordinate is 0 is
+  /// hard to predict.
   ISECT_INLINE Grid(double x) : step_(std::bit_cast<double>(bits_of(x))) {}
 
   ISECT_INLINE static Grid difference(double x, double y) {

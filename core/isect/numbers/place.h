@@ -1,6 +1,6 @@
 #pragma once
 // A place on a line as the number that it is, a quotient or a root of a quadratic polynomial, so that any two can be
-// put in order exactly: where their doubles are the same, or too near to tell.
+// put in order exactly, even where their doubles are the same, or too near to tell.
 //
 // The sign of n + a + b, for a whole number n and two roots a and b, needs no root: where terms have opposite signs,
 // their squares are compared instead, a^2 with b^2, then (a + b)^2 = a^2 + b^2 + 2 a b with n^2, and where a b is no
@@ -62,7 +62,7 @@ inline int compare(const Place& x, const Place& y) {
   return detail::sign_of_sum(n, root(x.side, x, y.den), root(-y.side, y, x.den));
 }
 
-/// The nearest double, but for a relative 2^-100, of a place that is a quotient; infinite beyond the largest.
+/// The double nearest to a place that is a quotient, up to a relative 2^-100; infinite beyond the largest.
 inline double nearest(const Place& quotient) { return near_quotient(quotient.num, quotient.den); }
 
 }  // namespace isect

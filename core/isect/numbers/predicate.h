@@ -1,5 +1,5 @@
 #pragma once
-// The question that an algorithm asks of arithmetic: what sign has this polynomial? What values it wants, it asks in
+// The question that an algorithm asks of arithmetic: what sign does this polynomial have? For values it asks
 // isect/numbers/quotient.h.
 //
 // The polynomial is a text over an arithmetic W, written once as a generic lambda:
@@ -26,8 +26,8 @@
 
 namespace isect {
 
-/// A text that keeps what it finds in each arithmetic, for others of its kind. It is never recorded: its steps would
-/// find all of that anew for each sign.
+/// A text that caches its intermediate results per arithmetic, for others of its kind. It is never recorded: recorded
+/// steps would find all of that anew for each sign.
 template <class Text>
 struct Keeping : Text {};
 template <class Text>
@@ -50,20 +50,20 @@ std::optional<int> sign_on_grid(const Bounded<T>& x, double step) {
   if (size + error < step) return 0;
   return {};
 }
-/// Whether a text is recorded before it runs in what follows doubles: where code is to be small, and where somebody
-/// listens, who waits for longer anyway.
+/// Whether a text is recorded before it runs in the arithmetics after doubles: where code is to be small, and where
+/// somebody listens, which takes longer anyway.
 template <class Text, class Trace>
 inline constexpr bool recorded_for = small_code || heard<Trace>;
 template <class Text, class Trace>
 inline constexpr bool recorded_for<Keeping<Text>, Trace> = false;
-/// The sign in W, Compensated or finer, by the size and the roundings that doubles found.
+/// The sign in W, Compensated or finer, by the size and the count of roundings that doubles found.
 template <class W, class Text>
 ISECT_INLINE std::optional<int> sign_on_grid(const Text& text, const Bounded<double>& quick, double step) {
   return sign_on_grid(Bounded<W>(text.template operator()<W>(), quick.size(), quick.roundings()), step);
 }
 ISECT_INLINE bool in_range(const Bounded<double>& x) { return 0x1p-800 < x.size() && x.size() < 0x1p900; }
 
-/// What two doubles leave open, too.
+/// Returns the sign where Compensated leaves it open as well, or is out of range.
 template <class Text>
 [[gnu::noinline]] int settled_finer(const Text& text, const Bounded<double>& quick, double step) {
   if (!in_range(quick)) {
@@ -78,7 +78,7 @@ template <class Text>
     if (const std::optional<int> s = sign_in<MediumExact>(text)) return *s;
   return exact_sign(text);
 }
-/// What doubles and their grid leave open; `step` is that of the grid, or 0 if it was not asked for yet.
+/// Returns the sign where doubles and their grid leave it open; `step` is the grid's, or 0 if it was not asked for yet.
 template <class Text>
 [[gnu::noinline]] int settled_fine(const Text& text, const Bounded<double>& quick, double step) {
   struct Fine {
@@ -93,9 +93,9 @@ template <class Text>
   const double most = std::min(std::abs(quick.value()) + quick.error(), std::abs(value) + error);
   return most < step ? 0 : settled_finer(text, quick, step);
 }
-/// Apart and not inlined: the machine code of the slow path stays out of the fast one's way. `quick` is what doubles
-/// found: its size and its roundings, too, serve the stages that follow. The grid is asked first where they found 0, as
-/// of shapes that touch on integers, and after two doubles otherwise.
+/// Returns the sign where doubles leave it open. Not inlined: the slow path's machine code stays out of the fast one's
+/// way. `quick` is what doubles found; the stages that follow use its size and its roundings, too. The grid is asked
+/// first where doubles found 0, as for shapes that touch on integers, and after two doubles otherwise.
 template <class Text>
 [[gnu::noinline]] int settled_sign(const Text& text, const Bounded<double>& quick) {
   double step = 0;
@@ -107,8 +107,8 @@ template <class Text>
 }
 }  // namespace detail
 
-/// What an algorithm is given in place of a listener when it runs in plain doubles alone: keeps whether these left a
-/// sign or a value open. Then what was found is worth nothing. Values are found in W, Compensated or Fused.
+/// Takes a listener's place when an algorithm runs in plain doubles alone: keeps whether these left a sign or a value
+/// open. If so, discard the result. Values are found in W, Compensated or Fused.
 template <class W>
 struct FirstTry : NoTrace {
   using Fine = W;
@@ -134,8 +134,8 @@ template <class Algorithm, class Trace>
 }
 }  // namespace detail
 
-/// What algorithm(trace) returns, by all that sign_of and value_of can do. First it runs in plain doubles: that is a
-/// straight text without a branch for each sign, and all but a few cases end there. A listener hears the whole.
+/// Returns algorithm(trace), with all that sign_of and value_of can do. First it runs in plain doubles: straight code
+/// without a branch for each sign, which settles all but a few cases. A listener hears the whole.
 template <class Algorithm, class Trace>
 inline auto in_doubles_first(const Algorithm& algorithm, Trace& trace) {
   if constexpr (!small_code && !heard<Trace>) {
@@ -149,7 +149,7 @@ inline auto in_doubles_first(const Algorithm& algorithm, Trace& trace) {
   }
 }
 
-/// The same for an algorithm that finds values in doubles, which are faster with fused products.
+/// Works as in_doubles_first, for an algorithm that finds values in doubles, which are faster with fused products.
 template <class S, class Algorithm, class Trace>
 inline auto with_values_first(const Algorithm& algorithm, Trace& trace) {
   if constexpr (!small_code && std::is_same_v<S, double> && !heard<Trace>) {
@@ -185,7 +185,7 @@ int sign_of(const Text& text, Trace&& trace = {}) {
   }
 }
 
-/// The same for a long text, which the compiler need not read for each arithmetic anew.
+/// Works as sign_of, for a long text, which then is not compiled for each arithmetic anew.
 template <class Text, class Trace = NoTrace>
 int sign_of_long(const Text& text, Trace&& trace = {}) {
   const Bounded<double> quick = text.template operator()<Bounded<double>>();

@@ -50,7 +50,7 @@ class RecordedRatio {
 };
 
 namespace detail {
-/// The quotient by what doubles found, for the float of an S.
+/// Returns the quotient by what doubles found, where S is float.
 template <class Text>
 std::optional<double> rough_quotient(const Text& text, double tolerance) {
   const auto [num, den] = text.template operator()<Bounded<double>>();
@@ -126,9 +126,9 @@ struct Known {
   }
 };
 
-/// All of it. Each stage keeps what those before it found: doubles; two of them, about 100 bits, where what is known to
-/// be a whole multiple of a step is 0 or not; three of them, about 150; then whole numbers. The steps are asked for
-/// first where doubles found 0, as of shapes that touch on integers, and after two doubles otherwise.
+/// Finds all of it. Each stage keeps what those before it found: doubles; two of them, about 100 bits, where what is
+/// known to be a whole multiple of a step is 0 or not; three of them, about 150; then whole numbers. The steps are
+/// asked for first where doubles found 0, as for shapes that touch on integers, and after two doubles otherwise.
 template <class S, std::size_t K, class Text>
 [[gnu::noinline]] Known<K> settled(const Text& text, Known<K> known = {}) {
   using Value = std::optional<double>;
@@ -282,7 +282,7 @@ struct SignsAndValue {
 };
 template <class S, class Text, class Trace = NoTrace>
 ISECT_INLINE SignsAndValue<S> signs_of(const Text& text, Trace&& trace = {}) {
-  if constexpr (first_try<Trace> && std::is_same_v<S, double>) {  // those of what value_of finds, too
+  if constexpr (first_try<Trace> && std::is_same_v<S, double>) {  // the signs of what value_of finds, too
     const detail::FineRatio r = detail::fine_ratio<typename std::remove_cvref_t<Trace>::Fine>(text);
     trace.open |= !r.safe;
     return {(r.num > 0) - (r.num < 0), (r.den > 0) - (r.den < 0)};

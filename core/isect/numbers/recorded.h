@@ -3,8 +3,8 @@
 //
 // A text is compiled once for each arithmetic that it runs in, and where it is long that takes the compiler a second or
 // more each time. Run once in Recorded it leaves its steps behind, on the heap, and one loop runs these in all the
-// others. So is settled what doubles leave open where code must be small, where somebody listens, and always for long
-// texts, as of half-spaces, polytopes and smallest balls. What comes out is what the text itself finds, bit for bit.
+// others. That settles what doubles leave open where code must be small, where somebody listens, and always for long
+// texts, such as those of half-spaces, polytopes and smallest balls. The results are the text's own, bit for bit.
 
 #include <array>
 #include <cstddef>
@@ -22,10 +22,10 @@ namespace detail {
 struct Step {
   enum class Kind { number, difference, plus, minus, times, opposite, size };
   Kind kind;
-  double x = 0, y = 0;  // of a number, and of a difference of two
-  int a = -1, b = -1;   // of the others: the steps that found what they are made from
+  double x = 0, y = 0;  // for a number, and for a difference of two
+  int a = -1, b = -1;   // for the others: the steps whose results they use
 };
-/// What is being recorded.
+/// The steps being recorded, if any are.
 inline thread_local std::vector<Step>* recording = nullptr;
 }  // namespace detail
 
@@ -84,7 +84,7 @@ class Recording {
  private:
   using Kind = detail::Step::Kind;
 
-  /// What is recorded goes there, until its end: by an exception, too.
+  /// Directs recording to `steps` as long as it lives; an exception ends it, too.
   class Turn {
    public:
     explicit Turn(std::vector<detail::Step>* steps) : outer_(std::exchange(detail::recording, steps)) {}
@@ -114,7 +114,7 @@ class Recording {
     }
   }
 
-  /// Where each step puts what it finds: a place that no later step needs, as an exact number is large.
+  /// Chooses where each step puts its result: a place that no later step needs, as an exact number is large.
   void share_places() {
     const std::size_t count = steps_.size();
     std::vector<std::size_t> last(count);  // the last step to need it

@@ -1,14 +1,14 @@
 #pragma once
-// The third question that an algorithm asks of arithmetic: what is this root of a quadratic polynomial? For the others
-// see isect/numbers/predicate.h and isect/numbers/quotient.h.
+// The third question that an algorithm asks of arithmetic: what is this root of a quadratic polynomial? For the other
+// two see isect/numbers/predicate.h and isect/numbers/quotient.h.
 //
 // The roots of a t^2 + 2 b t + c are (-b -+ sqrt D) / a, D = b^2 - a c. Where -b and the square root have opposite
 // signs they cancel, so that root is found from the other one, as the product of both is c / a: with q = |b| + sqrt D
-// they are q / a and c / q, but for signs. At (-b - sqrt D) / a the polynomial falls, at the other one it rises, also
+// they are q / a and c / q, up to signs. At (-b - sqrt D) / a the polynomial falls, at the other one it rises, also
 // where a is negative; where a = 0 it has the one root c / q.
 //
-// Bound. Let D, a and c be within a relative e of the truth, and b within e q. Then q is within 2 e, of a b whose sign
-// is not known, too, so that each root is within 3 e before its last rounding, for e < 2^-20. Doubles (for a float) or
+// Bound. Let D, a and c be within a relative e of the truth, and b within e q. Then q is within 2 e, even if the sign
+// of b is unknown, so that each root is within 3 e before its last rounding, for e < 2^-20. Doubles (for a float) or
 // two of them (for a double) serve where e = eps / 128, eps that of S, else Exact does, whose root is within 2^-126.
 //
 // Source: Press, Teukolsky, Vetterling, Flannery, Numerical Recipes, 3rd ed. (2007), 5.6.

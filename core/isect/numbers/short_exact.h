@@ -2,8 +2,8 @@
 // Exact arithmetic in a fixed number of bits: a whole number times a power of two, without a loop or a branch on the
 // size. It settles what comes out equal, at a few nanoseconds an operation, where rounded numbers can't.
 //
-// What needs more bits is unknown, and so is what is made of it; but 0 times anything is 0. That alone settles the many
-// ties of shapes along the axes, where each product has a factor 0.
+// A value that needs more bits is unknown, and so is any result of it, except that 0 times anything is 0. That alone
+// settles the many ties of shapes along the axes, where each product has a factor 0.
 
 #include <algorithm>
 #include <bit>
@@ -26,7 +26,7 @@ struct Whole256 {
   friend bool operator==(const Whole256& x, const Whole256& y) { return ((x.low ^ y.low) | (x.high ^ y.high)) == 0; }
 };
 
-// The operations that both have. What lies below 0 is told by the highest bit.
+// The operations that both have. A number is below 0 iff its highest bit is set.
 
 ISECT_INLINE Whole128 sum(Whole128 x, Whole128 y) { return x + y; }
 ISECT_INLINE Whole128 product(Whole128 x, Whole128 y) { return x * y; }
@@ -34,7 +34,7 @@ ISECT_INLINE Whole128 negative(Whole128 x) { return -x; }
 ISECT_INLINE Whole128 shifted(Whole128 x, int by) { return x << by; }
 ISECT_INLINE bool below_zero(Whole128 x) { return static_cast<std::uint64_t>(x >> 64) >> 63 != 0; }
 ISECT_INLINE Whole128 whole(std::int64_t x, Whole128) { return static_cast<Whole128>(x); }
-/// x or y, without a branch that is hard to foresee: `mask` is all ones or 0.
+/// x or y, without a branch that is hard to predict: `mask` is all ones or 0.
 ISECT_INLINE Whole128 either(std::int64_t mask, Whole128 x, Whole128 y) {
   return y ^ ((x ^ y) & static_cast<Whole128>(mask));
 }
@@ -71,7 +71,7 @@ ISECT_INLINE Whole256 either(std::int64_t mask, const Whole256& x, const Whole25
 inline DoubleDouble in_doubles(std::uint64_t x) {
   return fast_two_sum(static_cast<double>(x >> 32) * 0x1p32, static_cast<double>(x & 0xffffffff));
 }
-/// x >= 0, but for a relative 2^-105.
+/// x >= 0, within a relative 2^-105.
 inline DoubleDouble in_doubles(Whole128 x) {
   return in_doubles(static_cast<std::uint64_t>(x >> 64)) * 0x1p64 + in_doubles(static_cast<std::uint64_t>(x));
 }
@@ -134,13 +134,13 @@ class FixedExact {
     if (!known()) return std::numeric_limits<double>::quiet_NaN();
     return whole_ == Whole{} ? 0 : std::ldexp(mantissa().hi, exponent_);
   }
-  /// The double nearest to x / y, y != 0, but for a relative 2^-100; NaN where one is unknown.
+  /// The double nearest to x / y, y != 0, up to a relative 2^-100; NaN where one is unknown.
   friend double quotient(const FixedExact& x, const FixedExact& y) {
     if (!x.known() || !y.known()) return std::numeric_limits<double>::quiet_NaN();
     if (x.whole_ == Whole{}) return 0;
     return std::ldexp(quotient(x.mantissa(), y.mantissa()), x.exponent_ - y.exponent_);
   }
-  /// The square root of x >= 0, but for a relative 2^-103; unknown where x is.
+  /// The square root of x >= 0, within a relative 2^-103; unknown where x is.
   friend FixedExact sqrt(const FixedExact& x) {
     if (!x.known() || x.whole_ == Whole{}) return x;
     const int odd = x.exponent_ & 1;
@@ -152,7 +152,7 @@ class FixedExact {
 
  private:
   bool known() const { return bits_ <= most; }
-  /// The number divided by 2^exponent, but for a relative 2^-105.
+  /// The number divided by 2^exponent, within a relative 2^-105.
   DoubleDouble mantissa() const {
     return detail::below_zero(whole_) ? -detail::in_doubles(detail::negative(whole_)) : detail::in_doubles(whole_);
   }

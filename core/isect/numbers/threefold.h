@@ -1,12 +1,12 @@
 #pragma once
 // A double, what rounding took from it, and what rounding took from that: the unevaluated sum hi + lo + rest. As
-// isect/numbers/compensated.h, one order further: about 150 bits. Products of three differences that cancel but for
-// their last bit are known to be 0 or not, and quotients of such, where numbers of any length would take ten times as
+// isect/numbers/compensated.h, one order further: about 150 bits. Products of three differences that cancel except for
+// their last bit are known to be 0 or not, and so are quotients of such; numbers of any length would take ten times as
 // long.
 //
-// Bound. Let s be the sum of the products' sizes and k the count of roundings, as in isect/numbers/bounded.h; k < 2^20.
-// Then |lo| <= k u s, |rest| <= 2 k^2 u^2 s and |truth - (hi + lo + rest)| <= 8 k^3 u^3 s, but for factors
-// near 1:
+// Bound. Let s be the sum of the products' sizes and k the count of roundings, as in isect/numbers/bounded.h; k <
+// 2^20. Then |lo| <= k u s, |rest| <= 2 k^2 u^2 s and |truth - (hi + lo + rest)| <= 8 k^3 u^3 s, up to factors near
+// 1:
 //
 //   difference of doubles    k = 1: |lo| <= u |hi|, no rest, no error.
 //   sum                      rest: 2 k^2 u^2 s of the two, and (2 k + 1) u^2 s that two sums of lo leave; below
@@ -39,7 +39,7 @@ struct ThreefoldBy {
   }
 };
 
-/// The one that goes with Compensated or Fused.
+/// The Threefold that goes with Compensated or Fused.
 template <class W>
 struct FinerThan;
 template <bool fused>

@@ -1,5 +1,5 @@
 #pragma once
-// How isect/ask.h asks meshes: how many triangles have a point in the other shape, of two meshes the first one's; and
+// How isect/ask.h asks meshes: how many triangles, for two meshes the first one's, have a point in the other shape; and
 // how they lie, where the mesh bounds a solid and the other has a volume.
 
 #include <array>
@@ -91,7 +91,7 @@ Answer in_order(const TriangleMesh<S>& a, const B& b) {
     if (has_volume(b)) add_solid(a, b, out);
   return out;
 }
-/// Its triangles are asked of the half-spaces, the solid of what they are made of.
+/// Tests the triangles against B's half-spaces, and the solid against B itself.
 template <class S, class B>
 Answer by_faces(const TriangleMesh<S>& a, const B& b) {
   Answer out = triangles_met(a, half_spaces_of(b));

@@ -1,6 +1,6 @@
 #pragma once
 // Pairs that isect/ask.h asks and no other header does: a plane and a plane, a capsule or corners; in the plane
-// outlines of which one has no area, and a polygon of any form and what is convex.
+// outlines of which one has no area, and a polygon of any form and a convex shape.
 
 #include <cmath>
 #include <cstddef>
@@ -45,8 +45,8 @@ bool exists(const Plane<S, N>& x) {
   return finite(x) && !x.normal.isZero(0);
 }
 
-/// How two planes lie: equal, disjoint and parallel, or overlapping, where they have a line in common, in the plane a
-/// point. Exact. What is no plane: disjoint.
+/// How two planes lie: equal, disjoint and parallel, or overlapping, where they have a line in common, or a point in
+/// 2D. Exact. Disjoint if one is no plane.
 template <class S, int N>
 Relation planes(const Plane<S, N>& a, const Plane<S, N>& b) {
   if (!exists(a) || !exists(b)) return Relation::disjoint;
@@ -68,7 +68,7 @@ Relation planes(const Plane<S, N>& a, const Plane<S, N>& b) {
   return !parallel ? Relation::overlapping : equal ? Relation::equal : Relation::disjoint;
 }
 
-/// How the plane (A) and the capsule lie: as the plane and the balls around its ends, unless it parts these. Exact.
+/// How the plane (A) and the capsule lie: as the plane and the balls around its ends do, unless it parts these. Exact.
 template <class S, int N>
 Relation plane_and_capsule(const Plane<S, N>& plane, const Capsule<S, N>& capsule) {
   const Relation p = relate(plane, Sphere<S, N>{capsule.p, capsule.radius}),
@@ -80,7 +80,7 @@ Relation plane_and_capsule(const Plane<S, N>& plane, const Capsule<S, N>& capsul
   return p == Relation::touching || q == Relation::touching ? Relation::touching : Relation::disjoint;
 }
 
-/// So many of the corners lie behind the plane, in it and before it; none of what is not finite.
+/// Counts the corners behind the plane, in it and before it; all counts are 0 where something is not finite.
 template <class S, int N>
 Sides corners(const Plane<S, N>& plane, std::span<const Point<S, N>> points) {
   bool all_finite = exists(plane);
@@ -88,7 +88,7 @@ Sides corners(const Plane<S, N>& plane, std::span<const Point<S, N>> points) {
   return all_finite ? sides<S, N>(plane, points) : Sides();
 }
 
-/// The segment, or the point, that one ring without an area is.
+/// Returns the segment, or the point, that a polygon of one ring without an area is.
 template <class S>
 std::optional<Segment<S, 2>> thin(const Polygon<S, 2>& x) {
   if (x.rings.size() != 1 || !polygon_polygon::detail::all_finite(x)) return {};
@@ -97,7 +97,7 @@ std::optional<Segment<S, 2>> thin(const Polygon<S, 2>& x) {
   return Segment<S, 2>{hull.front(), hull.back()};
 }
 
-/// How two outlines lie, by the even-odd rule. What is one ring without an area is a segment or a point, with its
+/// How two outlines lie, by the even-odd rule. A polygon of one ring without an area is a segment or a point, with its
 /// interior within the line that it spans. Exact.
 template <class S>
 Relation outlines(const Polygon<S, 2>& a, const Polygon<S, 2>& b) {
@@ -111,7 +111,7 @@ Relation outlines(const Polygon<S, 2>& a, const Polygon<S, 2>& b) {
   return within ? Relation::overlapping : r;
 }
 
-/// The same of an outline and a ball, a capsule or half-spaces; nothing where those have no inside, and are no segment.
+/// How an outline lies to a capsule or half-spaces; nothing where these have no inside and the outline is no segment.
 template <class S>
 std::optional<Relation> outline_and(const Polygon<S, 2>& a, const Capsule<S, 2>& b) {
   if (const std::optional<Segment<S, 2>> segment = thin(a))
@@ -126,7 +126,7 @@ std::optional<Relation> outline_and(const Polygon<S, 2>& a, const HalfSpaces& b)
   return relate(a, b);
 }
 
-/// Any triangle in space as half-spaces.
+/// Returns any triangle in space as half-spaces.
 template <class S>
 HalfSpaces solid_of(const Triangle<S, 3>& x) {
   if (!finite(x)) return {{half_spaces::detail::nothing()}};

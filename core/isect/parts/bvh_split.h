@@ -88,7 +88,7 @@ S area(const Aabb<S, N>& box, S scale) {
   return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
 }
 
-/// The greatest half side, 1 of a point.
+/// The greatest half side, 1 for a point.
 template <class S, int N>
 S scale(const Aabb<S, N>& box) {
   const S greatest = (box.hi / 2 - box.lo / 2).maxCoeff();
@@ -112,7 +112,7 @@ struct Cut {
   S cost = std::numeric_limits<S>::infinity();
 };
 
-/// The cheapest cut with items on both sides; of equally cheap ones (boxes in a line have no area) the most even.
+/// The cheapest cut with items on both sides; among equally cheap ones (boxes in a line have no area) the most even.
 template <class S, int N>
 Cut<S> cheapest(std::span<const Item<S, N>> items, const Bins<S>& bins, S unit) {
   constexpr int count = Bins<S>::count;
@@ -147,7 +147,7 @@ Cut<S> cheapest(std::span<const Item<S, N>> items, const Bins<S>& bins, S unit) 
   return best;
 }
 
-/// Puts the items with the smaller centers left: half of them, whatever the centers. By index where those are equal.
+/// Puts the items with the smaller centers left: half of them, whatever the centers. Equal ones go by index.
 template <class S, int N>
 int split_at_median(std::span<Item<S, N>> items, int axis) {
   const auto before = [axis](const Item<S, N>& a, const Item<S, N>& b) {

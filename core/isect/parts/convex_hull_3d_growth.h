@@ -127,8 +127,8 @@ class Growth {
     pending_ = all;
   }
 
-  /// In rounds: new faces wait until all others had their turn, so the hull grows evenly. Were they next, two circles
-  /// around one axis would take O(n^2): one would be finished first, as a fan around a single point of the other.
+  /// Goes in rounds: new faces wait until all others had their turn, so the hull grows evenly. Else two circles around
+  /// one axis would take O(n^2): one would be finished first, as a fan around a single point of the other.
   void run() {
     for (std::vector<int> round; !pending_.empty(); round.clear()) {
       round.swap(pending_);

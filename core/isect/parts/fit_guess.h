@@ -22,7 +22,7 @@ struct Scaled {
   int exponent = 0;
   std::vector<Point<double, N>> q;
 
-  /// The finite point of S nearest to the original of x, but for rounding.
+  /// The finite point of S nearest to the original of x, up to rounding.
   template <class S>
   Point<S, N> original(const Point<double, N>& x) const {
     constexpr double most = std::numeric_limits<S>::max();
@@ -32,7 +32,7 @@ struct Scaled {
   }
 };
 
-/// Around the center of the points' box.
+/// Scales the points around the center of their box.
 template <class S, int N>
 Scaled<N> scaled(const std::vector<Point<S, N>>& points, const Aabb<S, N>& box) {
   const Aabb<double, N> wide = cast<double>(box);
@@ -47,7 +47,7 @@ Scaled<N> scaled(const std::vector<Point<S, N>>& points, const Aabb<S, N>& box) 
   return result;
 }
 
-/// A center near that of the smallest ball: towards the farthest point, by ever shorter steps.
+/// Finds a center near that of the smallest ball: it moves towards the farthest point, by ever shorter steps.
 /// Source: Badoiu, Clarkson, Smaller core-sets for balls, SODA 2003.
 template <int N>
 Point<double, N> ball_center(const std::vector<Point<double, N>>& q) {

@@ -19,8 +19,8 @@ namespace isect::fit {
 namespace detail {
 
 /// Symmetrical objects have many fits as good as the best. Rounding must not choose among them, as sines, and the order
-/// in which sums are made, differ from machine to machine: what is less by no more than this share is equal, and the
-/// first of equals is taken.
+/// in which sums are made, differ from machine to machine: a number less by no more than this share counts as equal,
+/// and the first of equals is taken.
 constexpr double noise = 0x1p-40;
 inline bool clearly_less(double x, double y) { return x < y * (1 - noise); }
 
@@ -39,7 +39,7 @@ int farthest(const std::vector<Point<double, N>>& q, const Point<double, N>& fro
   return first_greatest<N>(q, [&](const Point<double, N>& p) { return (p - from).squaredNorm(); });
 }
 
-/// A ball around points, by the few on its surface that it is the smallest ball of.
+/// A ball around points, given by the few points on its surface whose smallest ball it is.
 template <int N>
 struct Support {
   std::vector<int> points;
@@ -66,8 +66,8 @@ Point<double, N> circumcenter(const std::vector<Point<double, N>>& q, const std:
   return origin + c;
 }
 
-/// The smallest ball of a few points with `fresh` on its surface: of all circumscribed ones, that which holds all
-/// with the least radius.
+/// The smallest ball of a few points with `fresh` on its surface: among all circumscribed ones that hold all, the one
+/// of least radius.
 template <int N>
 Support<N> ball_of_few(const std::vector<Point<double, N>>& q, const std::vector<int>& few, int fresh) {
   Support<N> best;
@@ -126,7 +126,7 @@ Vector<double, N> unit(const Vector<double, N>& v, const Vector<double, N>& othe
   return std::abs(u.squaredNorm() - 1) < 0.01 ? u : other;
 }
 
-/// The convex hull but for rounding: shadows of symmetrical objects have many points that are one in truth, and to tell
+/// The convex hull up to rounding: shadows of symmetrical objects have many points that are one in truth, and to tell
 /// exactly how rounding has parted them takes long.
 inline Ring<double, 2> rounded_hull(Ring<double, 2> points) {
   const auto turn = [](const Point<double, 2>& a, const Point<double, 2>& b, const Point<double, 2>& c) {
@@ -187,11 +187,11 @@ inline Eigen::Matrix3d turned_about(const Vector<double, 3>& base, const std::ve
   return axes;
 }
 
-/// What a search is fine enough at: turning a box in its least place by this much, or shrinking it by this share,
+/// The searches stop at this resolution: turning a box in its least place by this angle, or shrinking it by this share,
 /// changes its volume by no more than about its own rounding, as the change there is of second order.
 inline constexpr double resolution = 0x1p-26;  // the square root of a double's epsilon
 
-/// Turns about one axis after the other, each time as well as can be, until none helps.
+/// Turns about one axis after the other, each time by the best angle, until none helps.
 inline Eigen::Matrix3d descended(Eigen::Matrix3d axes, const std::vector<Point<double, 3>>& q) {
   double volume = volume_along<3>(axes, q);
   for (int since = 0, axis = 0; since < 3; axis = (axis + 1) % 3) {
@@ -221,7 +221,7 @@ inline void add_ends(std::vector<Point<double, 3>>& ends, const Eigen::Matrix3d&
 inline Eigen::Matrix3d polished(Eigen::Matrix3d axes, const std::vector<Point<double, 3>>& q, double finest) {
   static const std::vector<Vector<double, 3>> about = directions<double, 3>(26);
   double volume = volume_along<3>(axes, q);
-  constexpr std::size_t few = 16;  // are looked at as quickly as they are chosen from
+  constexpr std::size_t few = 16;  // so few are tested as quickly as chosen from
   std::vector<Point<double, 3>> ends;
   if (q.size() <= few) ends = q;
   add_ends(ends, axes, q);
@@ -241,7 +241,7 @@ constexpr int enough = 100;        ///< vertices to search among
 constexpr int enough_tries = 200;  ///< of boxes along a face or an edge, those that may be smallest first
 constexpr double coarse = 0.02;    ///< radians: finer turns are for the best box alone
 
-/// Those of a hull's vertices that are farthest in one of that many directions.
+/// Returns the vertices of a hull that are farthest in one of `enough` directions.
 inline std::vector<Point<double, 3>> few_vertices(const std::vector<Point<double, 3>>& vertices) {
   std::vector<Point<double, 3>> few;
   double size = 0;
@@ -255,8 +255,8 @@ inline std::vector<Point<double, 3>> few_vertices(const std::vector<Point<double
   return few;
 }
 
-/// A bound from below on the volume of every box around the hull with a side along `base`: its extent there, times the
-/// area of its shadow, which its faces cover twice.
+/// A lower bound of the volume of every box around the hull with a side along `base`: its extent there, times the area
+/// of its shadow, which its faces cover twice.
 inline double least_volume(const Vector<double, 3>& base, const Hull3<double>& hull,
                            const std::vector<Vector<double, 3>>& normals) {
   const Vector<double, 3> w = unit<3>(base, Vector<double, 3>::UnitZ());
@@ -284,8 +284,8 @@ inline std::vector<Point<double, 3>> outline(const Vector<double, 3>& base, cons
   return points;
 }
 
-/// The best boxes along the bases, the `most` smallest of different volume among those tried. Of those of one volume
-/// the earliest base's: a symmetrical hull has many, which are one and the same to a search that starts there.
+/// The best boxes along the bases, the `most` smallest of different volume among those tried. Of boxes of one volume it
+/// keeps the earliest base's: a symmetrical hull has many, which are all the same to a search that starts there.
 inline std::vector<Eigen::Matrix3d> smallest_along(const std::vector<Vector<double, 3>>& bases,
                                                    const Hull3<double>& hull,
                                                    const std::vector<Vector<double, 3>>& normals, std::size_t most) {

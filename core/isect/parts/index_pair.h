@@ -1,5 +1,5 @@
 #pragma once
-// What every search for pairs finds.
+// The pair that every search for pairs finds.
 
 #include <compare>
 

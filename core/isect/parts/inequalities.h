@@ -1,12 +1,12 @@
 #pragma once
-// Linear inequalities a_i.x + w_i >= 0 in space: have they a common point, which others follow from them, which are the
-// corners of what they have in common? Each by signs of determinants.
+// Linear inequalities a_i.x + w_i >= 0 in space: do they have a common point, which others follow from them, which are
+// the corners of their common part? Signs of determinants answer each.
 //
 // What follows. An inequality holds wherever all of them do iff it is a sum of them, and of 1 >= 0, with weights that
-// are not negative (Farkas; of inequalities that have a common point). There is no common point iff -1 >= 0 is such a
+// are not negative (Farkas; for inequalities that have a common point). There is no common point iff -1 >= 0 is such a
 // sum, and one is an equation iff its opposite is. Four rows (a, w) that are independent make a basis: by Cramer a
-// row's weight at one of the four is its value at the corner where the other three planes meet, over the value there
-// of the one that is weighed. If a weight is negative, that corner, a point or a direction, satisfies all, which tells
+// row's weight at one of the four is its value at the corner where the other three planes meet, over the value there of
+// the one that is weighed. If a weight is negative, that corner, a point or a direction, satisfies all, which tells
 // that nothing follows, or it violates some row, which takes the place of the one that is weighed. The first that can
 // leaves, the first that can comes: so no basis comes twice (Bland). Source: Schrijver, Theory of Linear and Integer
 // Programming (1986), theorem 7.1.
@@ -76,7 +76,7 @@ W value_at_corner(const Row<W>& row, const Row<W>& x, const Row<W>& y, const Row
 
 }  // namespace detail
 
-/// Inequalities that one asks what follows from them. `text` is operator()<W>(i) -> Row<W>.
+/// A system of inequalities, which tells what follows from them. `text` is operator()<W>(i) -> Row<W>.
 template <class Text, class Trace>
 class System {
  public:
@@ -125,10 +125,10 @@ class System {
   };
 
   bool is_row(int i) const { return i <= count_; }
-  /// 4 if it is not in the basis.
+  /// The row's place in the basis; 4 if it is not in there.
   int place_of(int i) const { return static_cast<int>(std::ranges::find(basis_, i) - basis_.begin()); }
 
-  /// See implies. `leaves` is what the goal's first_negative says.
+  /// Decides `implies`. `leaves` is what first_negative(goal) returns.
   template <class Goal>
   bool follows(const Goal& goal, int leaves) {
     for (; leaves >= 0; leaves = first_negative(goal)) {
@@ -140,7 +140,7 @@ class System {
     return leaves == none_negative;
   }
 
-  /// Where the planes of the basis but that at `place` meet, and by what the corner is multiplied.
+  /// The corner where the planes of the basis but that at `place` meet, and the number that it is multiplied by.
   template <Filtered W>
   Row<W> corner_without(std::size_t place) const {
     std::array<Row<W>, 3> other;
@@ -148,7 +148,7 @@ class System {
     const Components<W, 3> at = detail::corner(other[0], other[1], other[2]);
     return {at[0], at[1], at[2], detail::determinant(other[0], other[1], other[2])};
   }
-  /// The sign there of a row, in the direction in which that of the basis is positive.
+  /// The sign of a row at that corner, where the basis' own row at `place` counts as positive.
   template <class Of>
   int sign_without(std::size_t place, const Row<Bounded<double>>& quick, const Of& of) const {
     const int sign = sign_of_long(
@@ -169,7 +169,7 @@ class System {
     return [this, i]<class W>() -> Row<W> { return rows_.template row<W>(i); };
   }
 
-  /// As many rows as are independent.
+  /// Fills the basis with as many rows as are independent.
   void start() {
     for (int i = 0; i < 4; ++i) basis_[static_cast<std::size_t>(i)] = count_ + 1 + i;
     for (int i = 0; i <= count_; ++i)
@@ -182,7 +182,7 @@ class System {
     side_ = sign_without(3, corner_without<Bounded<double>>(3), text_of(basis_[3]));
   }
 
-  /// Which place of the basis has a negative weight in the goal, of those the first row.
+  /// Returns the place of the basis that has a negative weight in the goal; of several, that of the first row.
   template <class Goal>
   int first_negative(const Goal& goal) const {
     int first = none_negative;
@@ -195,8 +195,8 @@ class System {
     return first;
   }
 
-  /// The first row that is violated at the corner without that of the basis. If there is none, all hold there, and it
-  /// tells which are no equations.
+  /// Returns the first row that is violated at the corner without the basis' row at `leaves`. If there is none, all
+  /// hold there, and those that hold strictly are known to be no equations.
   int first_violated(int leaves) {
     const auto place = static_cast<std::size_t>(leaves);
     const Row<Bounded<double>> corner = corner_without<Bounded<double>>(place);
@@ -246,8 +246,8 @@ int common(int count, const Text& text, Trace&& trace) {
 
 namespace detail {
 
-/// Each corner of what the rows have in common, until take(i, j, k, side) says no: there the planes i, j and k meet,
-/// and `side` is the sign of their determinant.
+/// Calls take(i, j, k, side) for each corner of the rows' common part, until it returns false: there the planes i, j
+/// and k meet, and `side` is the sign of their determinant.
 template <class Rows, class Take, class Trace>
 void each_corner(const Rows& rows, const Take& take, Trace&& trace) {
   for (int i = 0; i < rows.count(); ++i)
@@ -272,8 +272,8 @@ void each_corner(const Rows& rows, const Take& take, Trace&& trace) {
 
 }  // namespace detail
 
-/// Whether there is a corner of what they have in common and `holds` says yes of each. holds(x, d) gets two texts: the
-/// corner times a number, and that number, which is not 0.
+/// Whether their common part has a corner and `holds` is true of each. holds(x, d) gets two texts: the corner times a
+/// number, and that number, which is not 0.
 template <class Text, class Holds, class Trace>
 bool all_corners(int count, const Text& text, const Holds& holds, Trace&& trace) {
   using namespace detail;
@@ -293,7 +293,7 @@ bool all_corners(int count, const Text& text, const Holds& holds, Trace&& trace)
   return any && all;
 }
 
-/// Whether no direction leads away for ever: from what they have in common, if they have a common point.
+/// Whether no direction leads away for ever, and so their common part, if they have a common point, is bounded.
 template <class Text, class Trace>
 bool bounded(int count, int dimension, const Text& text, Trace&& trace) {
   const auto direction = [&]<class W>(int i) -> Row<W> {

@@ -1,5 +1,5 @@
 #pragma once
-// How far from the origin is what linear inequalities have in common (isect/parts/inequalities.h)?
+// How far the common part of linear inequalities (isect/parts/inequalities.h) lies from the origin.
 //
 // By duality the squared distance is the greatest of all g.G^-1 g over independent sets of at most three a_i, where G
 // are their products, g = -w, and G^-1 g >= 0: each such value is a lower bound, so nobody need ask whether the point
@@ -13,9 +13,9 @@
 
 namespace isect::inequalities {
 
-/// The sign of how far the origin's distance from the common points, of which there is one, exceeds a limit that is
-/// `above_0`, or 0. `excess` is operator()<W>(square, scale) -> W: square / scale less the limit's square, times what
-/// is above 0. In a plane, `dimension` 2, as the rows' normals are.
+/// The sign of the origin's distance from the common points less a limit; there is a common point, and the limit is
+/// above 0 iff `above_0`, else 0. `excess` is operator()<W>(square, scale) -> W: square / scale less the limit's
+/// square, times a positive number. With `dimension` 2 all is in a plane, as the rows' normals are.
 template <class Text, class Excess, class Trace>
 int distance(int count, int dimension, const Text& text, bool above_0, const Excess& excess, Trace&& trace) {
   using namespace detail;

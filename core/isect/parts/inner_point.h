@@ -1,7 +1,7 @@
 #pragma once
-// A point inside a convex solid given by half-spaces (isect/half_spaces.h): a mean of some of its corners, which no
-// face holds all of. Each is where three faces meet, p / w by Cramer's rule with w > 0, and is weighed by its w: the
-// point is sum p / sum w, which need be no point of doubles. Nothing is rounded.
+// A point inside a convex solid given by half-spaces (isect/half_spaces.h): a mean of some of its corners, which do not
+// all lie on one face. Each is where three faces meet, p / w by Cramer's rule with w > 0, and is weighed by its w: the
+// point is sum p / sum w, which need not be a point of doubles. Nothing is rounded.
 
 #include <array>
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace isect {
 
-/// A place, as isect/parts/mesh_surface.h has it.
+/// A place in the sense of isect/parts/mesh_surface.h.
 class InnerPoint {
  public:
   template <Filtered W>
@@ -69,7 +69,7 @@ class InnerPoint {
   std::vector<Corner> corners_;  ///< at most four: each leads out of the plane, line or point of those before it
 };
 
-/// Nothing where no corners span the solid: it has no interior, or is unbounded.
+/// Finds a point inside the solid; nothing where no corners span it: it has no interior, or is unbounded.
 inline std::optional<InnerPoint> inner_point(const HalfSpaces& solid) {
   InnerPoint inner(solid.faces);
   const auto text = half_spaces::detail::text_of(solid.faces);

@@ -3,8 +3,8 @@
 // and the one to run is chosen when the program runs.
 //
 // The text is written on vectors of `Bytes` bytes (GCC's and clang's own, with + - * and comparisons) and handed over
-// as a function object whose calls are all inlined. Every set rounds alike, but in add_product: elsewhere products are
-// never fused with sums (-ffp-contract=off, see core/CMakeLists.txt). On other machines there is one set, `any`.
+// as a function object whose calls are all inlined. Every set rounds alike, except in add_product: elsewhere products
+// are never fused with sums (-ffp-contract=off, see core/CMakeLists.txt). On other machines there is one set, `any`.
 //
 // A comparison of vectors yields a mask in the one form that only the set's own instructions turn into bits: `greater`
 // and `equal` do that.
@@ -131,7 +131,7 @@ template <class V>
   x += a * b;
 }
 
-/// Bit k of the result: whether x[k] > y[k]; of `equal`, x[k] == y[k].
+/// Bit k of the result: whether x[k] > y[k]; for `equal`, x[k] == y[k].
 template <class V>
 [[gnu::always_inline]] inline std::uint64_t greater(const V& x, const V& y) {
 #if ISECT_X86

@@ -1,10 +1,10 @@
 #pragma once
 // The surface of a solid: the triangles of a closed mesh, which of them meet at an edge, and on which side of each the
-// solid lies. What isect/mesh_mesh.h and isect/mesh_convex.h ask of it.
+// solid lies. isect/mesh_mesh.h and isect/mesh_convex.h use it.
 //
-// The solid is what the even-odd rule says, so the mesh may be turned inside out, in part, too. Triangles at an edge of
-// two lie to the solid alike, or, where they run along the edge in the same direction, the other way round. So one ray
-// a connected part of the surface settles all of its triangles.
+// The solid is what the even-odd rule says, so the mesh may be turned inside out, in part, too. Two triangles at an
+// edge of no others both have the solid above them or both below, or, where they run along the edge in the same
+// direction, one above and one below. So one ray for each connected part of the surface settles all of its triangles.
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ namespace isect::mesh_surface {
 using Point3 = Point<double, 3>;
 using Corners = Triangle<double, 3>;
 
-// A place is a point that nothing rounds: way_to<W>(x) is a positive multiple of the way from it to x, and no
+// A place is a point that is never rounded: way_to<W>(x) is a positive multiple of the way from it to x, and no
 // coordinate of it is below those of least().
 
 /// The mean of some points.
@@ -55,7 +55,7 @@ enum class Pierced {
   unclear     ///< the ray's line meets an edge or lies in the triangle's plane
 };
 
-/// As ray_triangle.h has it, by the signs of volumes.
+/// Decides by the signs of volumes, as isect/ray_triangle.h does.
 template <class Place>
 Pierced pierced(const Place& place, const Vector<double, 3>& direction, const Corners& x) {
   const auto to = [&]<class W>(std::size_t i) { return place.template way_to<W>(x.vertices[i % 3]); };
@@ -89,7 +89,7 @@ struct Surface {
   std::vector<std::array<int, 3>> places;  ///< a number for each corner, equal where two corners are equal
   std::vector<std::array<int, 3>> edges;   ///< the edge that each side is
   std::vector<Side> sides;                 ///< of all edges, edge by edge
-  std::vector<int> first_side;             ///< of each edge in there, and the end
+  std::vector<int> first_side;             ///< where each edge's begin in there, and the end
 
   template <class S>
   explicit Surface(const TriangleMesh<S>& mesh) {
@@ -120,7 +120,7 @@ struct Surface {
     first_side.push_back(static_cast<int>(sides.size()));
   }
 
-  /// The sides that the edge is at which that side of a triangle lies.
+  /// All sides along the edge on which that side of a triangle lies.
   std::span<const Side> at_edge(int t, int side) const {
     const int edge = edges[t][side];
     return {sides.data() + first_side[edge], sides.data() + first_side[edge + 1]};
@@ -143,10 +143,10 @@ struct Surface {
   }
 };
 
-/// No plane holds more than two of them, whatever point it passes through: all but finitely many meet no edge.
+/// Directions of which no plane, through whatever point, holds more than two: all but finitely many meet no edge.
 inline Vector<double, 3> direction(int k) { return {1, double(k), double(k) * k}; }
 
-/// Where a place lies, by the ray of that direction, whose components are positive; nothing where that says nothing.
+/// Where a place lies, by the ray of that direction, whose components are positive; nothing where the ray is unclear.
 /// The triangle `except` does not count.
 template <class Place>
 std::optional<Location> located(const Place& place, const Vector<double, 3>& direction, const Surface& surface,

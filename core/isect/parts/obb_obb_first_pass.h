@@ -16,22 +16,22 @@ namespace detail {
 
 /// What plain doubles settle.
 struct FirstPass {
-  std::optional<Axis> separating;  ///< this one does
+  std::optional<Axis> separating;  ///< this axis does
   bool overlap = false;            ///< the interiors of unflat boxes meet; if neither holds, some axes are open
   unsigned open = ~0u;             ///< bit i: axis i of all_axes may yet separate or touch
 };
 
 /// The classical test in S, r_ij = A_i.B_j, with a margin; axes that are not orthonormal within 2^-10 stay open.
 ///
-/// Margin. Let d <= 2^-10 be the sum of |U^T U - 1| over both boxes. U = V (U^T U)^1/2 with an orthonormal V (the
-/// polar decomposition), so |U - V| <= d: each box is within d |half|_1 of one whose axes are exactly orthonormal. Of
-/// those two the classical gaps are the true ones, for directions l with |l| <= 1. Let q = |b - a|_1 + |e|_1 + |h|_1.
-/// The computed r_ij are off theirs by at most 1.01 d + 3.1 u, the A_i.(b - a) by (1.01 d + 4.1 u) q, so all gaps by
-/// (4.1 d + 24 u) q; the boxes themselves by d q. So a gap beyond (5.1 d + 24 u) q separates; where all are below its
-/// negative, the difference of the orthonormal boxes holds a ball around 0 of more than d q; and a point of A that
-/// lies so deep in B is common. The axis itself, a product of two edges of the boxes, differs from the orthonormal
-/// ones' by at most 2.1 d, and its gap by as much of q: one below -(7.3 d + 24 u) q neither separates nor touches. The
-/// computed d lacks up to 40 u, and q and the margin are rounded in their turn.
+/// Margin. Let d <= 2^-10 be the sum of |U^T U - 1| over both boxes. U = V (U^T U)^1/2 with an orthonormal V (the polar
+/// decomposition), so |U - V| <= d: each box is within d |half|_1 of one whose axes are exactly orthonormal. For those
+/// two the classical gaps are the true ones, for directions l with |l| <= 1. Let q = |b - a|_1 + |e|_1 + |h|_1. The
+/// computed r_ij are off theirs by at most 1.01 d + 3.1 u, the A_i.(b - a) by (1.01 d + 4.1 u) q, so all gaps by (4.1 d
+/// + 24 u) q; the boxes themselves by d q. So a gap beyond (5.1 d + 24 u) q separates; where all are below its
+/// negative, the difference of the orthonormal boxes holds a ball around 0 of more than d q; and a point of A that lies
+/// so deep in B is common. The axis itself, a product of two edges of the boxes, differs from the orthonormal ones' by
+/// at most 2.1 d, and its gap by as much of q: one below -(7.3 d + 24 u) q neither separates nor touches. The computed
+/// d lacks up to 40 u, and q and the margin are rounded in their turn.
 template <class S, int N, class Trace>
 [[gnu::flatten]] FirstPass first_pass(const Obb<S, N>& a, const Obb<S, N>& b, Trace&& trace) {
   using Limits = std::numeric_limits<S>;

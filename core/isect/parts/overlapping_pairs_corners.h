@@ -1,6 +1,6 @@
 #pragma once
-// Boxes as rows of numbers that compare without a branch, and the list that pairs are written to. What for stands in
-// isect/overlapping_pairs.h.
+// Boxes as rows of numbers that compare without a branch, and the list that pairs are written to.
+// isect/overlapping_pairs.h says what for.
 
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ Corners<S, N> reach(const Corners<S, N>& box) {
   for (int i = 0; i < N; ++i) c.numbers[i] = -box.numbers[N + i], c.numbers[N + i] = -box.numbers[i];
   return c;
 }
-/// Without branches, as nothing predicts the answer.
+/// Whether the boxes meet; without branches, as nothing predicts the answer.
 template <class S, int N>
 bool meet(const Corners<S, N>& corners, const Corners<S, N>& reach) {
   bool all = true;
@@ -72,7 +72,7 @@ class Pairs {
   void test(int i, const Corners<S, N>& reach, const Corners<S, N>* corners, const int* index, int begin, int end) {
     test(i, reach, corners, index, begin, end, Any());
   }
-  /// As above, but only boxes that pass `wanted` count.
+  /// Tests as above, but only boxes that pass `wanted` count.
   template <class S, int N, class Wanted>
   void test(int i, const Corners<S, N>& reach, const Corners<S, N>* corners, const int* index, int begin, int end,
             const Wanted& wanted) {

@@ -48,7 +48,7 @@ struct Grid {
   }
 };
 
-/// Slots for n boxes in cells of these sizes. Lower corners beyond origin and last count as there.
+/// Slots for n boxes in cells of these sizes. Lower corners beyond origin or last count as if there.
 template <int N>
 Grid<N> make_grid(const Point<double, N>& origin, const Point<double, N>& last, const Vector<double, N>& size, int n) {
   Grid<N> grid = {origin, last, {}, {}, 0, false};
@@ -100,7 +100,7 @@ class Level {
 
   int size() const { return static_cast<int>(index_.size()) - 3; }
 
-  /// All pairs of the level.
+  /// Finds all pairs of the level.
   template <class Report>
   void pairs_within(Pairs<Report>& pairs) const {
     // the rows ahead: (0, 1), or (0, 1, 0), (-1, 0, 1), (0, 0, 1), (1, 0, 1) but for x
@@ -125,7 +125,7 @@ class Level {
     }
   }
 
-  /// All pairs of a box of another level, at least as large as this one's boxes, with the boxes of this one.
+  /// Finds all pairs of a box of another level, at least as large as this one's boxes, with the boxes of this one.
   template <class Report>
   void pairs_with(int box, Pairs<Report>& pairs) const {
     const Corners<S, N> reached = reach(corners(boxes_[box]));
@@ -158,10 +158,10 @@ class Level {
   }
 
  private:
-  /// Boxes from begin to end, twice, as the slots are a ring.
+  /// Two runs of boxes from begin to end, as the slots are a ring.
   using Runs = std::array<std::pair<int, int>, 2>;
 
-  /// About one box a cell, if they are spread evenly over the axes that are longer than a cell.
+  /// Cell sizes for about one box a cell, if the boxes are spread evenly over the axes that are longer than a cell.
   static Vector<double, N> spacing(const Vector<double, N>& world, const Vector<double, N>& least, int n) {
     double log_volume = 0, axes = 0;
     for (int i = 0; i < N; ++i)
@@ -205,7 +205,7 @@ class Level {
     }
   }
 
-  /// Tests within cells, twice.
+  /// About twice the number of tests within cells.
   double crowding() const {
     double sum = 0;
     for (std::size_t slot = 0; slot <= grid_.mask; ++slot) {

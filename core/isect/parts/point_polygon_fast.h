@@ -5,7 +5,7 @@
 // A ring's coordinates lie x, y, x, y, ... in memory, and so do the bits that tell which are greater than the point's:
 // 64 of 32 vertices. Next to them stand those of the vertices before. An edge crosses the line y = p.y where its two
 // bits of y differ. Then it lies on the right of p where both bits of x are set, on the left where none is; else
-// orient2d has to tell. So it has for an edge that touches the line y = p.y or x = p.x, a rare one.
+// orient2d has to tell. It also has to for an edge that touches the line y = p.y or x = p.x, which is rare.
 //
 // A difference of finite numbers has their order's sign, even if it overflows. The product of a word's differences is
 // finite and not 0 unless one of them is 0 or a coordinate isn't finite; or it overflows, or underflows. Only then the
@@ -41,12 +41,12 @@ struct Scanned {
   std::array<OpenEdges, most_words> open;  ///< edges that may cross the ray, or hold the point
 };
 
-/// Scans the edges that end at the vertices `first`, ..., `last` - 1. Those with a coordinate that is not finite are
-/// taken for any.
+/// Scans the edges that end at the vertices `first`, ..., `last` - 1. Edges with a coordinate that is not finite count
+/// as anything.
 template <class S>
 struct Scan {
-  static constexpr std::size_t few = 32 / sizeof(S);               ///< vertices fill the widest vector
-  static constexpr std::size_t word = 32;                          ///< vertices of 64 bits
+  static constexpr std::size_t few = 32 / sizeof(S);               ///< so many vertices fill the widest vector
+  static constexpr std::size_t word = 32;                          ///< so many vertices have 64 bits
   static constexpr std::size_t most = Scanned::most_words * word;  ///< of one scan
 
   const Point<S, 2>& p;
@@ -78,12 +78,12 @@ struct Scan {
   }
 
  private:
-  /// Of each coordinate whether it is greater than the point's, and whether it equals that.
+  /// Bits that tell for each coordinate whether it is greater than the point's, and whether it equals that.
   struct Word {
     std::uint64_t greater, equal;
   };
 
-  /// Of the vertices from there on; `point` has p.x and p.y by turns.
+  /// Reads a word of vertices from there on; `point` has p.x and p.y by turns.
   template <int Bytes, class Vector>
   [[gnu::always_inline]] Word read(const Point<S, 2>* from, const Vector& point) const {
     using Unaligned = typename simd::Of<S, Bytes>::Unaligned;
@@ -108,7 +108,7 @@ struct Scan {
     return here;
   }
 
-  /// Of all vertices, which are less than a word. The last vector may begin with numbers known already.
+  /// Reads all vertices, which are less than a word. The last vector may begin with numbers known already.
   template <int Bytes, class Vector>
   [[gnu::always_inline]] Word read_few(const Vector& point) const {
     using Unaligned = typename simd::Of<S, Bytes>::Unaligned;
@@ -139,7 +139,7 @@ struct Scan {
     return (simd::equal(product - product, zero) & ~simd::equal(product, zero)) == all;
   }
 
-  /// The vector at number i, by its coordinates.
+  /// Checks the coordinates themselves of the vector at number i: whether they are finite, and which equal the point's.
   template <int Bytes, class Vector>
   [[gnu::always_inline]] void look_again(const S* numbers, std::size_t i, const Vector& point, Word& here) const {
     constexpr std::uint64_t all = (std::uint64_t{1} << simd::Of<S, Bytes>::lanes) - 1;

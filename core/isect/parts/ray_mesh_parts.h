@@ -76,7 +76,7 @@ struct Line {
   }
 };
 
-/// x and more: nothing up to x is entered later.
+/// Raises x by more than all rounding: no box that is met at x or before is entered later.
 template <class V>
 void delay(V& x) {
   using Limits = std::numeric_limits<float>;

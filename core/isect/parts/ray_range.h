@@ -35,7 +35,7 @@ bool holds(const Interval<double>& range, const Text& t, int den, Trace&& trace 
   return compare(t, den, range.lo, trace) >= 0 && compare(t, den, range.hi, trace) <= 0;
 }
 
-/// The same for a text whose value is known, as value_of finds it.
+/// Whether the range holds num / den, where its value is known, as value_of finds it.
 template <class S, class Text, class Trace = NoTrace>
 bool holds_value(const Interval<double>& range, const Text& t, int den, S value, Trace&& trace = {}) {
   const double x = value, room = std::min(x - range.lo, range.hi - x);

@@ -3,8 +3,8 @@
 // the one lies in the other.
 //
 // Let A and B be where the part of the range between the planes of both ends begins and ends: at an end of the range,
-// at one of those planes, or nowhere. Of a line between these planes the solid holds a stretch, as it is convex: where
-// the side's polynomial
+// at one of those planes, or nowhere. Between these planes the solid, as it is convex, holds a stretch of the line:
+// where the side's polynomial
 //
 //   g(t) = form(f + t u, f + t u) - c = a t^2 + 2 b t + constant,   f = o - where the axis begins, u: the direction,
 //
@@ -38,7 +38,7 @@ namespace isect::ray_round {
 
 /// What a stretch begins or ends with: nothing, an end of the range, the plane where the axis begins or ends.
 enum class Limit { none, range, first, last };
-/// Where what of the range lies between the planes begins, or ends, and whether the solid holds that point.
+/// Where the part of the range between the planes begins, or ends, and whether the solid holds that point.
 struct Stop {
   bool ends;
   Limit at;
@@ -65,7 +65,7 @@ template <Filtered W, bool ends, class Solid>
 W height(const Straight<3, ends>& line, double t, const Point<double, 3>& c, const Solid& solid) {
   return dot(seen_from<W, 3>(c, line, t), axis<W>(solid));
 }
-/// y of the text above, of the plane through c.
+/// y of the text above, for the plane through c.
 template <Filtered W, bool ends, class Solid>
 Components<W, 3> in_plane(const Straight<3, ends>& line, const Point<double, 3>& c, const Solid& solid) {
   const Components<W, 3> f = difference<W>(line.origin, c), u = line.template along<W>(), d = axis<W>(solid);
@@ -75,7 +75,7 @@ Components<W, 3> in_plane(const Straight<3, ends>& line, const Point<double, 3>&
   return y;
 }
 
-/// What stands in brackets in D, for a line through f along u.
+/// The term in brackets in D, for a line through f along u.
 template <Filtered W>
 W room(const Cylinder<double>& c, const Components<W, 3>& f, const Components<W, 3>& u) {
   const Components<W, 3> n = cross(u, axis<W>(c));
@@ -88,7 +88,7 @@ W room(const Cone<double>& c, const Components<W, 3>& f, const Components<W, 3>&
   const W along = dot(m, d);
   return W(c.radius) * W(c.radius) * dot(across, across) - dot(d, d) * (along * along);
 }
-/// What it is multiplied by.
+/// The factor of that term in D.
 template <Filtered W>
 W scale_of_room(const Cylinder<double>& c) {
   const Components<W, 3> d = axis<W>(c);
@@ -99,7 +99,7 @@ W scale_of_room(const Cone<double>& c) {
   const Components<W, 3> d = axis<W>(c);
   return dot(d, d) * dot(d, d);
 }
-/// g, with f and u.
+/// The polynomial g, with f and u.
 template <Filtered W, bool ends, class Solid>
 Quadratic<W> polynomial(const Straight<3, ends>& line, const Solid& solid) {
   const Components<W, 3> f = difference<W>(line.origin, round_solid::start(solid)), u = line.template along<W>();
@@ -143,7 +143,7 @@ class Passage {
 
  private:
   const Disc& disc(const Stop& stop) const { return discs_[stop.at == Limit::last]; }
-  /// The plane by which the line comes in between both, or goes out again; it is not parallel to them.
+  /// The plane through which the line enters the space between both, or leaves it; it is not parallel to them.
   Limit plane(bool out) const { return (rate_ > 0) == out ? Limit::last : Limit::first; }
 
   /// Where the line crosses the plane of a disc.
@@ -156,7 +156,7 @@ class Passage {
     const Point<double, 3>& c = discs_[plane == Limit::last].center;
     return sign_of([&]<class W>() -> W { return height<W>(line_, t, c, solid_); }, trace_);
   }
-  /// The same as the line runs.
+  /// The sign of how far that point lies beyond the plane, as the line runs.
   int past(double t, Limit plane) const { return rate_ * above(t, plane); }
 
   /// Whether some of the range lies between the planes.
@@ -209,7 +209,7 @@ class Passage {
                        },
                        trace_);
   }
-  /// Nowhere, on the way to either end, the line runs across the axis, and g falls and rises for ever.
+  /// Whether g falls there. Without a limit the line runs across the axis, and g falls and rises for ever.
   bool falls(const Stop& stop) const { return stop.at == Limit::none || slope(stop) < 0; }
   bool rises(const Stop& stop) const { return stop.at == Limit::none || slope(stop) > 0; }
   bool has_root() const {

@@ -41,13 +41,13 @@ template <class S>
 constexpr auto bits(S x) {
   return std::bit_cast<std::conditional_t<std::is_same_v<S, float>, std::uint32_t, std::uint64_t>>(x);
 }
-/// The first 32 of them.
+/// The first 32 of those bits.
 template <class S>
 constexpr std::uint32_t head(S x) {
   return static_cast<std::uint32_t>(bits(x) >> (8 * sizeof(S) - 32));
 }
 
-/// A number is ordinary if it is from 2^-256 on and below 2^256, in float 2^-32 and 2^32: if this is below 2^29.
+/// Below 2^29 if the number is ordinary: from 2^-256 on and below 2^256, in float from 2^-32 on and below 2^32.
 template <class S>
 ISECT_INLINE std::uint32_t beyond_ordinary(S x) {
   return head(x) - head(std::is_same_v<S, float> ? S(0x1p-32) : S(0x1p-256));

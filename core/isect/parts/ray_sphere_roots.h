@@ -115,7 +115,7 @@ inline Location location(AmongRoots origin) {
   return origin == AmongRoots::entry || origin == AmongRoots::exit ? Location::on : Location::out;
 }
 
-/// Every verdict, or nothing where W can't tell. The direction is not zero.
+/// Finds every verdict, or nothing where W can't tell. The direction is not zero.
 ///
 /// Bound of D. A component k of f x d has an error of at most g(3) m, m = |f_i d_j| + |f_j d_i|, and |m|^2 <=
 /// 2 |f|^2 A. So K = |f x d|^2 errs by at most g(4) K + 2 g(3) sqrt(2) sqrt(K) |f| |d| + 18 u^2 |f|^2 A, and
@@ -186,7 +186,7 @@ std::optional<Interval<double>> roots(const Ray<double, N>& ray, const Sphere<do
   return ahead ? Interval<double>{near, far} : Interval<double>{-far, -near};
 }
 
-/// What doubles make of a ray and a sphere: f, A, B, r^2, and by Lagrange's identity D.
+/// What doubles find of a ray and a sphere: f, A, B, r^2, and by Lagrange's identity D.
 template <int N>
 struct Plain {
   Offset<double, N> f;
@@ -214,8 +214,8 @@ struct Plain {
 /// rounding; nothing where that is too much to promise. W is Compensated or Fused.
 ///
 /// Newton. For any t, with p = f + t d, a root t + h obeys A h^2 + 2 M h + C(t) = 0, M = A t + B, C(t) = p.p - r^2.
-/// Near by, h = -C / 2 M - (A / 2 M) (C / 2 M)^2 but for a relative 2 (A h / M)^2, and the sign of M tells which root
-/// it is. So C(t) alone is needed to more digits than doubles have.
+/// Near by, h = -C / 2 M - (A / 2 M) (C / 2 M)^2 up to a relative 2 (A h / M)^2, and the sign of M tells which root it
+/// is. So C(t) alone is needed to more digits than doubles have.
 ///
 /// Bound. p, in two parts, misses 2^-102 (|f| + |t d|), and the sum of its squares less r^2, with all that rounding
 /// takes from it, is rounded to some 100 bits. As |t d| <= |f| + r, and |p| is r nearly, C errs by less than 2^-90 R, R
@@ -292,7 +292,7 @@ std::optional<Interval<double>> roots(const Ray<double, N>& ray, const Sphere<do
   return t ? std::optional(Interval<double>{*t, *t}) : std::nullopt;
 }
 
-/// As `roots`, of what doubles have made already: exact enough for floats. D is off by 32 u H at most here, too.
+/// Finds the roots from what doubles have found already: exact enough for floats. D is off by 32 u H at most here, too.
 template <int N>
 ISECT_INLINE std::optional<Interval<double>> plain_roots(const Plain<N>& plain, double tolerance) {
   constexpr double u = unit<double>;
@@ -349,7 +349,7 @@ RaySphere<S> report(const Interval<S>& range, const Verdict& verdict, const Inte
 
 /// The whole answer for an ordinary ray, by the sign of D and by the roots: they are so near to the true ones that an
 /// end of the range, or 0, lies among these as it does among those, unless it is nearly one of them. False where that
-/// is not certain. `answer` is as it was made.
+/// is not certain. `answer` is newly made.
 template <class S, int N>
 ISECT_INLINE bool quick_answer(const Ray<double, N>& ray, const Sphere<double, N>& sphere, const Interval<S>& range,
                                RaySphere<S>& answer) {

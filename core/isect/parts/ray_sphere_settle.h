@@ -49,7 +49,7 @@ std::optional<Interval<double>> roots_by(const Ray<double, N>& ray, const Sphere
   }
 }
 
-/// Verdict by W, unless it is known, and values by V; or nothing.
+/// Finds the verdict in W, unless it is known, and the values in V; or nothing.
 template <Arithmetic W, class V, class S, int N, class Trace>
 std::optional<RaySphere<S>> attempt(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
                                     const Interval<S>& range, int exponent, const std::optional<Verdict>& known,
@@ -65,7 +65,7 @@ std::optional<RaySphere<S>> attempt(const Ray<double, N>& ray, const Sphere<doub
   return report(range, *verdict, values);
 }
 
-/// The direction 0: the ray is the point `origin` at every real t of its range.
+/// Settles a ray of direction 0: it is the point `origin` at every real t of its range.
 template <class S, int N>
 RaySphere<S> settle_point(const Ray<double, N>& ray, const Sphere<double, N>& sphere, const Interval<S>& range) {
   const Offset<Exact, N> f = from_center<Exact>(ray, sphere);
@@ -85,7 +85,7 @@ bool bounded(const Ray<double, N>& ray, const Sphere<double, N>& sphere, const I
          std::isfinite(sphere.radius) && !std::isnan(range.lo) && !std::isnan(range.hi);
 }
 
-/// `known`: the verdict, where only the values are missing.
+/// Settles what doubles leave open. `known`: the verdict, where only the values are missing.
 template <class S, int N, class Trace>
 [[gnu::noinline, gnu::cold]] RaySphere<S> settle(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
                                                  const Interval<S>& range, const std::optional<Verdict>& known,

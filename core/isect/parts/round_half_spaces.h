@@ -1,7 +1,7 @@
 #pragma once
 // A cylinder or a cone (isect/parts/round_solid.h) against a convex solid P given by half-spaces (isect/half_spaces.h).
 //
-// Look along the axis d: at a cone from its apex, at a cylinder from infinitely far away. Of all points between the
+// Look along the axis d: at a cone from its apex, at a cylinder from infinitely far away. Among all points between the
 // planes of both ends those in the round solid are just those that hide a point of the disc at its far end, or lie in
 // it. So it meets P iff that disc meets the shadow that is cast on its plane by what of P lies between the planes.
 // (What lies in the plane of a cone's apex casts none; whether P holds the apex is asked apart.)
@@ -16,9 +16,9 @@
 //
 //   a_i.y + b_i >= 0 where g_i = 0,   and   g_i (a_j.y + b_j) - g_j (a_i.y + b_i) >= 0 where g_i > 0 > g_j.
 //
-// Of the latter only those matter whose two faces share a point of P between the planes: elsewhere both are never 0 at
-// once, so that no point of the shadow reaches the limit. As y lies across d, only what of a normal a does so counts;
-// turned by a right angle, that is a x d / |d|. So with the normals a x d, in the plane,
+// Only those of the latter matter whose two faces share a point of P between the planes: elsewhere both are never 0 at
+// once, so that no point of the shadow reaches the limit. As y is perpendicular to d, only the part of a normal a that
+// is so counts; turned by a right angle, that is a x d / |d|. So with the normals a x d, in the plane,
 // isect/parts/inequality_distance.h finds how far the shadow is from the center, over |d|; squared, that is compared
 // with r^2 / d.d.
 //
@@ -95,7 +95,7 @@ int reach(const Solid& solid, const HalfSpaces& between, Trace&& trace) {
     if (sign > 0) grow.push_back(i);
     if (sign < 0) fall.push_back(i);
   }
-  const bool few = grow.size() * fall.size() <= 16;  // of a box: asking would cost more than it saves
+  const bool few = grow.size() * fall.size() <= 16;  // as for a box: asking would cost more than it saves
   for (const int i : grow)
     for (const int j : fall)
       if (few || capsule_half_spaces::detail::share_a_point(between, i, j, trace)) edges.emplace_back(i, j);
@@ -195,7 +195,7 @@ bool holds(const Solid& solid, const HalfSpaces& other, Trace&& trace) {
          sphere_half_spaces::detail::bounded(other, trace);
 }
 
-/// The segment that the axis is.
+/// Returns the axis, a segment, as half-spaces.
 template <class Solid>
 HalfSpaces segment(const Solid& solid, int dimension) {
   const std::array<Disc, 2> discs = round_solid::discs(solid);

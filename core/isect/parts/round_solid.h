@@ -2,7 +2,7 @@
 // What a cylinder and a cone have in common: between two planes across their axis they are a solid of revolution, whose
 // side is straight. With f leading from where the axis begins to a point, and d to where it ends, the point lies
 // between the planes iff 0 <= f.d <= d.d, and it lies beside the axis by |f x d| / |d|. What the side allows there is
-// r, or, of a cone, r f.d / d.d. So between the planes it lies in the solid iff
+// r, or, for a cone, r f.d / d.d. So between the planes it lies in the solid iff
 //
 //   cylinder   |f x d|^2 - r^2 d.d <= 0,      cone   d.d |f x d|^2 - r^2 (f.d)^2 <= 0.
 //
@@ -21,7 +21,7 @@ struct Disc {
   Point<double, 3> center;
   double radius;
 };
-/// In the order in which the axis runs.
+/// The discs at both ends, in the order in which the axis runs.
 inline std::array<Disc, 2> discs(const Cylinder<double>& c) { return {{{c.p, c.radius}, {c.q, c.radius}}}; }
 inline std::array<Disc, 2> discs(const Cone<double>& c) { return {{{c.apex, 0}, {c.base, c.radius}}}; }
 
@@ -38,8 +38,8 @@ Components<W, 3> axis(const Cone<double>& c) {
   return difference<W>(c.base, c.apex);
 }
 
-/// The symmetric form whose value at f and f the side's equation begins with; half its derivative along u is that at f
-/// and u.
+/// The symmetric bilinear form. Its value at f and f begins the side's equation; half of that value's derivative along
+/// u is the form at f and u.
 template <Filtered W>
 W form(const Cylinder<double>& c, const Components<W, 3>& f, const Components<W, 3>& u) {
   const Components<W, 3> d = axis<W>(c);
@@ -62,7 +62,7 @@ W beside(const Cone<double>& c, const Components<W, 3>& f) {
   return form<W>(c, f, f);
 }
 
-/// The same of f / k, times k^2.
+/// The value of `beside` at f / k, times k^2.
 template <Filtered W>
 W beside(const Cylinder<double>& c, const Components<W, 3>& f, const W& k) {
   const Components<W, 3> d = axis<W>(c);

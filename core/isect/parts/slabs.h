@@ -78,8 +78,8 @@ Estimate<N> estimate(const Interval<S>& range, const Slabs& slabs) {
   return seen;
 }
 
-/// What `clip` returns, once the estimate shows that some t is in all slabs. Open when two of them may be the last, or
-/// the first.
+/// Returns what `clip` does, once the estimate shows that some t is in all slabs. Open when two slabs may be the last
+/// entered, or the first left.
 template <class S, int N, class Slabs, class Fine>
 Interval<S> stretch(const Interval<S>& range, const Estimate<N>& seen, const Slabs& slabs, FirstTry<Fine>& first) {
   int last = 0, left = 0;  // the slab entered last, the slab left first

@@ -113,7 +113,7 @@ class Through {
     return way;
   }
 
-  /// How many weights may be negative: none of a point or of the ends of a diameter.
+  /// How many weights may be negative: none for a point or the ends of a diameter.
   int weights() const { return size() < 3 ? 0 : size(); }
   /// The weight of p_i in the center, times something positive.
   template <Filtered W>
@@ -148,7 +148,7 @@ Through<N> through(const std::vector<Point<double, N>>& points, const std::vecto
   return Through<N>(chosen);
 }
 
-/// What the smallest ball of a few points and of `fresh`, which lies outside theirs, rests on.
+/// The points on which the smallest ball of a few points and of `fresh`, which lies outside theirs, rests.
 template <int N>
 std::vector<int> joined(const std::vector<Point<double, N>>& points, const std::vector<int>& few, int fresh) {
   for (unsigned subset = 1; subset < 1u << few.size(); ++subset) {
@@ -229,8 +229,8 @@ std::vector<int> support(const std::vector<Point<double, N>>& points, const fit:
 }
 
 /// The center of the smallest ball through these points, which are independent. Each coordinate is the nearest number
-/// of S, but for 0.001 ulp: the quotient is, to a relative 2^-69, rounded once, and for float once more, by a 2^-29th
-/// of that.
+/// of S, up to 0.001 ulp: the quotient is, to a relative 2^-69, rounded once, and for float once more, by a 2^-29th of
+/// that.
 template <class S, int N>
 Point<S, N> center(const Through<N>& ball) {
   Point<S, N> c;

@@ -1,6 +1,6 @@
 #pragma once
-// What runs along a line, as texts ask for it: where t = 0 is, the direction, and the range of t. A segment's direction
-// leads from one end, as given, to the other, and is rounded nowhere. For the core's own use.
+// A ray, a line or a segment, as texts ask for it: where t = 0 is, the direction, and the range of t. A segment's
+// direction leads from one end, as given, to the other, and is rounded nowhere. For the core's own use.
 
 #include <isect/numbers/predicate.h>
 #include <isect/shapes.h>

@@ -26,15 +26,15 @@ struct FirstPass {
   unsigned open = ~0u;      ///< bit i: axis i of all_axes may yet separate or touch
 };
 
-/// Finite numbers; the box is not empty.
+/// Runs the first pass on finite numbers; the box is not empty.
 ///
 /// Margin. With center c and half-lengths h as rounded, let v be the vertices from c, q the sum over the axes of |c_i|,
 /// h_i and the largest |v_i|, and f that of the triangle's extents, and 4 u q. c is off by at most u q, h by u q, each
-/// v_i by 2 u q, each edge component by a relative u. The extents of the rounded v are those of the triangle but for 2
-/// u q, so f is at least the sum of the components of any edge. So gaps along the box's normals are off by at most 5 u
-/// q, along products with an edge by 14 u f q, along the triangle's normal, whose components are at most f^2 / 2 and
-/// off by 8 u f^2, by 60 u f^2 q. As f >= 4 u q, nothing overflows or underflows but what is negligible within the
-/// range asked for. Products that vanish say nothing; their components are exactly 0.
+/// v_i by 2 u q, each edge component by a relative u. The extents of the rounded v are those of the triangle up to 2 u
+/// q, so f is at least the sum of the components of any edge. So gaps along the box's normals are off by at most 5 u q,
+/// along products with an edge by 14 u f q, along the triangle's normal, whose components are at most f^2 / 2 and off
+/// by 8 u f^2, by 60 u f^2 q. As f >= 4 u q, nothing overflows or underflows but what is negligible within the range
+/// asked for. Products that vanish say nothing; their components are exactly 0.
 template <int N>
 FirstPass first_pass(const Triangle<double, N>& triangle, const Aabb<double, N>& box) {
   const Vector<double, N> center = 0.5 * (box.lo + box.hi), half = 0.5 * (box.hi - box.lo);

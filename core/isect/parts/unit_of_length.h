@@ -1,6 +1,6 @@
 #pragma once
 // Shapes in another unit of length, a power of two: how they lie stays the same, but squares and products neither
-// overflow nor vanish, and all that is faster than big numbers serves. For the core's own use.
+// overflow nor vanish, and all arithmetic that is faster than big numbers serves. For the core's own use.
 
 #include <algorithm>
 #include <cmath>
@@ -40,12 +40,12 @@ class UnitOfLength {
   Aabb<double, N> operator()(const Aabb<double, N>& x) {
     return {(*this)(x.lo), (*this)(x.hi)};
   }
-  /// Its axes are numbers without a unit.
+  /// The axes are numbers without a unit, and stay.
   template <int N>
   Obb<double, N> operator()(const Obb<double, N>& x) {
     return {(*this)(x.center), x.axes, (*this)(x.half)};
   }
-  /// In the same unit as the origin the direction, too, so that t is what it was.
+  /// The direction changes its unit as the origin does, so that t stays what it was.
   template <int N>
   Ray<double, N> operator()(const Ray<double, N>& x) {
     return {(*this)(x.origin), (*this)(x.direction), x.range};
@@ -101,7 +101,7 @@ auto in_own_unit(const A& a, const B& b, const Answer& answer) {
   return answer(a, b);
 }
 
-/// The same for an algorithm that runs in doubles first, and may be listened to: then shapes stay as they are.
+/// Calls in_own_unit, unless the algorithm runs in doubles first or is listened to: then shapes stay as they are.
 template <class Trace, class A, class B, class Answer>
 auto settled_in_own_unit(const A& a, const B& b, const Answer& answer) {
   if constexpr (first_try<Trace> || heard<Trace>)
