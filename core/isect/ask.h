@@ -1,12 +1,12 @@
 #pragma once
-// Any two shapes, in either order, with one word:
+// `ask` tells how any two shapes lie, in either order:
 //
 //   const Answer answer = ask(ball, box);
 //   for (const AnyShape<double, 3>& shape : shapes) if (ask(ray, shape).meet) ...
 //
 // The table of pairs is the core's own set of overloads: a pair that `relate`, `locate`, `intersect`, `first_hit` or
-// `beside` takes, in this order or the other, is asked by it. A convex solid without a test of its own with B counts as
-// the common part of its half-spaces, a triangle in the plane as a polygon of one ring. The other pairs are in
+// `beside` takes, in this order or the other, goes to it. A convex solid without a test of its own with B counts as the
+// common part of its half-spaces, a triangle in the plane as a polygon of one ring. The other pairs are in
 // isect/parts/ask_pairs.h, isect/parts/ask_meshes.h and below.
 //
 // Some pairs have no test yet, such as a cylinder and a capsule. For such a pair of known types `ask` does not compile;
@@ -83,7 +83,7 @@
 
 namespace isect {
 
-// What each test answers, as an Answer.
+// Converts what each test returns into an Answer.
 
 template <class S>
 Answer answer(const std::optional<Interval<S>>& part) {

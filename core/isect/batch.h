@@ -102,7 +102,7 @@ Columns<S, 2 * N> columns(const BoxBatch<S, N>& boxes) {
   return c;
 }
 
-/// What a filter says of several entries at once; V is a vector of S.
+/// The signs that a filter finds for several entries at once; V is a vector of S.
 template <class V>
 struct FilterSigns {
   V no, sure;

@@ -181,8 +181,8 @@ struct FirstHit {
   friend bool operator==(const FirstHit&, const FirstHit&) = default;
 };
 
-/// The least intersect(ray, spheres[i]).surface of all, and the least such i; nothing if none is hit. Only spheres
-/// that may be nearer than the nearest so far are asked. `set` is one that the machine has.
+/// The least intersect(ray, spheres[i]).surface of all, and the least such i; nothing if none is hit. Only spheres that
+/// may be nearer than the nearest so far are tested. `set` is one that the machine has.
 template <class S, int N>
 std::optional<FirstHit<S>> first_hit(const Ray<S, N>& ray, const SphereBatch<S, N>& spheres,
                                      InstructionSet set = widest()) {

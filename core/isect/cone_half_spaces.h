@@ -2,7 +2,7 @@
 // Cone against a convex solid given by half-spaces (isect/half_spaces.h): a box, an oriented box, a k-DOP, a frustum, a
 // hull.
 //
-// Seen from its apex the cone is a disc, its base, and what of the solid lies between the planes of apex and base casts
+// Seen from its apex the cone is a disc, its base, and the part of the solid between the planes of apex and base casts
 // a convex shadow onto the base's plane: they meet iff the disc meets the shadow, or the solid holds the apex.
 // isect/parts/round_half_spaces.h finds the shadow's edges by elimination, compares its distance from the axis with the
 // radius by duality, and says when interiors meet.

@@ -78,7 +78,7 @@ Ring<S, 2> left_turning(Iterator first, Iterator last, const Turn& turn, Trace&&
   return chain;
 }
 
-/// Both chains: the hull, if `turn` is right.
+/// Joins both chains: they are the hull, if `turn` is right.
 template <class S, class Turn, class Trace>
 Ring<S, 2> chains(Ring<S, 2> points, const Turn& turn, Trace&& trace) {
   sort_points(points);

@@ -2,7 +2,7 @@
 // Cylinder against a convex solid given by half-spaces (isect/half_spaces.h): a box, an oriented box, a k-DOP, a
 // frustum, a hull.
 //
-// Seen along its axis the cylinder is a disc, and what of the solid lies between the planes of its ends a convex
+// Seen along its axis the cylinder is a disc, and the part of the solid between the planes of its ends a convex
 // polygon, its shadow: they meet iff the disc meets the shadow. isect/parts/round_half_spaces.h finds the shadow's
 // edges by elimination, compares its distance from the axis with the radius by duality, and says when interiors meet.
 

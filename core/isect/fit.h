@@ -82,7 +82,7 @@ Sphere<S, N> least_ball(const std::vector<Point<S, N>>& points, const Point<S, N
   const auto rounded2 = [&](const Point<S, N>& p) { return (p.template cast<double>() - c).squaredNorm(); };
   double most2 = 0;
   for (const Point<S, N>& p : points) most2 = std::max(most2, rounded2(p));
-  // 5 roundings in each: what is less by 16 of them is not the farthest. Unless they over- or underflowed.
+  // 5 roundings in each: a number less by 16 of them is not the farthest, unless they over- or underflowed.
   constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
   const double enough2 = most2 > 0x1p-900 && std::isfinite(most2) ? most2 * (1 - 16 * unit) : 0;
   std::size_t farthest = points.size();

@@ -1,14 +1,14 @@
 #pragma once
 // A convex solid as the common part of half-spaces: one form for boxes, oriented boxes, k-DOPs, frusta and hulls of
-// points, so that any two of them can be asked how they lie, exactly.
+// points, so that how any two of them lie is decided exactly.
 //
 // The half-spaces follow from the shape's own numbers, not rounded: the face of an oriented box has a product of two
 // axes as its normal, a hull's facet one of two differences of corners. Every verdict is the sign of a determinant of
 // them, see isect/parts/inequalities.h. A lies in B iff for no face of B there is a point of A beyond it.
 //
 // The price: about n signs for each corner on the way to the answer, for n half-spaces in all; whether m faces hold a
-// solid of n is asked face by face. Boxes and oriented boxes among themselves have faster tests, isect/aabb_aabb.h and
-// isect/obb_obb.h.
+// solid of n is decided face by face. Boxes and oriented boxes among themselves have faster tests, isect/aabb_aabb.h
+// and isect/obb_obb.h.
 //
 // A shape of the plane counts as the prism over it, which has no end in z.
 

@@ -22,7 +22,7 @@ struct Projected {
 template <class S>
 using FitEvent = std::variant<Projected<S>>;
 
-/// Each normal divided by its length, which rounds: (1, 1, 0) becomes one of no exact length and no exact products.
+/// Divides each normal by its length, which rounds: (1, 1, 0) becomes one of no exact length and no exact products.
 template <class S, int N>
 std::vector<Vector<S, N>> unit_normals(std::vector<Vector<S, N>> normals) {
   for (Vector<S, N>& n : normals) n = n / std::sqrt(n.dot(n));

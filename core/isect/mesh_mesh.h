@@ -33,7 +33,7 @@ using mesh_surface::Surface;
 /// Whether triangles i and j have more in common than corners and edges of both.
 inline bool clash(const Surface& mesh, int i, int j) {
   const std::array<int, 3>&of_i = mesh.places[i], &of_j = mesh.places[j];
-  int shared = 0, alone_i = 0, alone_j = 0, common_i = 0;  // sides across from what is shared, and what is
+  int shared = 0, alone_i = 0, alone_j = 0, common_i = 0;  // sums of the numbers of corners not shared, and shared
   for (int k = 0; k < 3; ++k) {
     if (std::ranges::find(of_j, of_i[k]) != of_j.end())
       ++shared, common_i += k;
@@ -71,7 +71,7 @@ struct Solid {
   const Surface& surface;
   std::vector<int> part;           ///< the connected part of the surface that a triangle belongs to
   std::vector<int> first_of_part;  ///< a triangle of each
-  std::vector<char> above;         ///< whether the solid lies where the triangle turns counter-clockwise
+  std::vector<char> above;         ///< whether the solid lies on the side that sees the triangle counter-clockwise
 
   explicit Solid(const Surface& s) : surface(s), part(s.triangles.size(), -1), above(s.triangles.size()) {
     for (int t = 0; t < static_cast<int>(part.size()); ++t)
@@ -79,7 +79,7 @@ struct Solid {
   }
 
  private:
-  /// Settles the triangles that are connected with t by edges of two.
+  /// Settles the triangles that are connected with `first` by edges of two triangles.
   void spread(int first) {
     above[first] = solid_above(first);
     part[first] = static_cast<int>(first_of_part.size());

@@ -1,9 +1,9 @@
 #pragma once
-// Oriented box against oriented box, exactly right: separating axes. Which they are, and why they suffice, stands in
-// isect/parts/obb_obb_axes.h.
+// Oriented box against oriented box, exactly right: separating axes. isect/parts/obb_obb_axes.h says which they are,
+// and why they suffice.
 //
 // The first pass is the classical test in plain doubles, with a proved margin in place of its epsilon. It settles
-// nearly all pairs; the axes of the others are asked exactly, one by one, each by the sign of a polynomial. The
+// nearly all pairs; the axes of the others are tested exactly, one by one, each by the sign of a polynomial. The
 // classical test itself stands in isect/obb_obb_methods.h. Source: Gottschalk, Lin, Manocha, OBBTree, SIGGRAPH 1996;
 // Ericson, Real-Time Collision Detection (2005), 4.4.1.
 
@@ -40,7 +40,7 @@ bool says_nothing(const Obb<double, N>& a, const Obb<double, N>& b, const Axis& 
          }) == 0;
 }
 
-/// What all axes say together: the one that separates, or whether one touches.
+/// The verdict of all axes together: the one that separates, or whether one touches.
 struct Settled {
   std::optional<Axis> separating;
   bool touching = false;

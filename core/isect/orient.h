@@ -1,5 +1,5 @@
 #pragma once
-// On which side of a line, or of a plane: the predicate that most others are made of.
+// The side of a line, or of a plane, that a point is on: the predicate that most others are made of.
 //
 // Source: Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, Discrete
 // Comput. Geom. 18 (1997); Ozaki et al., Simple floating-point filters for the two-dimensional orientation problem,

@@ -138,7 +138,7 @@ struct EdgeSide {
 template <class S>
 using NaiveEvent = std::variant<Centroid<S>, WedgeAround<S>, EdgeSide<S>>;
 
-/// Whether the point lies inside, as the note has it: wedges around the centroid of three vertices, bisected by cross
+/// Whether the point lies inside, as in the note: wedges around the centroid of three vertices, bisected by cross
 /// products, then one edge. Naive: rounding may decide near edges, and the centroid of a sliver may lie outside.
 template <class S, class Trace = NoTrace>
 bool wedge_naive(const Point<S, 2>& p, const ConvexPolygon<S>& polygon, Trace&& trace = {}) {

@@ -3,7 +3,7 @@
 // number of times.
 //
 // A crossing counts only where the ray passes within a triangle. A ray that meets an edge or a corner, or lies in a
-// triangle's plane, says nothing, and another direction is asked: which of these a ray does is decided exactly.
+// triangle's plane, says nothing, and another direction is tried: which of these a ray does is decided exactly.
 // Source: O'Rourke, Computational Geometry in C, 2nd ed. (1998), 7.5.
 
 #include <algorithm>

@@ -124,7 +124,7 @@ inline bool is_among(const InnerPoint& place, const std::vector<Edge>& edges) {
   return odd;
 }
 
-/// Half-spaces of the plane, as long in z as they need be to have corners there.
+/// Bounds half-spaces of the plane in z, so that they have corners there.
 inline HalfSpaces bounded_in_z(HalfSpaces solid) {
   for (const int up : {-1, 1}) solid.faces.push_back({half_spaces::Level{Vector<double, 3>(0, 0, up), 1}});
   return solid;
@@ -168,7 +168,7 @@ Location locate_corner(const HalfSpaces& solid, const Polygon<S, 2>& polygon) {
   return where;
 }
 
-/// Whether an edge has a point in common with a convex shape, or all of the shape lies within. `edge_meets` is asked of
+/// Whether an edge has a point in common with a convex shape, or all of the shape lies within. `edge_meets` tests
 /// edges, `some_point` tells where a point of the shape lies.
 template <class S, class Meets, class Locate>
 bool meets(const Polygon<S, 2>& polygon, const Meets& edge_meets, const Locate& some_point) {
@@ -179,8 +179,8 @@ bool meets(const Polygon<S, 2>& polygon, const Meets& edge_meets, const Locate& 
 }
 }  // namespace polygon_convex::detail
 
-// How a polygon (A), an even-odd set as isect/polygon_polygon.h has it, lies to a convex body (B). Exact, for all
-// finite input. An empty shape, NaN or an infinite coordinate: disjoint.
+// How a polygon (A), an even-odd set as in isect/polygon_polygon.h, lies to a convex body (B). Exact, for all finite
+// input. An empty shape, NaN or an infinite coordinate: disjoint.
 
 template <class S>
 Relation relate(const Polygon<S, 2>& polygon, const Capsule<S, 2>& capsule) {

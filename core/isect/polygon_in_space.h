@@ -2,12 +2,11 @@
 // A polygon in space, cut into triangles (isect/polygon_triangles.h), against points, lines, triangles, convex solids,
 // round ones and other polygons.
 //
-// A convex polygon is half-spaces, as any plate. For any other each triangle is asked, and then:
+// A convex polygon is half-spaces, as any plate. For any other each triangle is tested, and then:
 //
 // - It lies in a convex B where its corners do.
-// - B lies in it where the triangles cover B. That is asked triangle by triangle: what of B lies beyond one of its
-// sides
-//   has to lie in the triangles after it, and the rest is covered.
+// - B lies in it where the triangles cover B. That is tested triangle by triangle: the part of B beyond one of its
+//   sides has to lie in the triangles after it, and the rest is covered.
 // - A point is within it, and not on its outline, where it is within a triangle or a diagonal: a side of two triangles.
 //
 // All of this is decided by signs of determinants, see isect/half_spaces.h. A polygon that is not flat is the surface
@@ -274,7 +273,7 @@ Location locate(const Point<S, 3>& p, const TriangulatedPolygon<S>& polygon) {
 }
 
 /// The first t at which a ray or a line meets the polygon, in its plane, too: that of the triangle that it meets first,
-/// as isect/line_triangle.h has it. isect/ray_polygon.h tells more where the polygon is flat.
+/// as in isect/line_triangle.h. isect/ray_polygon.h tells more where the polygon is flat.
 template <class S>
 std::optional<S> first_hit(const Ray<S, 3>& ray, const TriangulatedPolygon<S>& polygon) {
   return polygon_in_space::detail::first_hit(ray, polygon);

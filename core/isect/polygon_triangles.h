@@ -1,5 +1,5 @@
 #pragma once
-// A polygon in space, cut into triangles: what is asked of triangles can then be asked of it.
+// A polygon in space, cut into triangles: the tests of triangles then serve it, too.
 //
 // The corners are seen along the axis of the normal's largest component. There an ear is a corner that turns left
 // between its neighbours, and whose triangle with them holds no other corner. It may be cut off, and every outline that

@@ -23,7 +23,7 @@ struct Estimate {
 };
 using Event = std::variant<Estimate, slabs::Outside, slabs::Stretch, Fallback>;
 
-/// A ray with the reciprocals of its direction, to be asked against many boxes. A reciprocal too large or too small to
+/// A ray with the reciprocals of its direction, to be tested against many boxes. A reciprocal too large or too small to
 /// be accurate is NaN, and its slab is left out. A ray with NaN or an infinite coordinate has an empty range.
 template <class S, int N>
 struct Prepared {

@@ -59,7 +59,7 @@ std::optional<Interval<S>> by_min_max(const Ray<S, N>& ray, const Aabb<S, N>& bo
   return detail::by_slabs(ray, box, sort, later, earlier, trace);
 }
 
-/// Uses std::fmin and std::fmax, which pass NaN over: but for a plane that the ray runs along they keep the other one's
+/// Uses std::fmin and std::fmax, which pass NaN over. Yet of a plane that the ray runs along they keep the other one's
 /// infinity at both ends. Several times slower, where they are calls.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> by_fmin_fmax(const Ray<S, N>& ray, const Aabb<S, N>& box, Trace&& trace = {}) {

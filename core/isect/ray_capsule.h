@@ -7,11 +7,11 @@
 // t = (w x v).n / n.n of the ray and (w x d).n / n.n of the axis, |w.n| / |n| apart. In the plane lines that cross have
 // the distance 0. All is compared multiplied out: no division, no square root.
 //
-// Where the whole line enters the capsule. The capsule is the balls around p and q and what of the cylinder around the
-// axis lies between its ends; all of it lies in the endless cylinder. Let the line enter that one at t*. If t* is
-// beside the axis, the line enters the capsule there. If it lies before p, seen along v, the ball around p is entered:
-// until the line is beside the axis it is only there that the capsule is, and it comes beside it, if at all, on the
-// disc across p, which is that ball's. Beyond q likewise, and where the line leaves. Along v, t* lies at
+// Where the whole line enters the capsule. The capsule is the balls around p and q and the part of the cylinder around
+// the axis between its ends; all of it lies in the endless cylinder. Let the line enter that one at t*. If t* is beside
+// the axis, the line enters the capsule there. If it lies before p, seen along v, the ball around p is entered: until
+// the line is beside the axis it is only there that the capsule is, and it comes beside it, if at all, on the disc
+// across p, which is that ball's. Beyond q likewise, and where the line leaves. Along v, t* lies at
 //
 //   v.v (w x d).n / n.n  -+  d.v sqrt(v.v (r^2 n.n - (w.n)^2)) / n.n   from p.
 //

@@ -5,8 +5,8 @@
 //
 //   t = -(n.o + D) / (n.d),
 //
-// unless n.d = 0: then it is parallel, and lies in the plane iff n.o + D = 0. Whether t lies in the range is asked of
-// the numerator and the denominator. Source: the note, N16 and N20.
+// unless n.d = 0: then it is parallel, and lies in the plane iff n.o + D = 0. The numerator and the denominator tell
+// whether t lies in the range. Source: the note, N16 and N20.
 
 #include <optional>
 #include <variant>

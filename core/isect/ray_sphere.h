@@ -11,10 +11,10 @@
 // sign of B(e) = (f + e d).d. So every verdict is the sign of a polynomial, without a root and without a
 // division.
 //
-// decide<W> in isect/parts/ray_sphere_roots.h is that text. It runs in double; where a sign is within its error
-// bound, again in one finer arithmetic after the other, as isect/parts/ray_sphere_settle.h has it, and at last in
-// Exact, where every sign is certain. The values of t come from a step of Newton's, ordinary_roots there, else from
-// Compensated or one of those.
+// decide<W> in isect/parts/ray_sphere_roots.h is that text. It runs in double; where a sign is within its error bound,
+// again in one finer arithmetic after the other, as in isect/parts/ray_sphere_settle.h, and at last in Exact, where
+// every sign is certain. The values of t come from a step of Newton's, ordinary_roots there, else from Compensated or
+// one of those.
 //
 // Source: the note, N16-N19; Haines, Gunther, Akenine-Moller, Precision improvements for ray/sphere
 // intersection, Ray Tracing Gems (2019), ch. 7, for what goes wrong in the textbook forms. Bounds: derived

@@ -35,7 +35,7 @@ std::optional<S> stable_quotients(const S& a, const S& b, const S& c, const S& d
 
 }  // namespace detail
 
-/// Half-B with stable roots. Source: Press et al., Numerical Recipes, 3rd ed. (2007), 5.6.
+/// Works as half_b, with stable roots. Source: Press et al., Numerical Recipes, 3rd ed. (2007), 5.6.
 template <class S, int N, class Trace = NoTrace>
 std::optional<S> stable_roots(const Ray<S, N>& ray, const Sphere<S, N>& sphere, Trace&& trace = {}) {
   const Vector<S, N> f = ray.origin - sphere.center;

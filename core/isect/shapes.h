@@ -159,7 +159,7 @@ struct Triangle {
 template <class S, int N>
 using Ring = std::vector<Point<S, N>>;
 
-/// One ring, or several: holes and islands, as the fill rule has it. In 3D all lie in one plane, nearly.
+/// One ring, or several: holes and islands, by the fill rule. In 3D all lie in one plane, nearly.
 template <class S, int N>
 struct Polygon {
   static_assert(is_scalar<S>());

@@ -3,7 +3,7 @@
 // hull; and against another triangle, which is flat and has half-spaces as well.
 //
 // The points of the triangle are a + s (b - a) + t (c - a) with s, t >= 0, s + t <= 1. So each half-space says one
-// linear inequality in s and t, and whether all have a common solution is asked as in isect/parts/inequalities.h. A
+// linear inequality in s and t, and whether all have a common solution is decided as in isect/parts/inequalities.h. A
 // triangle that is a segment or a point needs no case of its own.
 
 #include <algorithm>

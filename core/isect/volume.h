@@ -43,8 +43,8 @@ struct Size {
   int exponent = 0;
 };
 
-/// Adds sizes that are not negative, at the scale of the largest: only negligible parts are lost, and nothing but the
-/// sum can overflow or underflow. If each size is within 1.9 u, the sum is within 3 ulp, of S too.
+/// Adds sizes that are not negative, at the scale of the largest: only negligible parts are lost, and only the sum can
+/// overflow or underflow. If each size is within 1.9 u, the sum is within 3 ulp, of S too.
 template <class S>
 S sum(const std::vector<Size>& sizes) {
   int most = std::numeric_limits<int>::min();

@@ -68,7 +68,7 @@ class Bounded {
   ISECT_INLINE bool certain() const { return std::abs(leading(value_)) - error() >= 0; }
   /// The sign of the value, whether or not the truth has it.
   ISECT_INLINE int apparent_sign() const { return (leading(value_) > 0) - (leading(value_) < 0); }
-  /// 1, 0, -1, or nothing where the error could turn it.
+  /// The sign of the truth: 1, 0, -1, or nothing where the error could turn it.
   std::optional<int> sign() const { return certain() ? std::optional(apparent_sign()) : std::nullopt; }
   /// Whether the value lies within a relative `tolerance` of the truth.
   ISECT_INLINE bool within(double tolerance) const { return tolerance * std::abs(leading(value_)) - error() >= 0; }

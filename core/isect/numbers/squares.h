@@ -8,8 +8,8 @@
 //
 //   |x - X| <= g(6) X + 2^-1073,   so   |(x - y) - (X - Y)| <= g(6) (X + Y) + 2^-1072 < 6.1 u (x + y) + 2^-1071.
 //
-// In float the same with 2^-150 for 2^-1075, so that floats need no doubles where they are not in doubt. What overflows
-// becomes infinite and stays so, and then x + y is infinite too.
+// In float the same holds with 2^-150 for 2^-1075, so that floats need no doubles where they are not in doubt. What
+// overflows becomes infinite and stays so, and then x + y is infinite too.
 
 #include <cmath>
 #include <concepts>

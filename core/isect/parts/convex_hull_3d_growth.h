@@ -1,6 +1,6 @@
 #pragma once
-// The hull in space while it grows: its faces, the points on their lists, and what one more point does to them. How and
-// why stands in isect/convex_hull_3d.h.
+// The hull in space while it grows: its faces, the points on their lists, and what one more point does to them.
+// isect/convex_hull_3d.h says how and why.
 
 #include <algorithm>
 #include <array>

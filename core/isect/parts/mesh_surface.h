@@ -2,9 +2,9 @@
 // The surface of a solid: the triangles of a closed mesh, which of them meet at an edge, and on which side of each the
 // solid lies. isect/mesh_mesh.h and isect/mesh_convex.h use it.
 //
-// The solid is what the even-odd rule says, so the mesh may be turned inside out, in part, too. Two triangles at an
-// edge of no others both have the solid above them or both below, or, where they run along the edge in the same
-// direction, one above and one below. So one ray for each connected part of the surface settles all of its triangles.
+// The solid is what the even-odd rule says, so the mesh may be turned inside out, in part, too. Two triangles alone at
+// an edge both have the solid above them or both below, or, where they run along the edge in the same direction, one
+// above and one below. So one ray for each connected part of the surface settles all of its triangles.
 
 #include <algorithm>
 #include <array>
@@ -89,7 +89,7 @@ struct Surface {
   std::vector<std::array<int, 3>> places;  ///< a number for each corner, equal where two corners are equal
   std::vector<std::array<int, 3>> edges;   ///< the edge that each side is
   std::vector<Side> sides;                 ///< of all edges, edge by edge
-  std::vector<int> first_side;             ///< where each edge's begin in there, and the end
+  std::vector<int> first_side;             ///< where the sides of each edge begin in `sides`, and the end
 
   template <class S>
   explicit Surface(const TriangleMesh<S>& mesh) {

@@ -14,7 +14,7 @@ namespace obb_obb {
 
 namespace detail {
 
-/// What plain doubles settle.
+/// The verdicts that plain doubles settle.
 struct FirstPass {
   std::optional<Axis> separating;  ///< this axis does
   bool overlap = false;            ///< the interiors of unflat boxes meet; if neither holds, some axes are open

@@ -1,5 +1,5 @@
 #pragma once
-// The boxes of one size in the cells of a grid. How and why stands in isect/overlapping_pairs.h.
+// The boxes of one size in the cells of a grid. isect/overlapping_pairs.h says how and why.
 
 #include <algorithm>
 #include <array>

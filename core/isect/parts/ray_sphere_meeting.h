@@ -53,7 +53,7 @@ ISECT_INLINE std::uint32_t beyond_ordinary(S x) {
   return head(x) - head(std::is_same_v<S, float> ? S(0x1p-32) : S(0x1p-256));
 }
 
-/// Whether a range is [0, inf), bit for bit. [-0, inf) is asked the longer way.
+/// Whether a range is [0, inf), bit for bit. [-0, inf) takes the longer way.
 template <class S>
 ISECT_INLINE bool from_zero_on(const Interval<S>& range) {
   return (bits(range.lo) | (bits(range.hi) ^ bits(std::numeric_limits<S>::infinity()))) == 0;
@@ -62,7 +62,7 @@ ISECT_INLINE bool from_zero_on(const Interval<S>& range) {
 /// Whether a ray with t >= 0 meets a ball, without a root: by S alone, or settled where rounding may decide.
 ///
 /// Bounds, with R = f.f + r^2 and H = A R: C errs by at most 7 u R, A C by 10 u H, B by 4.1 u |f| |d|, D = B^2 - A C by
-/// 32 u H. They hold because r and A are asked to be ordinary, at least m: so R is at least m^2, H m^3, and all that
+/// 32 u H. They hold because r and A are checked to be ordinary, at least m: so R is at least m^2, H m^3, and all that
 /// underflows adds less than 2^-20 u of them. r^2, A and, where B < 0, B^2 do not overflow; if f.f does, R is infinite,
 /// and so is every bound. B may be NaN, which is in no range; then no other number is asked, and otherwise none is NaN.
 ///

@@ -3,8 +3,8 @@
 //
 // Look along the axis d: at a cone from its apex, at a cylinder from infinitely far away. Among all points between the
 // planes of both ends those in the round solid are just those that hide a point of the disc at its far end, or lie in
-// it. So it meets P iff that disc meets the shadow that is cast on its plane by what of P lies between the planes.
-// (What lies in the plane of a cone's apex casts none; whether P holds the apex is asked apart.)
+// it. So it meets P iff that disc meets the shadow that is cast on its plane by the part of P between the planes. (What
+// lies in the plane of a cone's apex casts none; whether P holds the apex is tested apart.)
 //
 // The shadow. Let P's faces, and both planes, be a_i.x + w_i >= 0, let b_i be the value there of the disc's center, and
 // let y lead from the center to a point of the disc's plane. On the way from that point to the eye a_i.x + w_i changes
@@ -23,7 +23,7 @@
 // with r^2 / d.d.
 //
 // Interiors. What hides a point within the disc's rim, and lies strictly between the planes, is the interior of the
-// round solid. It has a point of P iff the shadow has one within the rim, and what of P lies between the planes is not
+// round solid. It has a point of P iff the shadow has one within the rim, and the part of P between the planes is not
 // all in one of them: if a point of P hides one within the rim, but lies in such a plane, those near it on the way to a
 // point of P that does not are interior.
 //

@@ -1,5 +1,5 @@
 #pragma once
-// What a cylinder and a cone have in common: between two planes across their axis they are a solid of revolution, whose
+// The form that a cylinder and a cone share: between two planes across their axis they are a solid of revolution, whose
 // side is straight. With f leading from where the axis begins to a point, and d to where it ends, the point lies
 // between the planes iff 0 <= f.d <= d.d, and it lies beside the axis by |f x d| / |d|. What the side allows there is
 // r, or, for a cone, r f.d / d.d. So between the planes it lies in the solid iff
@@ -51,7 +51,7 @@ W form(const Cone<double>& c, const Components<W, 3>& f, const Components<W, 3>&
   return dot(d, d) * dot(cross(f, d), cross(u, d)) - W(c.radius) * W(c.radius) * dot(f, d) * dot(u, d);
 }
 
-/// Above 0 outside the side, as the text above has it.
+/// Above 0 outside the side, by the equation above.
 template <Filtered W>
 W beside(const Cylinder<double>& c, const Components<W, 3>& f) {
   const Components<W, 3> d = axis<W>(c);

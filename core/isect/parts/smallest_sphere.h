@@ -37,7 +37,7 @@ decltype(auto) in_doubles(const std::vector<Point<S, N>>& points) {
   }
 }
 
-/// From p0 to the center: num / den; den = 0 where the points are dependent.
+/// The way from p0 to the center: num / den; den = 0 where the points are dependent.
 template <class W, int N>
 struct Way {
   Components<W, N> num;

@@ -20,7 +20,7 @@ namespace detail {
 /// How far an axis is from separating: the triangle reaches from lo to hi along it, the box to `radius` either side.
 inline double gap(double lo, double hi, double radius) { return std::max(lo, -hi) - radius; }
 
-/// What plain doubles settle.
+/// The verdicts that plain doubles settle.
 struct FirstPass {
   std::optional<int> sign;  ///< 1: some axis separates; -1: along all of them the shapes overlap; else some are open
   unsigned open = ~0u;      ///< bit i: axis i of all_axes may yet separate or touch
