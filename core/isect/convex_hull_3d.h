@@ -38,7 +38,7 @@ namespace isect {
 
 /// A convex polytope by its boundary. In `dimension` 3 the triangles are counter-clockwise seen from outside. In 2 the
 /// vertices are a polygon in their order, the triangles cover it on both sides; in 1 or 0 they are the ends of a
-/// segment or a point, without triangles; it is -1 for no points.
+/// segment or a point, without triangles; no points give -1.
 template <class S>
 struct Hull3 {
   std::vector<Point<S, 3>> vertices;

@@ -1,6 +1,6 @@
 #pragma once
 // Where a ray, a line or a segment first meets a shape, as the number itself (isect/numbers/place.h): it orders hits
-// that their doubles do not tell apart. All of it runs in exact numbers, for the few that are to be told apart; each
+// whose doubles do not tell them apart. All of it runs in exact numbers, for the few that are to be told apart; each
 // pair's own header says first whether they meet, and where to an ulp or two.
 //
 // A convex set holds the part of a line between the greatest of some places and the least of others: a half-space gives

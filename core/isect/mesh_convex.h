@@ -57,7 +57,7 @@ Relation relation(const TriangleMesh<S>& mesh, const HalfSpaces& body, const Inn
       mesh, [&](const Corners& x) { return -triangle_half_spaces::detail::common(x, body.faces, NoTrace()); },
       [&](const Point3& p) { return isect::locate(p, body); }, inner_in);
 }
-/// Returns what tells where the mean of some points, which must outlive it, lies to a surface.
+/// Returns a function that tells where the mean of some points, which must outlive it, lies to a surface.
 inline auto mean_in(std::span<const Point3> points) {
   return [points](const Surface& surface) { return mesh_surface::locate(mesh_surface::Mean{points}, surface); };
 }

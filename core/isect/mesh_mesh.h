@@ -33,7 +33,7 @@ using mesh_surface::Surface;
 /// Whether triangles i and j have more in common than corners and edges of both.
 inline bool clash(const Surface& mesh, int i, int j) {
   const std::array<int, 3>&of_i = mesh.places[i], &of_j = mesh.places[j];
-  int shared = 0, alone_i = 0, alone_j = 0, common_i = 0;  // sums of the numbers of corners not shared, and shared
+  int shared = 0, alone_i = 0, alone_j = 0, common_i = 0;  // sums of the indices of corners not shared, and shared
   for (int k = 0; k < 3; ++k) {
     if (std::ranges::find(of_j, of_i[k]) != of_j.end())
       ++shared, common_i += k;

@@ -5,8 +5,9 @@
 // A convex polygon is half-spaces, as any plate. For any other each triangle is tested, and then:
 //
 // - It lies in a convex B where its corners do.
-// - B lies in it where the triangles cover B. That is tested triangle by triangle: the part of B beyond one of its
-//   sides has to lie in the triangles after it, and the rest is covered.
+// - B lies in it where the triangles cover B.
+//   That is tested triangle by triangle: the part of B beyond one of its sides has to lie in the triangles after it,
+//   and the rest is covered.
 // - A point is within it, and not on its outline, where it is within a triangle or a diagonal: a side of two triangles.
 //
 // All of this is decided by signs of determinants, see isect/half_spaces.h. A polygon that is not flat is the surface

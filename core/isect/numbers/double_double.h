@@ -16,7 +16,7 @@ struct DoubleDouble {
   double hi = 0, lo = 0;
 };
 
-/// T is double, or a vector of doubles: then all that is said of doubles holds number by number.
+/// T is double, or a vector of doubles: then what is said of doubles holds number by number.
 template <class T>
 struct SumOf {
   T hi, lo;

@@ -31,7 +31,7 @@ concept Unrounded = std::same_as<W, ShortExact> || std::same_as<W, MediumExact> 
 template <class W>
 inline constexpr double unit = static_cast<double>(std::numeric_limits<W>::epsilon() / 2);
 template <bool fused>
-inline constexpr double unit<CompensatedBy<fused>> = unit<double>;  // of hi; the bound of all of it stands there
+inline constexpr double unit<CompensatedBy<fused>> = unit<double>;  // of hi; compensated.h has the bound of hi + lo
 template <>
 inline constexpr double unit<DoubleDouble> = 8 * unit<double>* unit<double>;
 template <Unrounded W>

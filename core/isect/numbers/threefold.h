@@ -4,9 +4,9 @@
 // their last bit are known to be 0 or not, and so are quotients of such; numbers of any length would take ten times as
 // long.
 //
-// Bound. Let s be the sum of the products' sizes and k the count of roundings, as in isect/numbers/bounded.h; k <
-// 2^20. Then |lo| <= k u s, |rest| <= 2 k^2 u^2 s and |truth - (hi + lo + rest)| <= 8 k^3 u^3 s, up to factors near
-// 1:
+// Bound. Let s be the sum of the products' sizes and k the count of roundings, as in isect/numbers/bounded.h; k < 2^20.
+// Then |lo| <= k u s, |rest| <= 2 k^2 u^2 s and |truth - (hi + lo + rest)| <= 8 k^3 u^3 s, up to factors
+// near 1:
 //
 //   difference of doubles    k = 1: |lo| <= u |hi|, no rest, no error.
 //   sum                      rest: 2 k^2 u^2 s of the two, and (2 k + 1) u^2 s that two sums of lo leave; below

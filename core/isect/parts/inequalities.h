@@ -140,7 +140,7 @@ class System {
     return leaves == none_negative;
   }
 
-  /// The corner where the planes of the basis but that at `place` meet, and the number that it is multiplied by.
+  /// The corner where the planes of the basis except that at `place` meet, and the number that it is multiplied by.
   template <Filtered W>
   Row<W> corner_without(std::size_t place) const {
     std::array<Row<W>, 3> other;

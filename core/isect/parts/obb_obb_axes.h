@@ -6,9 +6,9 @@
 //
 //   gap(l) = |l.(b - a)| - (r_A + r_B) > 0.
 //
-// Which l must be tested? The boxes meet iff 0 lies in their Minkowski difference, a zonotope with the edges e_k A_k
-// and h_k B_k. In space its facets are spanned by two edges each, so their normals are among the 3 + 3 face normals A_i
-// x A_j and B_i x B_j and the 9 products A_i x B_j; in the plane they are the 2 + 2 edge normals. A product that
+// Which l must be tried? The boxes meet iff 0 lies in their Minkowski difference, a zonotope with the edges e_k A_k
+// and h_k B_k. In space its facets are spanned by two edges each, so their normals are among the 3 + 3 face normals
+// A_i x A_j and B_i x B_j and the 9 products A_i x B_j; in the plane they are the 2 + 2 edge normals. A product that
 // vanishes has gap 0 and says nothing. A lies in B iff |l.(b - a)| + r_A <= r_B for each face normal l of B.
 //
 // With flat boxes, some e_k or h_k = 0, the difference may itself be flat, a segment or a polygon, or a point. The

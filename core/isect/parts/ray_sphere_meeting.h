@@ -47,7 +47,7 @@ constexpr std::uint32_t head(S x) {
   return static_cast<std::uint32_t>(bits(x) >> (8 * sizeof(S) - 32));
 }
 
-/// Below 2^29 if the number is ordinary: from 2^-256 on and below 2^256, in float from 2^-32 on and below 2^32.
+/// Returns a number below 2^29 if x is ordinary: from 2^-256 on and below 2^256, in float from 2^-32 on and below 2^32.
 template <class S>
 ISECT_INLINE std::uint32_t beyond_ordinary(S x) {
   return head(x) - head(std::is_same_v<S, float> ? S(0x1p-32) : S(0x1p-256));
