@@ -1,5 +1,5 @@
 #pragma once
-// The closest hit of a ray on a mesh by asking every triangle: what hierarchies are held to.
+// The closest hit of a ray on a mesh by asking every triangle: the reference for hierarchies.
 
 #include <optional>
 

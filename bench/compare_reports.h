@@ -11,10 +11,10 @@ namespace isect::bench {
 /// One call in both reports.
 struct Changed {
   Row before, after;
-  /// How much longer it takes. Beside a standard method's row of the same family in both reports, the ratio of the
-  /// ratios to it, so that another day's machine does not count; the standard itself by its plain times.
+  /// Time after divided by time before. If both reports have a standard method's row of the same family, the times are
+  /// first divided by that row's, so that a faster machine does not count; the standard itself has its plain times.
   double ratio = 1;
-  /// What of it may be chance: the spreads of all times that it comes from, and 3 % at least.
+  /// Relative noise of the ratio: the sum of the spreads of all times in it, at least 3 %.
   double noise = 0;
 
   bool slower() const { return ratio > 1 + noise; }
@@ -23,7 +23,7 @@ struct Changed {
 };
 
 struct Comparison {
-  std::vector<Changed> rows;  ///< those in both, in the order of the second report
+  std::vector<Changed> rows;  ///< the rows in both reports, in the order of the second
   std::vector<Row> gone, added;
 
   /// Whether nothing became slower, wrong or gone.
@@ -34,7 +34,7 @@ struct Comparison {
 /// not comparable.
 Comparison compare(const Report& before, const Report& after);
 
-/// For a terminal: what changed, the worst first, then one line of how many did not.
+/// The comparison as text for a terminal: what changed, the worst first, then one line with how many rows did not.
 std::string told(const Comparison&);
 
 }  // namespace isect::bench

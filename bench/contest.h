@@ -42,9 +42,9 @@ struct Truth {
 };
 /// 1 inside, 0 on the boundary, -1 outside.
 inline int side_of(Location l) { return (l == Location::in) - (l == Location::out); }
-/// Of the question whether a closed set holds a point.
+/// The truth for the question whether a closed set holds a point.
 inline Truth truth_of(Location l) { return {l != Location::out, {}, 1, side_of(l)}; }
-/// Of a question whose answer is a sign.
+/// The truth for a question whose answer is a sign.
 inline Truth truth_of_sign(int sign) { return {sign, {}, 1, sign}; }
 
 /// A generator of cases and their oracle.
@@ -57,7 +57,7 @@ struct CaseFamily {
   std::function<std::string(const Case&)> text;  ///< the case in full precision
   /// How far the point at `value` lies off the surface, relative to the surface's size; may be empty.
   std::function<double(const Case&, double value)> residual = {};
-  /// Fewer cases do where each has many branches of its own.
+  /// Fewer cases suffice where each case takes many branches.
   long most_cases = std::numeric_limits<long>::max();
 };
 
@@ -104,7 +104,7 @@ std::uint64_t bits_of(const std::optional<S>& value) {
 }
 inline std::uint64_t bits_of(const Said& s) { return bits_of(s.verdict) ^ bits_of(s.value); }
 
-/// Asks of each case; the processor may work on several at once.
+/// Calls answer(case) for every case; the processor may overlap several calls.
 template <class List, class Answer>
 void ask_all(const List& cases, const Answer& answer) {
   Sum sum;
@@ -112,8 +112,8 @@ void ask_all(const List& cases, const Answer& answer) {
   asm volatile("" : : "g"(sum.count), "x"(sum.values));
 }
 
-/// The same one after the other: where the next case lies is not known before the last answer. What a branch decides
-/// is foretold all the same, as in a program that branches on the answer.
+/// Calls answer(case) for every case, one after the other: the next index depends on the last answer. The processor
+/// still predicts branches, as in a program that branches on the answer.
 template <class List, class Answer>
 void ask_in_turn(const List& cases, const Answer& answer) {
   Sum sum;
@@ -127,7 +127,7 @@ void ask_in_turn(const List& cases, const Answer& answer) {
   asm volatile("" : : "g"(sum.count), "x"(sum.values));
 }
 
-/// A method with its type gone: how to make a pass, how to ask one case.
+/// A type-erased method: how to make a pass, how to ask one case.
 template <class Case>
 struct Entrant {
   std::string name, library;
@@ -138,7 +138,7 @@ struct Entrant {
   bool is_exact = false, is_standard = false, gives_values = true;
 
   Entrant& exact() { return is_exact = true, *this; }
-  /// The others' times are shown divided by this one's.
+  /// The times of the other methods are shown divided by the time of this one.
   Entrant& standard() { return is_standard = true, *this; }
   /// Whether a case is beyond the floating-point part of the method.
   Entrant& fallback(std::function<bool(const Case&)> falls) { return falls_back = std::move(falls), *this; }
@@ -196,7 +196,7 @@ class Contest {
     return passed.count() / static_cast<double>(cases_.size());
   }
 
-  /// ns a case of each pass. The first pass warms up and tells how many fit the time.
+  /// Nanoseconds per case of each pass. The first pass warms up and shows how many passes fit the time.
   std::vector<std::vector<double>> timed() const {
     const Effort& effort = session_.effort;
     std::vector<std::vector<double>> times(entrants_.size());
@@ -250,7 +250,7 @@ class Contest {
     return r;
   }
 
-  /// NaN can't be sorted, and is as wrong as can be.
+  /// Infinity for NaN, which can't be sorted and counts as infinitely wrong.
   static double or_infinite(double error) {
     return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
   }

@@ -7,7 +7,7 @@
 
 namespace isect::bench {
 
-/// Of an unsorted list: its median, 99th percentile and greatest; quantiles by the nearest rank.
+/// The median, 99th percentile and maximum of an unsorted list; quantiles are by the nearest rank.
 struct Distribution {
   explicit Distribution(std::vector<double> values);
   double quantile(double share) const;
@@ -20,9 +20,9 @@ struct Range {
   double lo, hi;
 };
 
-/// In which the median lies with a probability of 95 %, by the bootstrap: the middle 95 % of the medians of 400 samples
-/// drawn from the values with replacement. The same values in the same order give the same interval; none give [0, 0].
-/// It says nothing of what all the values have in common, such as where the compiler put a loop.
+/// A 95 % confidence interval of the median, by the bootstrap: the middle 95 % of the medians of 400 samples drawn from
+/// the values with replacement. The same values in the same order give the same interval; no values give [0, 0]. It
+/// doesn't show what all values have in common, such as where the compiler put a loop.
 /// Source: Efron, Tibshirani, An introduction to the bootstrap, 1993, ch. 13.
 Range median_interval(const std::vector<double>& values);
 

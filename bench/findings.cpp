@@ -154,8 +154,8 @@ std::optional<Rival> rival(const Measured& m, const std::string& test) {
 
 namespace {
 
-/// Of other libraries, what promises as much as the exact call and says as much, was never wrong, and is clearly
-/// faster; null if there is nothing.
+/// The fastest method of another library that promises and says as much as the exact call, was never wrong, and is
+/// clearly faster; null if there is none.
 const Row* exact_peer(const Findings& peers) {
   const Row* best = nullptr;
   if (peers.exact == nullptr || !peers.judged_hard()) return best;

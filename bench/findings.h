@@ -34,17 +34,18 @@ bool is_judged_on_hard(const std::vector<const Row*>& method);
 std::string wrong_share(const std::vector<const Row*>&);
 /// The hard families on which a method is wrong, the worst first.
 std::vector<const Row*> broken_by(std::vector<const Row*> method);
-/// "24 % of far small", at most so many.
+/// "24 % of far small": at most `most` such texts, the worst first.
 std::vector<std::string> wrong_on(const std::vector<const Row*>& method, std::size_t most);
 
-/// A method's row on the hard family that takes it longest; null if there is none.
+/// A method's row on the hard family where it takes longest; null if there is none.
 const Row* slowest_hard(const std::vector<const Row*>& method);
 
-/// With their intervals.
+/// The median with its interval, as text.
 std::string time_of(const Row&);
 std::string ratio_text(const Row&, const Row& divided_by);
 
-/// By so much that a choice may rest on it: by a tenth, as the next build may place a loop in another way.
+/// Whether a is certainly faster, and by a tenth: a smaller lead may vanish when the next build places a loop
+/// elsewhere.
 inline bool clearly_faster(const Row& a, const Row& b, double noise) {
   return faster(a, b, std::max(noise, most_noise));
 }
@@ -59,11 +60,11 @@ struct Better {
 };
 std::vector<Better> better_where(const Findings&);
 
-/// The hard families that the exact call was asked and this was not: " (not asked: invalid, scale)".
+/// The hard families that the exact call was tested on and `method` was not: " (not asked: invalid, scale)".
 std::string not_asked(const Findings&, const Row& method);
 
-/// The best of those that are inexact or foreign: of the ones that nothing is faster than for certain, the one that is
-/// least often wrong.
+/// The best inexact or foreign method: of those than which nothing is certainly faster, the one that is least often
+/// wrong.
 struct Rival {
   Findings in;  ///< of its run: other libraries come from the run beside them
   const Row* row;
@@ -71,13 +72,13 @@ struct Rival {
   bool is_faster() const { return clearly_faster(*row, *exact, in.noise); }
 };
 std::optional<Rival> rival(const Measured&, const std::string& test);
-/// The same of one run: other libraries only if `foreign`, else isect's own methods only.
+/// The rival within one run: among other libraries only if `foreign`, else among isect's own methods only.
 std::optional<Rival> rival(const Report&, const std::string& test, const std::string& scalar, bool foreign);
 
 /// What to choose.
 struct Choice {
   enum Why {
-    nothing_faster,    ///< the exact call, for nothing is faster for certain
+    nothing_faster,    ///< the exact call: nothing is certainly faster
     errs_on_ordinary,  ///< the exact call: what is faster is wrong on ordinary cases
     not_judged,        ///< no advice: what is faster met no hard case
     as_exact,          ///< another library's method, which promises as much
@@ -91,7 +92,7 @@ struct Choice {
   const Row* peer = nullptr;          ///< `exact` of another library, which promises and says as much and is faster
   bool no_value = false;              ///< the faster one answers yes or no only
 };
-/// Nothing where there is no exact call.
+/// Returns nothing where there is no exact call.
 std::optional<Choice> choice(const Measured&, const std::string& test);
 
 }  // namespace isect::bench

@@ -21,8 +21,8 @@ inline std::vector<int> sizes(const Session& session, int least, int most = 1'00
   return all;
 }
 
-/// The processor time of this thread in ns: what else runs on the machine does not count. All that is measured so runs
-/// in one thread.
+/// The processor time of this thread in ns, so that other work on the machine does not count. All that is measured this
+/// way runs in one thread.
 inline double processor_time() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
@@ -34,8 +34,8 @@ struct Timed {
   Result result;
   double ns;
 };
-/// What run() returns and the nanoseconds of one call: the least of so many passes as take half a second, three at
-/// least unless they take 20 seconds; in a quick run, as fit the session's effort.
+/// Returns the result of run() and the ns of its fastest pass. Passes go on for half a second, at least three, unless
+/// they take 20 seconds; in a quick run, for the session's effort.
 template <class Run>
 auto timed(const Session& session, const Run& run) -> Timed<decltype(run())> {
   double least = std::numeric_limits<double>::infinity(), spent = 0;
@@ -56,8 +56,8 @@ double least_time(const Session& session, const Run& run) {
   return timed(session, run).ns;
 }
 
-/// Nanoseconds of one of the cases: the least pass over all of them, answer(case) -> a number to add up. Where one
-/// takes long, give fewer.
+/// Nanoseconds per case, in the fastest pass over all of them; answer(case) returns a number to add up. Give fewer
+/// cases if one takes long.
 template <class Case, class Answer>
 double least_each(const Session& session, const std::vector<Case>& cases, const Answer& answer) {
   const auto pass = [&] {
@@ -76,7 +76,7 @@ class Grown {
     curve_.library = std::move(library), curve_.unit = std::move(unit);
   }
   void add(double n, double ns) { curve_.n.push_back(n), curve_.ns.push_back(ns); }
-  /// Adds it to the session, with its exponent; not without two points.
+  /// Adds the curve to the session, with its exponent, if it has two points or more.
   void report(Session& session) {
     if (curve_.n.size() < 2) return;
     curve_.exponent = fitted_exponent(curve_.n, curve_.ns);

@@ -27,7 +27,7 @@ inline Ring<double, 2> outline_of(Outline kind, int n) {
   return ring;
 }
 
-/// In the square from -1 to 1.
+/// Random points in the square from -1 to 1.
 inline Ring<double, 2> points_in_square(int count) {
   Random random(stream(1, "anywhere"));
   Ring<double, 2> points;
@@ -86,7 +86,7 @@ std::vector<Ray<S, 3>> rays_inwards(int count) {
   return all;
 }
 
-/// In a ball, or on a sphere but for rounding.
+/// Random points in a ball, or on a sphere but for rounding.
 inline std::vector<Point<double, 3>> cloud(int n, bool ball) {
   Random random(1);
   std::vector<Point<double, 3>> points;
@@ -96,7 +96,7 @@ inline std::vector<Point<double, 3>> cloud(int n, bool ball) {
   }
   return points;
 }
-/// In a disc, or on a circle but for rounding.
+/// Random points in a disc, or on a circle but for rounding.
 inline Ring<double, 2> disc(int n, bool circle) {
   Random random(stream(1, "scattered"));
   Ring<double, 2> points;

@@ -12,7 +12,7 @@
 
 namespace isect::oracle {
 
-/// A line that has a direction: whether it is inside at t, and a t at which it is, if there is one.
+/// A line with a direction: whether it is inside at t, and some t at which it is inside, if there is one.
 class LineInConvex {
  public:
   LineInConvex(std::function<bool(const Rational&)> holds, std::optional<Rational> inside)
@@ -20,7 +20,7 @@ class LineInConvex {
 
   bool holds(const Rational& t) const { return holds_(t); }
   bool meets() const { return inside_.has_value(); }
-  /// Whether it enters at t or before; and whether it leaves at t or after. It meets the set.
+  /// Whether it enters at t or before, and whether it leaves at t or after. The line must meet the set.
   bool entered(const Rational& t) const { return t >= *inside_ || holds(t); }
   bool stays(const Rational& t) const { return t <= *inside_ || holds(t); }
 
@@ -30,10 +30,10 @@ class LineInConvex {
     return (std::isinf(range.hi) || entered(Rational(range.hi))) && (std::isinf(range.lo) || stays(Rational(range.lo)));
   }
 
-  /// Where it enters, or leaves, to the nearest double; infinite beyond the largest.
+  /// The double nearest to where it enters or leaves; infinite beyond the largest.
   double passes_at(bool leaves) const {
     const auto past = [&](const Rational& t) { return leaves ? !stays(t) : entered(t); };
-    // The least double that is past it, by halving what is left of all doubles, in their order
+    // The least double that is past it, by bisection over all doubles in their order
     const auto ordinal = [](double x) {
       const std::int64_t bits = std::bit_cast<std::int64_t>(x);
       return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
@@ -53,8 +53,8 @@ class LineInConvex {
     return past(Rational((Rational(below) + Rational(above)) / 2)) ? below : above;
   }
 
-  /// Whether x is within `k` units in the last place of S, on its own side, of where the line enters, or leaves. One
-  /// more where x is subnormal.
+  /// Whether x is within `k` units in the last place of S, on its own side, of where the line enters or leaves; within
+  /// one unit more where x is subnormal.
   template <class S>
   bool is_within(S x, bool leaves, double k) const {
     using Limits = std::numeric_limits<S>;

@@ -36,7 +36,7 @@ std::string cpu_of(const std::string& cpuinfo) {
 }
 
 namespace {
-/// "1 MB of L2": one core's.
+/// "1 MB of L2": the cache of one core.
 std::string cache(const char* level, int name) {
   const long bytes = sysconf(name);
   return bytes <= 0 ? "" : std::to_string((bytes + (1 << 19)) >> 20) + " MB of " + level;

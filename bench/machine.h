@@ -7,7 +7,7 @@
 
 namespace isect::bench {
 
-/// How much slower than its least the 95th percentile of a fixed loop is: what the machine adds by itself.
+/// How much slower than its fastest run the 95th percentile of a fixed loop is: noise that the machine adds.
 double noise();
 
 /// Name, family and model of the first processor in the text of /proc/cpuinfo: one name may be that of several.

@@ -12,8 +12,8 @@ namespace {
 
 using Point2 = Point<double, 2>;
 
-/// Around the origin, between 0.3 and 1 away by the sum of coordinates, which are multiples of 2^-23: so an edge holds
-/// doubles.
+/// A star around the origin. Each vertex has |x| + |y| between 0.3 and 1, and multiples of 2^-23 as coordinates: so an
+/// edge holds doubles.
 Ring<double, 2> star(Random& random, int n) {
   Ring<double, 2> ring;
   for (int i = 0; i < n; ++i) {
@@ -28,14 +28,14 @@ Ring<double, 2> star(Random& random, int n) {
   return ring;
 }
 
-/// Positive where p lies on the left of the edge seen upwards, that is, of where the edge has the same height.
+/// Positive where p lies left of the point that the edge has at p's height.
 int left_of(const Point2& p, const Point2& a, const Point2& b) {
   const Exact ax = a[0], ay = a[1];
   const int side = ((Exact(b[0]) - ax) * (Exact(p[1]) - ay) - (Exact(b[1]) - ay) * (Exact(p[0]) - ax)).sign();
   return b[1] > a[1] ? side : -side;
 }
 
-/// The double nearest to where the edge has this height.
+/// The double nearest to the abscissa at which the edge has this height.
 double abscissa_at(double y, const Point2& a, const Point2& b) {
   const Exact rise = Exact(b[1]) - Exact(a[1]);
   return quotient(Exact(a[0]) * rise + (Exact(y) - Exact(a[1])) * (Exact(b[0]) - Exact(a[0])), rise);

@@ -26,11 +26,11 @@ struct RaySphere {
   std::optional<Real> enter, leave;  ///< the ends of the part inside the closed ball
 };
 
-/// For finite coordinates; the range may be infinite. Anything else, and radius < 0, has nothing in common.
+/// Coordinates must be finite; the range may be infinite. With other coordinates or a radius < 0 they share no point.
 template <int N>
 RaySphere ray_sphere(const Ray<double, N>& ray, const Sphere<double, N>& sphere);
 
-/// The same for the reals that float arguments denote.
+/// The truth for the real numbers that float arguments denote.
 template <int N>
 RaySphere ray_sphere(const Ray<float, N>& ray, const Sphere<float, N>& sphere) {
   return ray_sphere<N>(

@@ -15,7 +15,7 @@ struct Pair {
   B b;
 };
 
-/// What a radius may just make a shape do to another one.
+/// The relations to another shape that a radius is tuned to just reach.
 enum class Way { touch, contain, fit_in, any };
 
 template <class S>
@@ -47,7 +47,7 @@ Ray<S, 3> ordinary_ray(Random& random) {
   const Point<double, 3> from = 3 * random.heading<3>(), towards = random.in_box<3>(1);
   return {from.cast<S>(), (towards - from).cast<S>()};
 }
-/// Its center at most `spread` from the origin along each axis.
+/// A random box whose center is at most `spread` from the origin along each axis.
 template <class S>
 Obb<S, 3> ordinary_obb(Random& random, double spread) {
   const Vector<double, 3> axis = random.heading<3>();  // drawn in turn: arguments have no order

@@ -18,7 +18,7 @@
 
 namespace isect::bench {
 
-/// Where the numbers of a case come from. Directions are no lengths: their numbers are of the order of one.
+/// Where the numbers of a case come from. Directions are not lengths: their numbers are near one.
 struct Source {
   Random& random;
   Numbers numbers = Numbers::ordinary;
@@ -152,7 +152,7 @@ inline Frustum<double> drawn(Source s, const Frustum<double>*) {
   return {{plane(n[0], 0), plane(n[1], 0), plane(n[2], 0), plane(n[3], 0), plane(n[4], -near), plane(-n[4], far)}};
 }
 
-/// The directions, each once but for its length and sense.
+/// The directions, keeping one of each set that differs in length and sign only.
 inline std::vector<Vector<double, 3>> once(const std::vector<Vector<double, 3>>& all) {
   std::vector<Vector<double, 3>> kept;
   for (const Vector<double, 3>& v : all) {
@@ -161,7 +161,7 @@ inline std::vector<Vector<double, 3>> once(const std::vector<Vector<double, 3>>&
   }
   return kept;
 }
-/// What people make of the planes.
+/// The solid that the planes bound, in every form that the methods need.
 inline Body body(const std::vector<Plane<double, 3>>& planes) {
   Body made = {planes, {}, {}, {}, {}};
   for (const Plane<double, 3>& p : planes) {
@@ -201,7 +201,7 @@ inline Body drawn(Source s, const Body*) {
   return made.corners.empty() ? drawn(s, static_cast<const Body*>(nullptr)) : made;
 }
 
-/// An octahedron whose corners are as far as it comes.
+/// An octahedron with each corner at its own distance from the center.
 inline Star drawn(Source s, const Star*) {
   Star made;
   made.center = s.vector();
@@ -222,7 +222,7 @@ inline Star drawn(Source s, const Star*) {
   return made;
 }
 
-/// Of a few points, with a volume.
+/// The hull of a few points, with a volume.
 inline Hull3<double> drawn(Source s, const Hull3<double>*) {
   for (;;) {
     std::vector<Point<double, 3>> points;
@@ -338,7 +338,7 @@ inline constexpr int dimension<Segment<double, 2>> = 2;
 template <>
 inline constexpr int dimension<Ray<double, 2>> = 2;
 
-/// One after the other: arguments have no order.
+/// Draws a before b, since the order in which arguments are evaluated is unspecified.
 template <class A, class B>
 Pair<A, B> pair(Source s) {
   A a = drawn<A>(s);
@@ -354,7 +354,7 @@ Pair<A, B> scale(Random& random) {
   return pair<A, B>({random, random.one_in(2) ? Numbers::huge : Numbers::tiny});
 }
 
-/// Two shapes where the answer changes: the first one moved along, and that halved until nothing lies between.
+/// Two shapes where the answer changes: the first one moves along a line, and the change is bisected 52 times.
 template <class A, class B, class Answer>
 Pair<A, B> at_the_edge(Random& random, const Answer& answer) {
   for (int tries = 0; tries < 1000; ++tries) {

@@ -17,12 +17,12 @@ inline Truth truth_that(Culling c) { return {static_cast<int>(c), {}}; }
 inline Truth truth_that(int count) { return {count, {}}; }
 inline Truth truth_that(const Truth& t) { return t; }
 
-/// No other library that is installed asks the same.
+/// Enters nothing: no other installed library answers the same question.
 struct NoPeer {
   void operator()(auto&, std::string_view) const {}
 };
 
-/// What an answer says, but for its value.
+/// The verdict of an answer, without its value.
 template <class Answer>
 auto verdict_of(const Answer& answer) {
   return said(answer).verdict;
@@ -33,16 +33,16 @@ class PairContest {
  public:
   using Case = Pair<A, B>;
 
-  /// `most` cases a family, where the oracle is slow.
+  /// `most` bounds the cases of a family, for slow oracles.
   PairContest(Session& session, std::string test, long most = 1 << 13)
       : session_(session), test_(std::move(test)), most_(most) {
     session.aim({.work = test_ + ": wrong verdicts", .kind = Target::wrong, .test = test_, .at_most = 0});
   }
 
-  /// Only pairs of which this holds, as the core's promise asks for.
+  /// Admits only pairs for which `wanted` holds, as the core's promise requires.
   PairContest& only(bool (*wanted)(const A&, const B&)) { return wanted_ = wanted, *this; }
 
-  /// Each is asked of a and b. enter_peers(contest, family) enters other libraries.
+  /// Calls naive(a, b), exact(a, b) and truly(a, b). enter_peers(contest, family) enters other libraries.
   template <class Naive, class Exact, class Truly, class Peers = NoPeer>
   void run(const Naive& naive, const Exact& exact, const Truly& truly, const Peers& enter_peers = {}) {
     namespace draws = pair_draws;

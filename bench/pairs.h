@@ -6,8 +6,8 @@
 
 namespace isect::bench {
 
-/// Hard families do with fewer cases, for their exact answers are slow; of 8,192 a branch predictor may learn some,
-/// so that the quickest methods look quicker than on the ordinary ones. `most` bounds all.
+/// Hard families have fewer cases, since their exact answers are slow. A branch predictor may learn some of 8,192
+/// cases, so that the quickest methods look quicker than on ordinary ones. `most` bounds the cases of every family.
 template <class S, class Case>
 CaseFamily<Case> family_of(const char* test, const NamedDraw<Case>& drawn, Truth (*truth)(const Case&),
                            long most = 1 << 16) {
@@ -17,7 +17,7 @@ CaseFamily<Case> family_of(const char* test, const NamedDraw<Case>& drawn, Truth
   return family;
 }
 
-/// intersects(a, b), as ADL finds it.
+/// Enters intersects(a, b), which ADL finds, as the exact method.
 template <class S, class Case>
 void enter_exact(Contest<S, Case>& contest) {
   contest.enter("exact", [](const Case& c) { return intersects(c.a, c.b); }).exact().fallback([](const Case& c) {
@@ -25,7 +25,7 @@ void enter_exact(Contest<S, Case>& contest) {
   });
 }
 
-/// relate(a, b).
+/// Enters relate(a, b) as the exact method.
 template <class S, class Case>
 void enter_exact_relation(Contest<S, Case>& contest) {
   contest.enter("exact", [](const Case& c) { return static_cast<int>(relate(c.a, c.b)); })

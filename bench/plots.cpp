@@ -37,7 +37,7 @@ class Legend {
     }
   }
   int index(const Row& r) const { return static_cast<int>(std::ranges::find(names_, name_of(r)) - names_.begin()); }
-  /// Only what some panel shows, renumbered.
+  /// Keeps only the series that some panel shows, and renumbers them.
   std::vector<viz::Series> shown(std::vector<viz::Panel>& panels) const {
     std::set<int> used;
     for (const viz::Panel& panel : panels) {

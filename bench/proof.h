@@ -20,14 +20,14 @@ struct Proof {
   std::string commit, date;
   long seeds = 0, wrong_verdicts = 0;
   std::vector<Judged> judged;
-  /// Of the tests in a long run; `again`: had failed, and were run again once they were mended.
+  /// Counts of the tests in a long run; `again`: how many had failed and were run again once they were mended.
   long tests = 0, skipped = 0, failed = 0, again = 0, seconds = 0;
   std::vector<Fuzzed> fuzzed;
 };
 
-/// Throws std::runtime_error where the text is none.
+/// Throws std::runtime_error where the text is not a valid proof.
 Proof proof_of(const std::string& json);
-/// A section with its heading.
+/// The proof as a section with its heading.
 std::string proof_text(const Proof&);
 
 }  // namespace isect::bench

@@ -1,5 +1,5 @@
 #pragma once
-// The same random shapes on every machine: the standard fixes std::mt19937_64, but not its distributions.
+// Random shapes that are the same on every machine: the standard fixes std::mt19937_64, but not its distributions.
 
 #include <cmath>
 #include <cstdint>

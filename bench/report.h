@@ -62,16 +62,16 @@ struct Growth {
   std::vector<double> n, ns;
   double exponent = 0;  ///< slope of log time against log n, fitted by least squares
 
-  /// The exponent where it says something: two sizes give one, too, but can't contradict it.
+  /// The exponent, if at least three sizes were measured: with two, the fit can't be checked.
   std::optional<double> power() const { return n.size() < 3 ? std::nullopt : std::optional(exponent); }
 };
 
-/// A time that is no query's: starting the program, rendering a figure, a frame.
+/// A time that is not a query's: starting the program, rendering a figure, drawing a frame.
 struct Duty {
   std::string what;
   double value = 0;
   std::string unit;              ///< "ms", "MB", "frames/s"
-  std::optional<double> target;  ///< at most, but at least for frames/s
+  std::optional<double> target;  ///< an upper bound; for frames/s a lower one
 };
 
 /// What a family of cases is made of, as a sentence of the report without its capital letter.
@@ -79,7 +79,7 @@ struct Note {
   std::string test, family, text;
 };
 
-/// A number that was set out to be reached, and the most that it may be.
+/// A number that a suite aims at, and the most that it may be.
 struct Target {
   enum Kind {
     ratio,   ///< ours / theirs: medians of the ordinary family, in one run
@@ -125,11 +125,11 @@ struct Report {
 
   /// The text of a family's note; nothing where there is none.
   std::string note(const std::string& test, const std::string& family) const;
-  /// What another run of the same build found as well; the noisier machine counts.
+  /// Adds what another run of the same build found; the noisier machine counts.
   void add(Report other);
 };
 
-/// Those that its programs were built of; none where that is unknown.
+/// The commits that its programs were built from; empty where that is unknown.
 std::vector<std::string> commits(const Machine&);
 
 std::string json(const Report&);            ///< one row a line; doubles to four significant digits

@@ -39,12 +39,12 @@ std::string cost(const Measured& m, const std::string& test, const Findings& d, 
   return text;
 }
 
-/// How the wrong verdicts divide, where a test has sides.
+/// A sentence on how many wrong verdicts are of which kind, where a test has sides.
 std::string sides(const std::vector<const Row*>& rows) {
   Sides all;
   for (const Row* r : rows)
     if (r->sides) all.called_on += r->sides->called_on, all.wrong_side += r->sides->wrong_side;
-  if (all.called_on == 0) return {};  // also of what can only say yes or no
+  if (all.called_on == 0) return {};  // so it is for a method that can only say yes or no
   return fmt::format("Of its wrong verdicts {} call \"on\" what lies on a side, {} name a wrong side. ",
                      count(all.called_on), count(all.wrong_side));
 }
@@ -86,7 +86,7 @@ std::string exact_promise(const Findings& d, const Findings& f) {
   return text;
 }
 
-/// The inexact method of ours that is wrong least often, if it is not the naive one.
+/// A sentence on isect's inexact method that is wrong least often, unless that is the naive one.
 std::string runner_up(const Findings& d) {
   const Row* best = nullptr;
   for (const Row* r : d.ordinary)
@@ -99,7 +99,7 @@ std::string runner_up(const Findings& d) {
       name_of(*best), name_of(*d.naive), ratio_text(*best, *d.naive), parts.empty() ? "no case judged" : listed(parts));
 }
 
-/// Where something inexact takes less, though not in double in the portable build.
+/// Sentences on where an inexact method is faster, other than in double in the portable build.
 std::string elsewhere(const Measured& m, const std::string& test) {
   std::string text;
   const auto look = [&](const Report& report, const std::string& scalar, const std::string& where) {
@@ -113,7 +113,7 @@ std::string elsewhere(const Measured& m, const std::string& test) {
   return text;
 }
 
-/// Where another method that is as exact takes much less.
+/// Sentences on where another method that is as exact takes much less time.
 std::string exceptions(const Findings& d) {
   std::string text;
   for (const Better& b : better_where(d))
@@ -181,7 +181,7 @@ std::string beside_peers(const Measured& m, const std::string& test) {
   return text + '\n';
 }
 
-/// What one library makes of the hard cases of one test.
+/// How often one library is wrong on the hard cases of one test.
 struct Verdicts {
   std::vector<std::string> methods;  ///< "do_intersect: wrong on 24 %, 240 of 1,000"
   bool right = false;                ///< one of them always is
@@ -203,7 +203,7 @@ struct Verdicts {
   }
 };
 
-/// Beside the times: what the test has numbers of.
+/// The columns that the table has beside the times: those for which the test has numbers.
 struct Columns {
   bool latency = false, values = false, sides = false;
   const Row* best = nullptr;  ///< the rival of ours that ratios are given to, beside the standard method
@@ -258,7 +258,7 @@ std::string line(const Findings& d, const Columns& columns, const Row& r) {
   return text + '\n';
 }
 
-/// Of a test without ordinary cases: each family.
+/// The table of a test without ordinary cases, with a row for each family.
 std::string families_table(const Findings& d) {
   std::string text = "| double | family | ns | wrong |\n| --- | --- | --: | --: |\n";
   for (const Row* r : d.rows)
@@ -273,7 +273,7 @@ std::string table(const Measured& m, const std::string& test, const Findings& d)
   return text + '\n';
 }
 
-/// Of isect, at one size: what is called exact if there is such a method, else what takes least. Null if there is none.
+/// Isect's time at one size: of the method "exact" if there is one, else of the fastest; `of` is null without any.
 struct AtSize {
   const Growth* of = nullptr;
   double ns = 0;
@@ -290,7 +290,7 @@ AtSize least_of_ours(const Report& report, const Growth& theirs, double n) {
   return best;
 }
 
-/// Where another library takes a tenth less than isect, at the largest size that it was asked.
+/// Where another library takes less than 0.9 of isect's time, at the largest size that it was measured at.
 std::vector<std::string> growth_losses(const Report& report) {
   std::vector<std::string> lines;
   for (const Growth& g : report.growths) {

@@ -11,7 +11,7 @@
 namespace isect::bench {
 namespace {
 
-/// As GitHub names the heading of a test's section.
+/// The anchor that GitHub gives to the heading of a test's section.
 std::string anchor(const std::string& test) {
   std::string id;
   for (const char c : test)
@@ -22,7 +22,7 @@ std::string anchor(const std::string& test) {
   return id;
 }
 
-/// Shorter than name_of: "CGAL, EPICK".
+/// A shorter name than name_of gives: "CGAL, EPICK".
 std::string brief(const Row& r) {
   if (r.library == "isect") return r.method;
   const std::size_t at = r.method.rfind(", ");
@@ -36,14 +36,14 @@ std::string worst_time(const Findings& d, const Row& exact) {
                                        : fmt::format("{}, {}", number(worst->median), words(worst->family));
 }
 
-/// As `listed`; names that have a comma themselves are set apart by semicolons.
+/// The names as `listed` joins them, but with semicolons if some name has a comma.
 std::string listed_apart(const std::vector<std::string>& names) {
   if (std::ranges::none_of(names, [](const std::string& name) { return name.find(',') != name.npos; }))
     return listed(names);
   return fmt::format("{}", fmt::join(names, "; "));
 }
 
-/// Those that no case judged showed wrong, the row's own call left out.
+/// The other methods that were right on every case judged, hard ones included; the row's own call is left out.
 std::string also_right(const Measured& m, const std::string& test, const Findings& d) {
   std::vector<std::string> names;
   const auto gather = [&](const Findings& f, bool foreign) {
@@ -120,7 +120,7 @@ std::string choice_cell(const std::optional<Choice>& c) {
   return fmt::format("{}; {} if no input is {}", c->exact, other, listed(some));
 }
 
-/// Beside what is chosen: what is as exact and takes much less where no value is asked for, or on some hard family.
+/// Alternatives to what is chosen: methods as exact that take much less where no value is needed or on a hard family.
 std::string besides(const Findings& d) {
   const Row& chosen = best_exact(d);
   std::string text;
@@ -137,7 +137,7 @@ std::string besides(const Findings& d) {
   return text;
 }
 
-/// Of a test without an exact call: what never misses a contact.
+/// The choice for a test without an exact call: the first method that never misses a contact.
 std::string safe_side(const Findings& d) {
   for (const Row* r : d.ordinary) {
     long missed = 0;

@@ -34,7 +34,7 @@ std::string changed(const std::string& text, const std::regex& pattern, const Ch
   return out.append(text, from, text.npos);
 }
 
-/// The same picture in half the bytes: coordinates to an eightieth of a point, and each style written once.
+/// Halves the size of a picture: cuts coordinates to an eightieth of a point, and writes each style once.
 std::string compact(const std::string& svg) {
   static const std::regex digits(R"((\d+\.\d)\d+)"), places(R"( (d|x|y)="[^"]*")"), styles(R"re(style="([^"]*)")re");
   const std::string rounded =
@@ -85,7 +85,7 @@ std::string opening(const Measured& m) {
          machine_text(m) + summary_text(m);
 }
 
-/// Other libraries' times at a glance.
+/// The section that compares the times of other libraries.
 std::string ratios(const Measured& m, Figures& figures) {
   if (!m.peers || !has_peers(*m.peers)) return {};
   return "## Beside other libraries\n\n" + figures.show(ratio_plot(*m.peers)) +
@@ -212,7 +212,7 @@ It measures three times: for any machine of the kind, for this machine's own ins
 )";
 }
 
-// What may be written over or removed: what was published before.
+// A file may be overwritten or removed only if it was published before.
 
 [[noreturn]] void not_ours(const std::string& file) {
   throw viz::FileError("cannot write '" + file + "': the file there was not published by isect; move it away");
@@ -235,7 +235,7 @@ bool is_figure_of_ours(const std::filesystem::path& file) try {
   return false;
 }
 
-/// Those with rows and those with growth.
+/// The names of all tests with rows or growths.
 std::set<std::string> all_tests(const Report& r) {
   const std::vector<std::string> tests = tests_of(r);
   std::set<std::string> all(tests.begin(), tests.end());
@@ -243,7 +243,7 @@ std::set<std::string> all_tests(const Report& r) {
   return all;
 }
 
-/// Where a report belongs: to the suite whose test it begins with; behind all if it begins with none.
+/// The index of the suite with whose name the report's first test begins; behind all suites if there is none.
 std::ptrdiff_t place_of(const Report& r) {
   const std::vector<std::string>& suites = suite_names();
   const auto begins = [&](const std::string& suite) { return !r.rows.empty() && r.rows[0].test.starts_with(suite); };

@@ -16,7 +16,7 @@
 
 namespace isect::bench {
 
-/// What of the surface: the side, an end, the circle where these meet or, of a cone at times, the apex.
+/// A part of the surface: the side, an end, or the circle where these meet (for a cone sometimes its apex).
 enum class Patch { side, end, rim };
 inline constexpr Patch all_patches[] = {Patch::side, Patch::end, Patch::rim};
 
@@ -46,7 +46,7 @@ template <class S>
 Cone<S> solid(Random& random, Numbers numbers, const Cone<S>*) {
   return cone<S>(random, numbers);
 }
-/// Of any numbers.
+/// A random solid from any family of numbers.
 template <class Solid>
 Solid solid(Random& random, Numbers numbers) {
   return solid(random, numbers, static_cast<const Solid*>(nullptr));
@@ -67,7 +67,7 @@ AxisOf<S> axis_of(Cone<S>& c) {
   return {c.apex, c.base, S(0)};
 }
 
-/// Rounded.
+/// A rounded spot on that patch of the solid.
 template <class Solid>
 Spot spot(Random& random, Solid solid, Patch patch) {
   const auto [p, q, narrow] = axis_of(solid);

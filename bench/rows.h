@@ -22,11 +22,11 @@ std::string name_of(const Growth&);
 /// The names of the methods, isect's first.
 std::vector<std::string> methods_of(const std::vector<const Row*>&);
 
-/// Those that no other row of the same family beats: none is at most as slow and at most as wrong (or, `by_value`, as
-/// far off at its 99th percentile), and better in one of both.
+/// The rows that no other row of the same family dominates, that is, is at most as slow and at most as wrong (or,
+/// `by_value`, as far off at its 99th percentile) and better in one of both.
 std::vector<const Row*> front_of(const std::vector<const Row*>& family, bool by_value);
-/// a's time divided by b's: of the medians, and what it may be: a's lower end by b's upper one, and the other way
-/// round.
+/// The median time of a divided by that of b, and bounds for it: a's lower end by b's upper end, and a's upper end by
+/// b's lower end.
 struct Ratio {
   double value, lo, hi;
 };

@@ -28,9 +28,9 @@ class Session {
     found.seed = seed, found.quick = effort.judged < effort.cases;
   }
 
-  /// What this suite set out to reach; the report says what came of it.
+  /// Adds a target of this suite; the report shows whether it was met.
   void aim(Target target) { found.targets.push_back(std::move(target)); }
-  /// What every test set out to reach where input is hard: in its worst family, and where shapes touch exactly.
+  /// Adds the targets that every test has on hard input: in its worst family, and where shapes touch exactly.
   void aim_on_hard_input(const std::string& test, std::string worst_limit = {}, std::string touch_limit = {}) {
     aim({.work = test + ", worst family",
          .kind = Target::hard,

@@ -9,7 +9,7 @@
 
 namespace isect::bench {
 
-/// Inverted, so empty, once in a while.
+/// Sometimes inverted, and so empty.
 template <class S>
 Interval<S> interval(Random& random, Numbers numbers) {
   const S x = number<S>(random, numbers), y = number<S>(random, numbers);
@@ -26,7 +26,7 @@ Aabb<S, N> box(Random& random, Numbers numbers) {
   return b;
 }
 
-/// Of radius 0, or empty, once in a while.
+/// Sometimes of radius 0, or empty.
 template <class S, int N>
 Sphere<S, N> ball(Random& random, Numbers numbers) {
   const Point<S, N> center = vector<S, N>(random, numbers);
@@ -34,14 +34,14 @@ Sphere<S, N> ball(Random& random, Numbers numbers) {
   return {center, random.one_in(20) ? S(0) : random.one_in(20) ? radius : std::abs(radius)};
 }
 
-/// With both ends at one point, too, once in a while.
+/// Sometimes with both ends at one point.
 template <class S, int N>
 Capsule<S, N> capsule(Random& random, Numbers numbers) {
   const Sphere<S, N> end = ball<S, N>(random, numbers);
   return {end.center, random.one_in(20) ? end.center : vector<S, N>(random, numbers), end.radius};
 }
 
-/// Along a coordinate axis at times; empty, as both ends are one point, once in a while.
+/// Sometimes along a coordinate axis; sometimes empty, when both ends are one point.
 template <class S>
 Cylinder<S> cylinder(Random& random, Numbers numbers) {
   const Capsule<S, 3> c = capsule<S, 3>(random, numbers);

@@ -23,7 +23,7 @@ Line<N> line(const Segment<double, N>& s) {
   return {s.p, s.q - s.p, 1};
 }
 
-/// p + t d with t in the range, of a segment with both ends as given.
+/// p + t d with t in the range; a segment's d is exact.
 template <int N>
 struct TrueLine {
   oracle::Coordinates<N> p, d;

@@ -44,7 +44,7 @@ std::optional<Ratio> ratio(const Target& t, const Report& report) {
   return ratio_of(*ours, *theirs);
 }
 
-/// Over all families and both scalars.
+/// The wrong verdicts or the greatest error over all families and both scalars.
 std::optional<double> worst(const Target& t, const Report& report) {
   std::optional<double> sum;
   for (const Row& r : report.rows) {
@@ -62,12 +62,12 @@ bool touches(const std::string& family) {
   return std::ranges::find(names, family) != std::end(names);
 }
 
-/// A ratio of ours on one family.
+/// A ratio of isect's time on one family.
 struct OnFamily {
   double value;
   const Row* row;
 };
-/// The greatest over the families that the target is about, in both scalars.
+/// The greatest ratio over the families that the target is about, in both scalars.
 std::optional<OnFamily> hardest(const Target& t, const Report& report) {
   std::optional<OnFamily> most;
   for (const Row& r : report.rows) {

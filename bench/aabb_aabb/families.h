@@ -26,7 +26,7 @@ Intervals<S> ordinary(Random& random) {
   return {a, one()};
 }
 
-/// Two that share an end, or miss it by an ulp: a typed number, which rounds in the sums and differences of others.
+/// Two intervals that share an end, or miss it by an ulp. The end is a multiple of 0.1, so sums and differences round.
 template <class S, int most>
 Intervals<S> touching(Random& random) {
   const auto typed = [](int n) { return static_cast<S>(n / 10.0); };
@@ -37,7 +37,7 @@ Intervals<S> touching(Random& random) {
   return c;
 }
 
-/// So large or small that sums overflow, and halves vanish.
+/// Intervals so large or small that sums overflow, or halves vanish.
 template <class S>
 Intervals<S> scale(Random& random) {
   Intervals<S> c = random.one_in(2) ? touching<S, 0>(random) : ordinary<S>(random);
@@ -91,7 +91,7 @@ Boxes<S, 3> ordinary(Random& random) {
   return {a, ordinary_box<S>(random)};
 }
 
-/// Boxes that overlap, but for one axis or more of these intervals.
+/// Boxes that have these intervals on one axis or more, and equal ones on the other axes.
 template <class S, Intervals<S> (*draw)(Random&)>
 Boxes<S, 3> along_some(Random& random) {
   Boxes<S, 3> c;
@@ -106,7 +106,7 @@ Boxes<S, 3> along_some(Random& random) {
   return c;
 }
 
-/// Beside each other, far away: centers and half-sides have lost what decides.
+/// Boxes beside each other and far away: centers and half-sides have rounded off the deciding digits.
 template <class S>
 Boxes<S, 3> far(Random& random) {
   const double away = std::ldexp(random.uniform(1, 2), std::numeric_limits<S>::digits - 6);

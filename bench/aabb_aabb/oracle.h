@@ -7,14 +7,14 @@
 
 namespace isect::oracle {
 
-/// Twice the place of each number among all of them: comparisons stay as they are, and odd numbers stand for what
-/// lies between two neighbours.
+/// Twice the rank of each number: comparisons stay as they are, and odd numbers stand for what lies between two
+/// neighbours.
 template <class S, std::size_t K>
 std::array<int, K> doubled_ranks(const std::array<S, K>& numbers) {
   std::array<int, K> rank = {};
   for (std::size_t j = 0; j < K; ++j)
     for (std::size_t k = 0; k < K; ++k) {
-      bool first = true;  // of those that equal it
+      bool first = true;  // among equal numbers
       for (std::size_t l = 0; l < k; ++l) first &= numbers[l] != numbers[k];
       rank[j] += first && numbers[k] < numbers[j] ? 2 : 0;
     }

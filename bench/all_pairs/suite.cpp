@@ -40,7 +40,7 @@ class Race {
       prints_.push_back(print(boxes_.back(), [](const Boxes& b) { return overlapping_pairs(b); }));
     }
   }
-  /// find(boxes) -> the pairs. Throws std::logic_error where a method of ours finds others than the default does.
+  /// find(boxes) returns the pairs. Throws std::logic_error where a method of isect finds other pairs than the default.
   template <class Find>
   void add(const char* method, int most, const Find& find, const char* library = "isect") {
     session_.progress(test_ + ", " + method);
@@ -68,7 +68,7 @@ class Race {
   std::vector<Print> prints_;
 };
 
-/// A method that reports pairs, as one that lists them.
+/// Turns a method that reports pairs into one that lists them.
 template <class Method>
 auto listing(const Method& method) {
   return [method](const Boxes& boxes) {

@@ -39,7 +39,7 @@ struct Curves {
   }
 };
 
-/// What many rays should ask.
+/// Measures the prepared mesh, the form meant for many rays.
 template <class S>
 void grow_prepared(Session& session, const std::string& method) {
   Curves curves(method);

@@ -23,7 +23,7 @@ double distance(Capsule<double, N> a, Capsule<double, N> b) {
   return std::ldexp((closest.on_a - closest.on_b).norm(), exponent);
 }
 
-/// A radius of a that makes the capsules touch, but for rounding, or a contain b, or fit into it.
+/// A radius of a with which, but for rounding, the capsules touch, or a contains b, or a fits into b.
 template <class S, int N>
 S critical_radius(Random& random, const Capsule<S, N>& a, const Capsule<S, N>& b, Way way = Way::any) {
   const Capsule<double, N> x = cast<double>(a), y = cast<double>(b);
@@ -46,7 +46,7 @@ Capsules<S, 3> ordinary(Random& random) {
   return {a, ordinary_capsule<S>(random)};
 }
 
-/// Rounds, and sets the radius of a; either may be the first.
+/// Rounds both and sets the radius of a so that they touch, nearly; then may exchange them.
 template <class S>
 Capsules<S, 3> touching(Random& random, const Wide& a, const Wide& b) {
   Capsules<S, 3> c = {cast<S>(a), cast<S>(b)};
@@ -56,7 +56,7 @@ Capsules<S, 3> touching(Random& random, const Wide& a, const Wide& b) {
   return c;
 }
 
-/// The point of b nearest to a, where it is to lie: beside the point t of a, farther off than the radius of b.
+/// The place for b's nearest point: beside the point t of a, farther off than the radius of b.
 inline Point<double, 3> beside(Random& random, const Wide& a, double t, double radius, const Vector<double, 3>& away) {
   return a.p + t * (a.q - a.p) + (radius + random.uniform(0.05, 1)) * away;
 }

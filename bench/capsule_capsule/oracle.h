@@ -5,7 +5,7 @@
 
 namespace isect::oracle {
 
-/// The least of all that may be it: where both lines come nearest, if that lies on both, and the distances of the ends.
+/// The least of all candidates: where both lines come nearest (clamped to the segments), and the distances of the ends.
 template <int N>
 Rational distance2(const Stretch<N>& a, const Stretch<N>& b) {
   const Coordinates<N> a_end = a.at(1), b_end = b.at(1);
@@ -39,7 +39,7 @@ bool interiors_meet(const Stretch<N>& a, const Stretch<N>& b) {
   return 0 < s && s < 1 && 0 < t && t < 1;
 }
 
-/// What is empty, NaN or infinite is disjoint from all.
+/// A capsule that is empty, NaN or infinite is disjoint from all.
 template <class S, int N>
 Relation relation(const Capsule<S, N>& a, const Capsule<S, N>& b) {
   if (!finite(a) || !finite(b)) return Relation::disjoint;

@@ -8,7 +8,7 @@
 
 namespace isect::oracle {
 
-/// From lo to hi; nothing: without end.
+/// The range of t that is kept; an end that is nothing is infinite.
 struct Kept {
   std::optional<Rational> lo, hi;
 };

@@ -25,14 +25,14 @@ using Box = Aabb<double, 3>;
 using Wall = Plane<double, 3>;
 using oracle::Rational, oracle::rational, oracle::operator+;
 
-/// What is kept of all t that were, by one height; whether anything is.
+/// Clips the range `kept` of t by one half-space; whether any t is left.
 bool keep(Interval<double>& kept, double height, double rate) {
   if (rate > 0) kept.lo = std::max(kept.lo, -height / rate);
   if (rate < 0) kept.hi = std::min(kept.hi, -height / rate);
   return (rate != 0 || height >= 0) && kept.lo <= kept.hi;
 }
 
-/// Liang and Barsky.
+/// Clips the line by the box's sides, as Liang and Barsky do.
 template <class Straight>
 void at_boxes(Session& session, const char* test) {
   const auto by_sides = [](const Straight& s, const Box& b) {

@@ -17,8 +17,8 @@ using ConvexPolygons = Pair<ConvexPolygon<S>, ConvexPolygon<S>>;
 
 namespace convex_polygon_families {
 
-/// The hull of a few points, some of them vertices of `other`, or on its edges but for rounding, or within it. Nothing
-/// where it has no area.
+/// The hull of a few points, some of them vertices of `other`, on its edges but for rounding, or inside it. Nothing if
+/// it has no area.
 template <class S>
 std::optional<ConvexPolygon<S>> of_any_numbers(Random& random, Numbers numbers, const Ring<S, 2>& other) {
   Ring<S, 2> r;

@@ -20,7 +20,7 @@ inline Rational area(const Vertices& v) {
   for (std::size_t i = 0; i < v.size(); ++i) sum += cross({0, 0}, v[i], v[(i + 1) % v.size()]);
   return sum;
 }
-/// Half-plane by half-plane, closed (Sutherland, Hodgman).
+/// Clips by one closed half-plane after another (Sutherland, Hodgman).
 inline Vertices clipped(Vertices v, const Vertices& by) {
   for (std::size_t i = 0; i < by.size(); ++i) {
     Vertices kept;

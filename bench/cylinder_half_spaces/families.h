@@ -17,12 +17,12 @@ namespace solid_and_kdop {
 
 using Vec = Vector<double, 3>;
 
-/// Where the plane across the normal through x lies.
+/// The level of the plane through x with that normal.
 template <class S>
 S level(const Vector<S, 3>& normal, const Point<double, 3>& x) {
   return static_cast<S>(normal.template cast<double>().dot(x));
 }
-/// Between the levels of two points, each moved by up to `ulps`.
+/// Adds the slab between the levels of two points, each moved by up to `ulps`.
 template <class S>
 void add_slab(Random& random, Kdop<S, 3>& kdop, const Vec& normal, const Point<double, 3>& x, const Point<double, 3>& y,
               int ulps = 0) {
@@ -32,8 +32,8 @@ void add_slab(Random& random, Kdop<S, 3>& kdop, const Vec& normal, const Point<d
   kdop.slabs.push_back({std::min(a, b), std::max(a, b)});
 }
 
-/// With a face, an edge or a corner at that place, as `faces` is 1, 2 or 3, and all of it on the side to which the
-/// normal points. The normal and both tangents are across each other; of integers all is exact but for `ulps`.
+/// A k-DOP with a face, an edge or a corner at `at`, as `faces` is 1, 2 or 3, and all of it on the side to which the
+/// normal points. The normal and both tangents are orthogonal; with integers all is exact but for `ulps`.
 template <class S>
 Kdop<S, 3> resting(Random& random, const Point<double, 3>& at, const Vec& normal, const Vec& tangent, const Vec& second,
                    int faces, int ulps) {
@@ -103,7 +103,7 @@ SolidAndKdop<S, Solid<S>> exact_touch(Random& random) {
   return c;
 }
 
-/// Integers: a plate through the axis that ends at the side and the discs, or slabs that hold the solid just so.
+/// Integers: a plate through the axis that ends at the side and the discs, or slabs that just hold the solid.
 template <class S, template <class> class Solid>
 SolidAndKdop<S, Solid<S>> exact_fit(Random& random) {
   auto whole = whole_solid<Solid<double>>(random, Patch::side);

@@ -86,7 +86,7 @@ class RoundAndSides {
         const Place u = cross(p_[i].normal, p_[j].normal);
         if (dot(u, u) == 0) continue;
         const Place o = *meeting(p_[i], p_[j], Side{u, 0});
-        std::optional<Rational> lo, hi;  // of what P holds, by its corners, as it is bounded
+        std::optional<Rational> lo, hi;  // the part in P, which its corners bound
         for (const Place& c : corners_) {
           if (p_[i].at(c) != 0 || p_[j].at(c) != 0) continue;
           const Rational t = dot(c - o, u) / dot(u, u);
@@ -96,8 +96,8 @@ class RoundAndSides {
         if (lo) ask_edge(o, u, *lo, *hi);
       }
   }
-  /// What of o + t u, lo <= t <= hi, lies between the planes: there the excess of the distance from the axis is least
-  /// at an end, or where the parabola is lowest.
+  /// The part of o + t u, lo <= t <= hi, between the planes of both ends: the excess of its distance from the axis is
+  /// least at an end, or at the minimum of the parabola.
   void ask_edge(const Place& o, const Place& u, Rational lo, Rational hi) {
     const Rational from = k_.height(o), climb = k_.height(o + u) - from;
     if (climb == 0 && (from < 0 || from > 1)) return;
@@ -177,7 +177,7 @@ inline Sides sides_of_segment(const Place& p, const Place& d) {
   return all;
 }
 
-/// What is empty, NaN or infinite is disjoint from all.
+/// A shape that is empty, NaN or infinite is disjoint from all.
 template <Round Solid>
 Relation relation(const Solid& shape, const Sides& solid) {
   const RoundSolid k = round_solid(shape);

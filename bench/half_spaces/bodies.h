@@ -12,7 +12,7 @@ inline oracle::Sides sides_of(const Body& body) {
     all.push_back({oracle::rational(plane.normal), oracle::Rational(plane.d)});
   return all;
 }
-/// Through the corners of each facet, with the middle of all inside.
+/// The planes through the corners of each facet, turned so that the middle of all corners is inside.
 inline oracle::Sides sides_of(const Hull3<double>& hull) {
   using oracle::operator-, oracle::operator*;
   std::vector<oracle::Place> corners;
@@ -27,7 +27,7 @@ inline oracle::Sides sides_of(const Hull3<double>& hull) {
   }
   return all;
 }
-/// The tetrahedra between its center and its triangles.
+/// The tetrahedra between the star's center and its triangles.
 inline std::vector<oracle::Sides> tetrahedra_of(const Star& star) {
   using oracle::operator-, oracle::operator*;
   std::vector<oracle::Sides> all;
@@ -35,7 +35,7 @@ inline std::vector<oracle::Sides> tetrahedra_of(const Star& star) {
     std::array<oracle::Place, 4> v = {oracle::rational(star.center)};
     for (std::size_t i = 0; i < 3; ++i) v[i + 1] = oracle::rational(star.mesh.vertices[triangle[i]]);
     oracle::Sides sides;
-    for (std::size_t i = 0; i < 4; ++i) {  // through the three others, with this one inside
+    for (std::size_t i = 0; i < 4; ++i) {  // the plane through the three other corners, with this one inside
       const oracle::Place &a = v[(i + 1) % 4], &b = v[(i + 2) % 4], &c = v[(i + 3) % 4];
       oracle::Place n = oracle::cross(b - a, c - a);
       if (oracle::dot(n, v[i] - a) < 0) n = oracle::Rational(-1) * n;

@@ -84,14 +84,14 @@ inline std::vector<Place> corners(const Sides& solid) {
         if (const auto x = meeting(solid[i], solid[j], solid[k]); x && holds(solid, *x)) all.push_back(*x);
   return all;
 }
-/// Whether x is interior to it: beside no face, but for those that it lies on as a whole.
+/// Whether x is interior to the solid: strictly inside each face, except those faces that hold the whole solid.
 inline bool holds_within(const Sides& solid, const Place& x) {
   const std::vector<Place> all = corners(solid);
   return std::ranges::all_of(solid, [&](const Side& s) {
     return s.at(x) > 0 || (s.at(x) == 0 && std::ranges::all_of(all, [&](const Place& c) { return s.at(c) == 0; }));
   });
 }
-/// A point within what the corners span.
+/// The mean of the corners, which lies in their relative interior.
 inline Place middle(const std::vector<Place>& corners) {
   Place sum = {0, 0, 0};
   for (const Place& c : corners) sum = sum + c;
@@ -111,8 +111,8 @@ inline Relation relation(const Sides& a, const Sides& b) {
   return holds_within(a, inner) && holds_within(b, inner) ? Relation::overlapping : Relation::touching;
 }
 
-/// Of the nearest among all feet of perpendiculars on planes, on lines of two planes, and corners, that the solid
-/// holds.
+/// The squared distance: the least to any candidate point that the solid holds. Candidates are the feet of
+/// perpendiculars on its planes and on the lines of two planes, and its corners.
 inline Rational distance2(const Place& x, const Sides& solid) {
   if (holds(solid, x)) return 0;
   std::optional<Rational> least;
@@ -157,7 +157,7 @@ inline Rational distance2(const Stretch<3>& segment, const Sides& solid) {
   return least;
 }
 
-/// Of the ball around a segment's points; p = q for a ball.
+/// How a capsule and a solid lie; p = q makes the capsule a ball.
 inline Relation relation(const Capsule<double, 3>& capsule, const Sides& solid) {
   const Rational r(capsule.radius);
   const std::vector<Place> all = corners(solid);
@@ -208,7 +208,7 @@ inline Sides sides(const Triangle<double, 3>& triangle) {
   return all;
 }
 
-/// By what clipping leaves of the triangle or, beside a solid without a volume, by the corners that both have in
+/// Decides by what clipping leaves of the triangle or, if the solid has no volume, by the corners of what both have in
 /// common.
 inline Relation relation(const Triangle<double, 3>& triangle, const Sides& solid) {
   const std::vector<Place> all = corners(solid);

@@ -11,7 +11,7 @@
 namespace isect::bench::interval_interval_suite {
 namespace {
 
-/// No number lies in [inf, inf]; of other intervals each point is looked at.
+/// [inf, inf] holds no number, and neither does [-inf, -inf]; other intervals are compared by points.
 template <class S>
 Truth truth(const Intervals<S>& c) {
   for (const Interval<S>& x : {c.a, c.b})

@@ -34,8 +34,8 @@ Tetrahedra<S> ordinary(Random& random) {
   return c;
 }
 
-/// b is a, mirrored in its own farthest corner p along a diagonal n, then moved across n: n.p ends both slabs, and
-/// seldom at a corner that they share. Units of `unit`, as typed, and up to `most` ulps off.
+/// b is a mirrored in a's farthest corner p along a diagonal n, then moved across n: both slabs along n end at n.p, and
+/// rarely at a common corner. Numbers are multiples of `unit`, rounded, and up to `most` ulps off.
 template <class S>
 Tetrahedra<S> touching(Random& random, double unit, int most) {
   const std::vector<Vector<double, 3>> normals = directions<double, 3>(14);
@@ -80,7 +80,7 @@ constexpr std::array<NamedDraw<Tetrahedra<S>>, 4> kdop_kdop_draws = {{
     {"near-touch", kdop_kdop_families::nudged<S>, "the same, each number up to an ulp off."},
 }};
 
-/// Whether the true slabs of both overlap along every one of the normals, of whatever length.
+/// Whether the true slabs of both overlap along each of the normals, which may have any length.
 template <class S>
 bool true_slabs_overlap(const Tetrahedra<S>& c, const std::vector<Vector<S, 3>>& normals) {
   using oracle::Rational;

@@ -38,7 +38,7 @@ Entrant<Case<S>>& enter(Contest<S, Case<S>>& contest, const char* method, const 
       [](const Two& c) { return may_intersect(c.a, c.b); });
 }
 
-/// Fitted slabs are rounded outwards: they never part what touches, and see a gap of an ulp as none.
+/// Fitted slabs are rounded outwards: they overlap whenever the shapes touch, and may close a gap of an ulp.
 template <class S>
 void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
   using Points = std::vector<Point<S, 3>>;

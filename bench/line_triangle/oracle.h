@@ -1,6 +1,6 @@
 #pragma once
-// Where a line first meets a triangle in space, in rationals: of all t that may be it, tried one by one, the least
-// whose point lies in the triangle, by its weights, or on an edge.
+// Where a line first meets a triangle in space, in rationals: the least of all candidate t whose point lies in the
+// triangle, by its weights, or on an edge. Each candidate is tried.
 
 #include <optional>
 #include <vector>
@@ -26,7 +26,7 @@ inline bool in_triangle(const Coordinates<3>& x, const Corners& v) {
   return true;
 }
 
-/// The line has a direction.
+/// The line must have a direction.
 inline std::optional<Rational> first_hit(const Coordinates<3>& o, const Coordinates<3>& d,
                                          const Interval<double>& range, const Corners& v) {
   std::vector<Rational> candidates;

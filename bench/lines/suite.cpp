@@ -79,7 +79,7 @@ void round_solids(Session& session, const char* test) {
            [](const Edge& s, const Round& x) { return intersects(s, x); }, truly);
 }
 
-/// Cyrus and Beck.
+/// Clips the line by plane after plane, as Cyrus and Beck do.
 template <class Straight>
 void solids(Session& session, const char* test) {
   const auto by_planes = [](const Straight& s, const Body& b) {
@@ -136,7 +136,7 @@ void triangles(Session& session, const char* test) {
           peers::meet_by_cgal);
 }
 
-/// Of segments: whether their nearest points are nearer than 1e-9 of their length, for in doubles they are seldom one.
+/// Segment against segment. The naive test accepts a distance of 1e-9 of the length: doubles rarely meet exactly.
 void lines(Session& session) {
   const auto by_distance = [](const Edge& a, const Edge& b) {
     const double size2 = (a.q - a.p).squaredNorm() + (b.q - b.p).squaredNorm();

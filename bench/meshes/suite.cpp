@@ -60,7 +60,7 @@ Corners convex(const Hull3<double>& hull) {
 }
 Corners convex(const Body& b) { return {b.corners, b.normals, b.edges}; }
 
-/// A corner of either in the other one, or a triangle that no axis separates.
+/// Whether one of the two holds a corner of the other, or no axis separates some triangle from the shape.
 template <class Shape>
 bool by_axes(const Star& s, const Shape& shape) {
   const Corners other = convex(shape);
@@ -68,7 +68,7 @@ bool by_axes(const Star& s, const Shape& shape) {
          any_triangle(s.mesh, [&](const Three& x) { return !separated(bench::convex(x), other); });
 }
 
-/// meets(tetrahedron) of those that the solid is made of.
+/// Whether meets(tetrahedron) holds for one of the tetrahedra that make up the solid.
 template <class Meets>
 bool any_part(const Star& s, const Meets& meets) {
   return std::ranges::any_of(tetrahedra_of(s), meets);
@@ -82,14 +82,14 @@ oracle::Sides sides(const Obb<double, 3>& box) { return oracle::sides(box); }
 oracle::Sides sides(const Hull3<double>& hull) { return sides_of(hull); }
 oracle::Sides sides(const Body& body) { return sides_of(body); }
 
-/// What the core is asked of.
+/// The form of a shape that the core takes.
 template <class Shape>
 const Shape& in_core(const Shape& x) {
   return x;
 }
 const HalfSpaces& in_core(const Body& x) { return x.core; }
 
-// CGAL and FCL ask whether surfaces meet: no peer asks this of solids.
+// CGAL and FCL test whether surfaces meet: no peer answers this for solids.
 
 template <class Shape>
 void convex_solids(Session& session, const char* test) {

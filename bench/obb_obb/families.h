@@ -22,7 +22,7 @@ OrientedBoxes<S> ordinary(Random& random) {
   return {a, ordinary_obb<S>(random, 1.5)};
 }
 
-/// The sum of the box's half-axes, each turned towards l or away from it (side -1); but for axis `free`, at random.
+/// The sum of the box's half-axes, each turned towards l or away from it (side -1); axis `free` has a random factor.
 inline Vector<double, 3> support(Random& random, const Wide& box, const Vector<double, 3>& l, double side,
                                  int free = -1) {
   Vector<double, 3> sum = Vector<double, 3>::Zero();
@@ -81,8 +81,8 @@ OrientedBoxes<S> corner_at_corner(Random& random) {
   return rounded<S>(random, a, b);
 }
 
-/// Axes that differ by a rotation of 1e-12 to 1e-6, the boxes one over the other: nearly in touch, or clearly apart
-/// or overlapping, by more than an epsilon of 1e-6 sees.
+/// Axes that differ by a rotation of 1e-12 to 1e-6. The boxes face each other, in touch, or apart or overlapping by
+/// 1e-12 (1e-6 in float) to 1e-3, more or less than an epsilon of 1e-6 sees.
 template <class S>
 OrientedBoxes<S> near_parallel(Random& random) {
   const Wide a = ordinary_obb<double>(random, 1);

@@ -76,7 +76,7 @@ bool holds(const Exactly<N>& box, const Exactly<N>& inner) {
   return true;
 }
 
-/// 1 apart, 0 touching, -1 overlapping along l, as two equal points do: from the projections of all corners.
+/// 1 if the corners' projections onto l are apart, 0 if they touch, -1 if they overlap or are the same point.
 template <int N>
 int along(const Coordinates<N>& l, const Exactly<N>& a, const Exactly<N>& b) {
   const auto range = [&](const Exactly<N>& box) {
@@ -121,7 +121,7 @@ Relation relation(int outer, const Exactly<N>& a, const Exactly<N>& b) {
   return outer == 0 ? Relation::touching : Relation::overlapping;
 }
 
-/// By projections. All products of two edges are asked, in no order.
+/// Decides by projections onto the cross products of all pairs of edges, in no particular order.
 template <int N>
 Relation by_projection(const Exactly<N>& a, const Exactly<N>& b) {
   if (!exists(a) || !exists(b)) return Relation::disjoint;
@@ -131,7 +131,7 @@ Relation by_projection(const Exactly<N>& a, const Exactly<N>& b) {
   return relation(outer, a, b);
 }
 
-/// Of the bits of the numbers, how many stand behind the point.
+/// The number of binary places that the numbers have behind the point.
 template <class S, int Rows, int Columns>
 int bits_behind_point(const Eigen::Matrix<S, Rows, Columns>& numbers) {
   int bits = 0;
@@ -140,7 +140,7 @@ int bits_behind_point(const Eigen::Matrix<S, Rows, Columns>& numbers) {
   return bits;
 }
 
-/// Whether the boxes have a common point, by projections of all corners onto direction after direction. For finite
+/// Whether the boxes have a common point, by projections of all corners onto one direction after another. For finite
 /// boxes with independent axes; numbers below 1e-280 are too small for the scaling.
 template <class S, int N>
 bool meet_by_projection(const Obb<S, N>& a, const Obb<S, N>& b) {

@@ -23,7 +23,7 @@ using oracle::P2, oracle::Rational, oracle::rational, oracle::operator-;
 
 double cross(const Vector<double, 2>& a, const Vector<double, 2>& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-/// Even-odd, by crossings with a division.
+/// Whether p is inside by the even-odd rule, by crossings with a division.
 bool inside(const Point<double, 2>& p, const Ring<double, 2>& ring) {
   bool in = false;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
@@ -32,7 +32,7 @@ bool inside(const Point<double, 2>& p, const Ring<double, 2>& ring) {
   }
   return in;
 }
-/// Whether it crosses an edge, or starts within.
+/// Whether the line crosses an edge, or starts inside.
 bool meets(const Line<2>& l, const Ring<double, 2>& ring) {
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
     const Vector<double, 2> e = ring[j] - ring[i], f = ring[i] - l.p;
@@ -57,7 +57,7 @@ void in_plane(Session& session, const char* test, const Exact& exact) {
            [](const Straight& s, const Outline& p) { return truly_meets(true_line(s), p); });
 }
 
-/// By the core's relation of both, which asks how their stretches overlap.
+/// The exact call is the core's intersects, which asks how the stretches of both overlap.
 template <class Straight>
 void related_in_plane(Session& session, const char* test) {
   using Outline = Polygon<double, 2>;
@@ -72,7 +72,7 @@ void related_in_plane(Session& session, const char* test) {
            [](const Straight& s, const Outline& p) { return intersects(s, p); }, truly);
 }
 
-/// Where it crosses Newell's plane, without the coordinate along which that is steepest.
+/// Whether the point where it crosses Newell's plane lies in the ring, both projected along the largest component.
 bool crosses(const Line<3>& l, const Ring<double, 3>& ring) {
   Vector<double, 3> n = Vector<double, 3>::Zero();
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
@@ -93,7 +93,7 @@ bool crosses(const Line<3>& l, const Ring<double, 3>& ring) {
 const Ring<double, 3>& ring_of(const Ring<double, 3>& ring) { return ring; }
 const Ring<double, 3>& ring_of(const Polygon<double, 3>& polygon) { return polygon.rings[0]; }
 
-/// `in_it`: whether what lies in the plane may meet the polygon, too.
+/// `in_it`: whether a line in the plane of the polygon may meet it, too.
 template <class Straight, class Outline, bool in_it, class Exact>
 void in_space(Session& session, const char* test, const Exact& exact) {
   const auto truly = [](const Straight& s, const Outline& p) {
@@ -135,7 +135,7 @@ bool near(const Capsule<double, 2>& c, const Point<double, 2>& a, const Point<do
       std::min({distance2(c.p, a, b), distance2(c.q, a, b), distance2(a, c.p, c.q), distance2(b, c.p, c.q)});
   return least <= c.radius * c.radius || (crosses(c.p, c.q, a, b) && crosses(a, b, c.p, c.q));
 }
-/// What of the edge is left within the box's slabs.
+/// Whether any part of the edge is left within the box's slabs.
 bool near(const Aabb<double, 2>& box, const Point<double, 2>& a, const Point<double, 2>& b) {
   double from = 0, to = 1;
   for (int i = 0; i < 2; ++i) {
@@ -172,7 +172,7 @@ const Sphere<double, 2>& in_core(const Sphere<double, 2>& b) { return b; }
 const Capsule<double, 2>& in_core(const Capsule<double, 2>& c) { return c; }
 HalfSpaces in_core(const Aabb<double, 2>& box) { return half_spaces_of(box); }
 
-/// No peer asks this but Boost, of a box and within its tolerance.
+/// No peer answers this, except Boost for a box, and that within a tolerance.
 template <class Shape>
 void bodies(Session& session, const char* test) {
   using Outline = Polygon<double, 2>;

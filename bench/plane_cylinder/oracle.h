@@ -9,7 +9,7 @@
 
 namespace isect::oracle {
 
-/// What is empty, NaN or infinite, and a plane without a normal, is disjoint from all.
+/// A shape that is empty, NaN or infinite, and a plane without a normal, is disjoint from all.
 template <class S, Round Solid>
 Relation relation(const Plane<S, 3>& plane, const Solid& shape) {
   const RoundSolid solid = round_solid(shape);

@@ -72,7 +72,7 @@ class Preparation {
         build_(name(outline), method, "build", library),
         query_(name(outline), method, "query", library) {}
 
-  /// prepare(ring) makes what ask(prepared, point) is asked of.
+  /// Times prepare(ring) and then ask(prepared, point).
   template <class Prepare, class Ask>
   void add(const Ring<double, 2>& ring, const Ring<double, 2>& points, const Prepare& prepare, const Ask& ask) {
     const double n = static_cast<double>(ring.size());

@@ -19,7 +19,7 @@ namespace {
 using P = Point<double, 3>;
 using oracle::Rational, oracle::rational, oracle::operator-;
 
-/// By how far it is within: 0 on the boundary.
+/// The location by the depth inside: 0 is on the boundary.
 template <class Number>
 Location by_depth(const Number& depth) {
   return depth > 0 ? Location::in : depth == 0 ? Location::on : Location::out;
@@ -132,7 +132,7 @@ void planes(Session& session) {
                         [](const auto& x, const auto& w) { return static_cast<int>(w.oriented_side(x)); }});
 }
 
-/// By the parity of what a ray crosses.
+/// Decides by the parity of a ray's crossings.
 void meshes(Session& session) {
   const auto truly = [](const P& p, const Star& s) {
     return std::ranges::any_of(tetrahedra_of(s),

@@ -58,7 +58,7 @@ inline Ring<double, 2> comb(Random& random, int teeth, bool down) {
   ring.push_back({shift, base - side});
   return ring;
 }
-/// Round and round in steps along the axes.
+/// A spiral in steps along the axes.
 inline Ring<double, 2> spiral(Random& random, int turns) {
   Ring<double, 2> out, back;
   const double x = random.integer(-1, 1), y = random.integer(-1, 1), width = random.one_in(2) ? 1 : 2;
@@ -117,7 +117,7 @@ inline PolygonPair<double> plugs(Random& random) {
   if (random.one_in(3)) c.b.rings[0][0] += Vector<double, 2>(random.integer(-1, 1), random.integer(-1, 1));
   return c;
 }
-/// B of corners of A and points within its edges.
+/// B has corners of A and points on its edges.
 inline PolygonPair<double> shared(Random& random) {
   PolygonPair<double> c = {{{star(random, 4)}}, {{{}}}};
   const Ring<double, 2>& ring = c.a.rings[0];
@@ -154,7 +154,7 @@ inline PolygonPair<double> slivers(Random& random) {
   return c;
 }
 
-/// Of another drawing, with every number changed.
+/// The drawing c with change(x) in place of every number x.
 template <class Change>
 PolygonPair<double> changed(PolygonPair<double> c, const Change& change) {
   for (Polygon<double, 2>* p : {&c.a, &c.b})

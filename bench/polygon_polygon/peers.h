@@ -11,7 +11,7 @@
 
 namespace isect::bench::peers {
 
-/// Of families of one simple outline each.
+/// Enters Boost for families in which each polygon is one simple outline.
 inline void polygon_polygon([[maybe_unused]] Contest<double, PolygonPair<double>>& contest) {
 #ifdef ISECT_HAS_BOOST
   namespace bg = boost::geometry;

@@ -37,7 +37,7 @@ bool naively(const Three& x, const Line<3>& l) { return naive::crosses(l.p, l.d,
 bool naively(const Three& x, const Outline& b) {
   return any_triangle(b, [&](const Three& y) { return naively(x, y); });
 }
-/// Where the axis crosses the triangle, or the nearest point to its middle lies in the solid's reach.
+/// Whether the axis crosses the triangle, or the nearest point to the axis' middle lies within the solid.
 bool about_axis(const Three& x, const P& p, const P& q, double at_p, double at_q) {
   const Vector<double, 3> along = q - p;
   const P near = naive::nearest((p + q) / 2, x);
@@ -73,7 +73,7 @@ bool truly_round(const Three& x, const Solid& solid) {
 bool truly(const Three& x, const Cylinder<double>& c) { return truly_round(x, c); }
 bool truly(const Three& x, const Cone<double>& c) { return truly_round(x, c); }
 
-/// What the core is asked of.
+/// The form of a shape that the core takes.
 template <class Shape>
 const Shape& in_core(const Shape& x) {
   return x;
@@ -82,7 +82,7 @@ const HalfSpaces& in_core(const Body& x) { return x.core; }
 
 bool has_triangles(const Outline& x) { return !empty(x); }
 
-// CGAL's polygons are of the plane, FCL has triangles alone: no peer asks this.
+// CGAL's polygons are plane, and FCL has triangles only: no peer answers this.
 
 /// The polygon comes first.
 template <class Shape>

@@ -20,7 +20,7 @@ RayAndBox<S> ordinary(Random& random) {
   return {ray, ordinary_box<S>(random)};
 }
 
-/// An end of the box's side.
+/// One end of the box's side.
 template <class S>
 S end(Random& random, const Aabb<S, 3>& box, int axis) {
   return random.one_in(2) ? box.lo[axis] : box.hi[axis];

@@ -1,6 +1,6 @@
 #pragma once
-// Whether a ray meets a box, by CGAL: it finds no t. But for EPECK its ray goes through origin + direction, rounded,
-// and so another way than ours.
+// Whether a ray meets a box, by CGAL, which finds no t. Except in EPECK its ray goes through origin + direction,
+// rounded, and so differs from ours.
 
 #include "bench/ordinary_shapes.h"
 #include "bench/peer_shapes.h"

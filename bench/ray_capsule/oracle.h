@@ -31,7 +31,7 @@ template <class S, int N>
 LineInConvex line_in_capsule(const Ray<S, N>& ray, const Capsule<S, N>& capsule) {
   return line_in_capsule<N>(rational(ray.origin), rational(ray.direction), stretch(capsule), Rational(capsule.radius));
 }
-/// Of a segment with both ends as given.
+/// The line through a segment's exact ends, t = 0 and 1 at them.
 template <class S, int N>
 LineInConvex line_in_capsule(const Segment<S, N>& segment, const Capsule<S, N>& capsule) {
   return line_in_capsule<N>(rational(segment.p), rational(segment.q) - rational(segment.p), stretch(capsule),

@@ -31,7 +31,7 @@ template <class S, Round Solid>
 LineInConvex line_in(const Ray<S, 3>& ray, const Solid& solid) {
   return line_in(rational(ray.origin), rational(ray.direction), round_solid(solid));
 }
-/// Of a segment with both ends as given.
+/// The line through a segment's exact ends, t = 0 and 1 at them.
 template <class S, Round Solid>
 LineInConvex line_in(const Segment<S, 3>& segment, const Solid& solid) {
   return line_in(rational(segment.p), rational(segment.q) - rational(segment.p), round_solid(solid));

@@ -1,6 +1,6 @@
 #pragma once
-// Where a line first meets a polygon in the plane, in rationals: of all t that may be it, tried one by one, the least
-// whose point is not outside.
+// Where a line first meets a polygon in the plane, in rationals: the least of all candidate t whose point is not
+// outside. Each candidate is tried.
 
 #include <optional>
 #include <vector>
@@ -19,8 +19,8 @@ std::vector<std::vector<P2>> rational(const Polygon<S, 2>& polygon) {
   return rings;
 }
 
-/// By the even-odd rule; the line has a direction. The candidates: the start of the range, where each edge's line is
-/// crossed, and where each corner is nearest.
+/// Decides by the even-odd rule; the line must have a direction. The candidates: the start of the range, where each
+/// edge's line is crossed, and where each corner is nearest.
 inline std::optional<Rational> first_hit(const P2& o, const P2& d, const Interval<double>& range,
                                          const std::vector<std::vector<P2>>& rings) {
   std::vector<Rational> candidates;

@@ -87,7 +87,7 @@ RayAndRing<S> grid(Random& random) {
   return {{origin, target - origin}, ring};
 }
 
-/// Of width 1e-9 (1e-4 in float) and less, aimed inside.
+/// A polygon of width 1e-9 (1e-4 in float) or less; the ray is aimed inside.
 template <class S>
 RayAndRing<S> needle(Random& random) {
   constexpr double most = std::numeric_limits<S>::digits == 53 ? -9 : -4;

@@ -35,7 +35,7 @@ inline Location locate(const P2& p, const std::vector<P2>& ring) {
   return inside ? Location::in : Location::out;
 }
 
-/// Of several rings, by the even-odd rule.
+/// Where a point lies in several rings, by the even-odd rule.
 inline Location locate(const P2& p, const std::vector<std::vector<P2>>& rings) {
   bool inside = false;
   for (const std::vector<P2>& ring : rings) {

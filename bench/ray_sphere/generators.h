@@ -74,7 +74,7 @@ Case<S, N> scaled(Case<S, N> c, int across, int along) {
   return c;
 }
 
-/// The same by random powers of two up to 2^most.
+/// The case scaled by random powers of two up to 2^most.
 template <class S, int N>
 Case<S, N> scaled(Random& random, const Case<S, N>& c, int most) {
   const int across = random.integer(-most, most);

@@ -50,7 +50,7 @@ void bodies(Session& session) {
           by_axes, [](const Body& a, const Body& b) { return intersects(a.core, b.core); }, truly);
 }
 
-/// As view volumes are culled: apart where all that lies within r of these points is beyond one plane.
+/// The test of view-volume culling: apart if all that lies within r of these points is beyond one plane.
 template <class Points>
 bool beyond_no_plane(const Points& points, double r, const Body& b) {
   return std::ranges::all_of(b.planes, [&](const Plane<double, 3>& plane) {

@@ -5,8 +5,8 @@
 
 namespace isect::oracle {
 
-/// By the least and the largest distance to the box, over all its corners and faces. What is empty, NaN or infinite
-/// is disjoint from all.
+/// Decides by the least and the largest distance to the box, over all its corners and faces. A shape that is empty, NaN
+/// or infinite is disjoint from all.
 template <class S, int N>
 Relation relation(const Sphere<S, N>& sphere, const Aabb<S, N>& box) {
   if (!finite(sphere) || !finite(box)) return Relation::disjoint;

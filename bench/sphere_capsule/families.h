@@ -71,7 +71,7 @@ BallAndCapsule<S, 3> near_touch(Random& random) {
   return c;
 }
 
-/// The same beside a segment so long that the ball is a speck to it.
+/// A touch beside a segment 1e3 to 1e9 (1e4 in float) times as long as in near_touch: to it the ball is a speck.
 template <class S>
 BallAndCapsule<S, 3> far_end(Random& random) {
   BallAndCapsule<S, 3> c = near_touch<S, true>(random);

@@ -26,7 +26,7 @@ Rational distance2(const std::array<Rational, N>& x, const std::array<Rational, 
   const auto f = x - y;
   return dot(f, f);
 }
-/// To its nearest point, which is found by a division.
+/// The squared distance to the nearest point of the stretch, which is found by a division.
 template <int N>
 Rational distance2(const std::type_identity_t<Coordinates<N>>& x, const Stretch<N>& stretch) {
   const Rational length2 = dot(stretch.d, stretch.d);
@@ -36,8 +36,8 @@ Rational distance2(const std::type_identity_t<Coordinates<N>>& x, const Stretch<
 /// Whether sqrt(d2) <= k.
 inline bool at_most(const Rational& d2, const Rational& k) { return k >= 0 && d2 <= k * k; }
 
-/// By the distances of the center from the segment and from its ends, each compared with a length. What is empty, NaN
-/// or infinite is disjoint from all.
+/// Compares the distances of the center from the segment and from its ends with lengths. A shape that is empty, NaN or
+/// infinite is disjoint from all.
 template <class S, int N>
 Relation relation(const Sphere<S, N>& sphere, const Capsule<S, N>& capsule) {
   if (!finite(sphere) || !finite(capsule)) return Relation::disjoint;

@@ -49,7 +49,7 @@ class BallAndRoundSolid {
     Big along, beside;
   };
 
-  /// How many bits there are between the largest of them and the lowest that one has.
+  /// The number of bits between the highest of all numbers and the lowest that any of them has.
   static long bits_of(std::initializer_list<Rational> numbers) {
     long top = -2000, low = 2000;
     for (const Rational& x : numbers) {
@@ -104,7 +104,7 @@ class BallAndRoundSolid {
   int nearest_ = 0, farthest_ = 0, depth_ = 0;
 };
 
-/// What is empty, NaN or infinite is disjoint from all.
+/// A shape that is empty, NaN or infinite is disjoint from all.
 template <class S, Round Solid>
 Relation relation(const Sphere<S, 3>& ball, const Solid& shape) {
   const RoundSolid solid = round_solid(shape);

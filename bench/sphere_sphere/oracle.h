@@ -5,7 +5,7 @@
 
 namespace isect::oracle {
 
-/// By distances, each compared with a length: d <= k. What is empty, NaN or infinite is disjoint from all.
+/// Compares distances with lengths: d <= k. A ball that is empty, NaN or infinite is disjoint from all.
 template <class S, int N>
 Relation relation(const Sphere<S, N>& a, const Sphere<S, N>& b) {
   if (!finite(a) || !finite(b)) return Relation::disjoint;

@@ -13,7 +13,7 @@ namespace isect::oracle::triangle_aabb {
 template <int N>
 using Corners = std::vector<Coordinates<N>>;
 
-/// The part with side (x_axis - limit) >= 0, by Sutherland and Hodgman.
+/// The part with side (x_axis - limit) >= 0, by Sutherland and Hodgman's method.
 template <int N>
 std::type_identity_t<Corners<N>> clipped(const Corners<N>& polygon, int axis, const Rational& limit, int side) {
   Corners<N> result;
