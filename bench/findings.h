@@ -44,8 +44,7 @@ const Row* slowest_hard(const std::vector<const Row*>& method);
 std::string time_of(const Row&);
 std::string ratio_text(const Row&, const Row& divided_by);
 
-/// Whether a is certainly faster, and by a tenth: a smaller lead may vanish when the next build places a loop
-/// elsewhere.
+/// Whether a is certainly faster, and by a tenth at least: the next build may place a loop in another way.
 inline bool clearly_faster(const Row& a, const Row& b, double noise) {
   return faster(a, b, std::max(noise, most_noise));
 }

@@ -12,7 +12,7 @@ struct Term {
   std::string lesson;   ///< id
 };
 
-/// In alphabetical order.
+/// The terms in alphabetical order.
 const std::vector<Term>& glossary();
 
 /// What a letter stands for, in whatever lesson: bold for points and vectors, italic for numbers.
@@ -23,7 +23,7 @@ struct Letter {
   std::vector<std::string> given = {};  ///< how algorithms may compute it, plain text; empty: in any way
 };
 
-/// In alphabetical order, Greek ones last. Indices (i, j) and names of objects (a, b) are none.
+/// The letters in alphabetical order, Greek ones last. Indices (i, j) and names of objects (a, b) are not listed.
 const std::vector<Letter>& letters();
 
 }  // namespace isect::lessons

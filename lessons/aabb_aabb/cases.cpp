@@ -24,7 +24,7 @@ int branch(const Parameters& p) {
          : s.truth == Relation::equal     ? equal
                                           : inside;
 }
-/// From the middle of a to the middle of b; an empty box has none.
+/// The way from the middle of a to the middle of b; NaN if a box is empty.
 Vec2 place(const Parameters& p) {
   const Setup s = setup(p);
   if (empty(s.a) || empty(s.b)) return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());

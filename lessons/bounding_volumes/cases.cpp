@@ -26,7 +26,7 @@ struct Prepared {
   std::vector<Aabb<double, 3>> parts;
 };
 
-/// That of the setting; the last one is kept, as a map asks thousands of times.
+/// The object of this setting. The last one is cached, since a map asks thousands of times.
 const Prepared& prepared(const Parameters& p) {
   const std::string& name = std::get<std::string>(p.at("object"));
   const Vec3& tip = std::get<Vec3>(p.at("tip"));
@@ -48,7 +48,7 @@ int branch(const Parameters& p) {
   return locate(q, a.mesh) == Location::in ? 4 : 2;
 }
 
-/// The other walk has no place on the map.
+/// The middle of b; NaN for the other walk, which has no place on the map.
 Vec2 place(const Parameters& p) {
   if (std::get<std::string>(p.at("walk")) != "test") return Vec2::Constant(NAN);
   return std::get<Vec3>(p.at("q")).head<2>();

@@ -33,7 +33,7 @@ bool inside(const Aabb<C, 3>& inner, const Aabb<C, 3>& outer) {
   return true;
 }
 
-/// The object against the box, with what is counted on the way.
+/// The object tested against the box, and the operations that this took.
 struct Tested {
   Tested(const Mesh3& mesh, const Box& window, const Vec3& middle)
       : around(fit_aabb(mesh.vertices)), truth(relate(around, window)) {
@@ -54,7 +54,7 @@ struct Tested {
   Relation truth;
   bool rejected, accepted;
   bool within = false;     ///< b lies wholly in the object, and meets no triangle of its surface
-  Tally cheap, expensive;  ///< of the volume's tests; of all triangles'
+  Tally cheap, expensive;  ///< operations of the volume's tests; of all triangles' tests
   std::vector<int> hits;   ///< triangles that meet the window, exactly
 };
 

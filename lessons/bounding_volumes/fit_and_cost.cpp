@@ -52,7 +52,7 @@ class Fit {
   }
 
  private:
-  /// A step of the object in what is drawn around it, and a note below.
+  /// Adds a step that shows the object with `around` drawn around it, and a note below.
   Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
             const std::string& formula, const std::vector<Item>& around, const std::string& note) {
     Step& step = script_.add(slug, title, line, caption, formula);
@@ -64,7 +64,7 @@ class Fit {
     return step;
   }
 
-  /// A step about volume `i` of all, with its own numbers drawn on it.
+  /// Adds a step about volume `i` with its own numbers drawn on it.
   Step& volume_step(std::size_t i, int line, const std::string& title, const std::string& caption,
                     std::vector<Item> own, const std::string& formula) {
     const Measured& m = all_[i];
@@ -153,7 +153,7 @@ class Fit {
             "Its three normals are those of the AABB, and so are its slabs."};
   }
 
-  /// The tightest of the four, the hull apart. A 6-DOP is the AABB again.
+  /// The tightest of the four volumes without the hull. A 6-DOP is the same as the AABB.
   std::size_t tightest() const {
     std::size_t best = 0;
     for (std::size_t i = 1; i < (k_ == 6 ? 3 : 4); ++i)

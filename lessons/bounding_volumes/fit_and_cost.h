@@ -5,7 +5,7 @@
 
 namespace isect::lessons::bounding_volumes_lesson {
 
-/// Around the object of this name, with a k-DOP among the volumes.
+/// The walk through the volumes around the object of this name, with a k-DOP among them.
 viz::Walk fit_and_cost(const std::string& name, const viz::Vec3& tip, int k);
 
 }  // namespace isect::lessons::bounding_volumes_lesson

@@ -37,7 +37,7 @@ Item below(const Items& items, const std::string& text) {
 
 namespace {
 
-/// A point amid the drawing, with its name beside that.
+/// A name at `beside` with a line to the point p, which lies amid the drawing.
 Items named(const Vec3& p, const Vec3& beside, const char* name, bool dot) {
   Items items = {Line{p, beside, Role::construction, Pen::construction}, Label{beside, name, Role::second}};
   if (dot) items.push_back(Dot{p, Mark::disc, Role::second});
@@ -58,7 +58,7 @@ Items corners(const Aabb<double, 3>& box) {
 Vec3 farthest(const TriangleMesh<double>& mesh, const Sphere<double, 3>& ball) {
   const Vec3 forward = View(camera, 1, 1).forward();
   Vec3 best = ball.center;
-  float longest = -1;  // of so few digits that equals are equal
+  float longest = -1;  // a float, so that lengths equal but for rounding compare equal
   for (const Vec3& p : mesh.vertices) {
     const Vec3 d = p - ball.center;
     const auto seen = static_cast<float>(d.cross(forward).norm());
@@ -127,15 +127,15 @@ class Page {
 
   static Vec3 at(double x, double y) { return in_view(x, y); }
 
-  /// In a column of its own: neighbours never touch, however small the picture is.
+  /// Adds a text that has a column to itself, so that neighbours never touch, however small the picture is.
   void text(double x, double y, const std::string& what, bool bold = false) {
     items.push_back(viz::Heading{at(x, y), what, Role::text, 0.8 * pitch, bold});
   }
-  /// Over a bar or cells that begin at x.
+  /// Adds a text over a bar or cells that begin at x.
   void number(double x, double y, const std::string& what) {
     items.push_back(viz::Heading{at(x, y), what, Role::text, 0.8 * pitch, false, 0});
   }
-  /// Over what stands in all `columns`.
+  /// Adds a heading over all `columns`.
   void over(double y, const std::string& what, std::size_t columns) {
     items.push_back(viz::Heading{at(0, y), what, Role::muted, pitch * static_cast<double>(columns), false});
   }
@@ -143,7 +143,7 @@ class Page {
     items.push_back(
         Region{.rings = {{at(x, y), at(x + width, y), at(x + width, y + height), at(x, y + height)}}, .role = role});
   }
-  /// Hatched at 45 degrees, in the box's own colour.
+  /// Adds a box hatched at 45 degrees in its own colour.
   void hatched(double x, double y, double width, double height, Role role) {
     box(x, y, width, height, role);
     for (double s = 0.05 - height; s < width; s += 0.07) {
@@ -151,7 +151,7 @@ class Page {
       if (from < to) items.push_back(Line{at(x + from, y + from - s), at(x + to, y + to - s), role, Pen::hairline});
     }
   }
-  /// Small cells in rows, as many as fit.
+  /// Adds small cells in rows, as many as fit.
   void cells(double x, double top, std::size_t count) {
     constexpr std::size_t columns = 11, rows = 3;
     constexpr double side = 0.085, step = 0.125;

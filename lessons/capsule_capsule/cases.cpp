@@ -34,7 +34,7 @@ int branch(const Parameters& p) {
   }
 }
 
-/// From the middle of a to that of b.
+/// The way from the middle of a to the middle of b.
 Vec2 place(const Parameters& p) {
   const Setup s = setup(p);
   return (s.b.p + s.b.q - s.a.p - s.a.q) / 2;
@@ -67,7 +67,7 @@ const CaseMap& cases() {
 
 namespace {
 
-/// The typical bug: the lines' distance in place of the segments', without which all but parallel ones cross.
+/// A typical bug: the distance of the lines instead of the segments. All lines but parallel ones cross.
 bool lines_meet(const Setup& s) {
   const Vec2 u = s.a.q - s.a.p, v = s.b.q - s.b.p, w = s.b.p - s.a.p;
   const auto cross = [](const Vec2& x, const Vec2& y) { return x.x() * y.y() - x.y() * y.x(); };

@@ -55,7 +55,7 @@ void names(Scene& scene, const Setup& s) {
   scene.items.push_back(Label{flat(s.b.q), "**q**_b", Role::second});
 }
 
-/// From the middle of the segment to its left.
+/// Draws the radius from the middle of the segment to its left.
 void radius(Scene& scene, const Capsule2& c, const char* name, Role role) {
   if (c.radius == 0) return;
   const Vec2 d = c.q - c.p, aside = d.norm() > 0 ? Vec2(Vec2(-d.y(), d.x()).normalized()) : Vec2(0, 1);

@@ -19,7 +19,7 @@ struct Setup {
   bool segments() const { return a.radius == 0 && b.radius == 0; }
   /// The points of both segments that are nearest to each other, rounded.
   std::pair<viz::Vec2, viz::Vec2> closest() const;
-  /// That end, and the other segment's point nearest to it, rounded.
+  /// An end, and the point of the other segment nearest to it, rounded.
   std::pair<viz::Vec2, viz::Vec2> way(const End&) const;
 };
 Setup setup(const viz::Parameters&);
@@ -34,7 +34,7 @@ struct Shown {
 };
 viz::Scene picture(const Setup&, const Shown&);
 
-/// The middle of b about that of a. (cases.cpp)
+/// The map of all cases by where the middle of b lies about that of a. (cases.cpp)
 const viz::CaseMap& cases();
 /// Whether the capsules meet, by each method. (cases.cpp)
 std::vector<viz::Opinion> opinions(const viz::Parameters&);

@@ -81,7 +81,7 @@ class Teller {
     else
       script_.refuse(1, {});
   }
-  /// How many of the segments' lines pass strictly between the ends of the other segment, asked exactly.
+  /// How many of the two segments' lines pass strictly between the ends of the other segment; exact.
   int separating_lines() const {
     const auto between = [](const Capsule2& line, const Capsule2& ends) {
       return orient2d(line.p, line.q, ends.p) * orient2d(line.p, line.q, ends.q) < 0;
@@ -92,10 +92,10 @@ class Teller {
     if (!ends_.empty() && (ends_.back().end < 2) != (e.end < 2)) ends();
     ends_.push_back(e);
   }
-  void say(const capsule_capsule::Contained&) {}  // the relation tells it
+  void say(const capsule_capsule::Contained&) {}  // the step of the relation shows it
   void say(const Fallback&) {}
 
-  /// Those of one segment that were asked.
+  /// Adds the step about the tested ends of one segment.
   void ends() {
     const bool of_a = ends_.back().end < 2;
     const double before = least_;
@@ -126,7 +126,7 @@ class Teller {
     const std::string first = placed(ends_.front().end);
     return ends_.size() == 1 ? first + " is" : fmt::format("{} and {} are", first, placed(ends_.back().end));
   }
-  /// The segment to whose points they are held.
+  /// The segment that these ends are compared with.
   std::string tested_against() const {
     const int other = ends_.front().end < 2 ? 2 : 0;
     return fmt::format("the segment from {} to {}", placed(other), placed(other + 1));
@@ -137,8 +137,8 @@ class Teller {
     return fmt::format("{} = ({}, {})", end_names[end], shown(at.x()), shown(at.y()));
   }
 
-  /// The least distances to the ends alone, and to the line without its ends, with what was found `before`; that alone;
-  /// and from the other capsule's surface.
+  /// Wrong values: the least distance to the ends alone, and to the line (each with what was found `before`); `before`
+  /// alone; and the distance from the other capsule's surface.
   std::vector<double> misconceived(double before) const {
     double to_ends = before, to_line = before;
     for (const End& e : ends_) {
@@ -176,7 +176,7 @@ class Teller {
                               : 6,
                      end_caption(s_), fmt::format("*d* {} {} = *R*", meet ? compared() : ">", shown(sum())));
     if (inside)
-      step.decides = true;               // by the balls at the ends
+      step.decides = true;               // the balls at the ends decide
     else if ((least_ <= sum()) == meet)  // else rounding hides the difference
       Script::decide(step, {"*d* > *R*", least_, sum(), !meet,
                             !meet                       ? "a gap between them"
@@ -186,7 +186,7 @@ class Teller {
     if (std::isfinite(least_)) step.question->given = {{"least *d* so far", least_, "length", Role::highlight}};
   }
 
-  /// Of d, which is R at most, and R.
+  /// The sign between d, which is at most R, and R.
   const char* compared() const {
     const bool all_as_far = is_least() && !crossed_ && !nearer();
     if (sum() == 0 || all_as_far || s_.truth == Relation::touching) return "=";

@@ -27,7 +27,7 @@ int branch(const Parameters& p) {
   return kept->lo == kept->hi || runs_along_a_side(s, box) ? touching : cut;
 }
 
-/// Where **q** lies; a polygon has no place.
+/// The place of **q**; NaN for a polygon.
 Vec2 place(const Parameters& p) {
   if (std::get<std::string>(p.at("shape")) != "segment")
     return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());

@@ -39,12 +39,12 @@ struct Narrowing {
   Segment<double, 2> segment;
   Box box;
   Interval<double> range = {0, 1};  ///< of t, so far
-  bool left = false;                ///< nothing of it is left
+  bool left = false;                ///< no part of it is left
   bool started = false, settled = false;
 
   Point<double, 2> at(double t) const { return segment.p + t * (segment.q - segment.p); }
 };
-/// With the side in turn and the t at which the line crosses it, if any.
+/// The segment as clipped so far, with the current side and the t at which the line crosses it, if any.
 viz::Scene picture(const Narrowing&, const Side* = nullptr, const double* crossing = nullptr);
 
 /// What is known of a polygon while it is clipped.

@@ -25,14 +25,14 @@ bool has_bridges(const Ring<double, 2>& ring) {
   return false;
 }
 
-/// Some edge meets the box, or the box lies in the polygon; exact.
+/// Whether some edge meets the box, or the box lies in the polygon; exact.
 bool share_a_point(const Ring<double, 2>& ring, const Box& box) {
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (isect::clip(Segment<double, 2>{ring[i], ring[(i + 1) % ring.size()]}, box)) return true;
   return winding(box.lo, ring).even_odd != Location::out;
 }
 
-/// Different vertices of what the polygon and the box share, by what the method returns; 0 for bridges along nothing.
+/// The number of different vertices in the method's result; 0 if polygon and box share no point (only bridges).
 std::size_t count_kept(const Ring<double, 2>& ring, const Box& box, const Ring<double, 2>& returned) {
   if (!share_a_point(ring, box)) return 0;
   Ring<double, 2> different;

@@ -15,7 +15,7 @@ using C = Counted<double>;
 
 namespace {
 
-/// The true count among its neighbours, smallest first.
+/// Offers the true count, the count before and neighbours of the true one, smallest first.
 void choices(Question& q, int before, int after) {
   std::vector<int> numbers = {before, after};
   for (int k = 1; numbers.size() < 4; ++k)

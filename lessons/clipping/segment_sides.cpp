@@ -14,7 +14,7 @@ using namespace viz;
 
 namespace {
 
-/// An end that stays is shown at the line that computes t, so that this line is reached too.
+/// An end that doesn't change is shown at the line that computes t, so that this line is reached too.
 int line_of(int heading, bool narrowed) {
   if (heading == 0) return 4;
   if (!narrowed) return 5;

@@ -20,7 +20,7 @@ Boxes few(const Vec3& p) {
 
 Boxes many(int n) {
   bench::Random random(static_cast<std::uint64_t>(n));
-  const double extent = std::sqrt(n);  // the density stays
+  const double extent = std::sqrt(n);  // the density does not depend on n
   Boxes boxes;
   for (int i = 0; i < n; ++i) {
     const double x = random.uniform(0, extent), y = random.uniform(0, extent);
@@ -34,7 +34,7 @@ Frame frame_of(const Boxes& boxes) {
   for (const Aabb<double, 2>& b : boxes) all = {all.lo.cwiseMin(b.lo), all.hi.cwiseMax(b.hi)};
   const Vec2 size = all.hi - all.lo;
   Frame frame;
-  if (const double unit = std::max(size.x() / 5.75, size.y() / 3.5); unit > 0) frame.unit = unit;  // as that of the few
+  if (const double unit = std::max(size.x() / 5.75, size.y() / 3.5); unit > 0) frame.unit = unit;  // 1 for the few
   frame.below = all.lo.y() - 0.45 * frame.unit;
   frame.bottom = frame.below - frame.unit * (0.11 * static_cast<double>(boxes.size() - 1) + 0.1);
   frame.top = all.hi.y() + 0.5 * frame.unit;
@@ -43,7 +43,7 @@ Frame frame_of(const Boxes& boxes) {
 
 namespace {
 
-/// In a corner of box k that no other box covers; else in the lower left one.
+/// A place in a corner of box k that no other box covers, else in the lower left one.
 Vec3 place_of_number(const Boxes& boxes, int k, double unit) {
   const Vec2 in = unit * Vec2(0.16, 0.18);
   const Aabb<double, 2> places = {boxes[k].lo + in, boxes[k].hi - in};

@@ -11,10 +11,10 @@ using Boxes = std::vector<Aabb<double, 2>>;
 
 /// Six boxes; the first is centred at `p`.
 Boxes few(const viz::Vec3& p);
-/// As dense as the few, and the same on every machine.
+/// n random boxes as dense as the few, the same on every machine.
 Boxes many(int n);
 
-/// How large what is drawn beside the boxes is, and where; as it stands, for the few.
+/// The size and place of what is drawn beside the boxes. The default is for the few.
 struct Frame {
   double unit = 1;
   double below = -2.45;           ///< y of the intervals on the axis

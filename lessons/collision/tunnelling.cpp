@@ -135,7 +135,7 @@ class Flight {
                        : "The box passes beside the wall.";
   }
 
-  /// Whether more is to be asked.
+  /// Adds the step about the swept volume. Returns whether more is left to test.
   bool swept() {
     swept_ = true;
     const bool may = may_collide(bullet_, wall_, duration), meet = truth_.has_value();

@@ -57,7 +57,7 @@ class Coarsening {
     drawn_.gone.clear();
   }
 
-  /// The first level that is coarser, or the last one.
+  /// Shows the first level that is coarser, or the last one.
   void coarsen(Index level) {
     drawn_.gone = h_.levels[level - 1].removed;
     const auto count = [&] { script_.value("triangles", static_cast<double>(h_.levels[level].triangles.size())); };

@@ -62,7 +62,7 @@ class LevelPicture {
     scene.items.emplace_back(table_heading(f, "triangles of each level"));
   }
 
-  /// As long as there are triangles.
+  /// Adds a bar whose length shows the number of triangles.
   static void add_bar(Scene& scene, double x, double y, double size, double length, Role role) {
     const double h = size / 2;
     Region bar = filled({{x, y - h, 0}, {x + length, y - h, 0}, {x + length, y + h, 0}, {x, y + h, 0}}, role);

@@ -26,7 +26,7 @@ void add_mark(Scene& scene, const Vec3& at, Ask ask, Role role, double size) {
   }
 }
 
-/// Where the questions stand: leaves side by side in the order of a search, questions above the middle of theirs.
+/// Where the questions stand: leaves side by side in the order of a search, a question midway above its two successors.
 class Layout {
  public:
   Layout(const Frame& frame, const TrapezoidMap& map) : frame_(frame), map_(map), depth_(depths(map)) {
@@ -51,7 +51,7 @@ class Layout {
     return x_[i] = x;
   }
 
-  /// What stands side by side keeps a distance.
+  /// Keeps a distance between neighbours in a row.
   void spread() {
     std::map<int, std::vector<int>> rows;
     for (const auto& [i, d] : depth_) rows[d].push_back(i);

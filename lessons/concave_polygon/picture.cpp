@@ -49,7 +49,7 @@ bool turns_right(const Ring<double, 2>& ring) {
   return false;
 }
 
-/// As wide and high as that of the lesson beside its own polygons, about the middle of this one.
+/// A frame of the lesson's own proportions, centred at this polygon, with room for 1.15 times its size.
 Frame frame_of(const Ring<double, 2>& ring) {
   constexpr Frame usual;
   Eigen::AlignedBox2d box;

@@ -11,7 +11,7 @@
 
 namespace isect::lessons::concave_polygon_lesson {
 
-/// The part of the plane that is drawn; what is stored stands to the right of it.
+/// The part of the plane that is drawn; the table of what is stored stands to its right.
 struct Frame {
   double left = -3.3, right = 1.15, low = -2, high = 2;
   double unit = 1;  ///< of lengths in the table
@@ -25,7 +25,7 @@ inline constexpr double table_width = 2.6;
 
 struct Setup {
   explicit Setup(const viz::Parameters&);
-  /// Of any simple polygon, counter-clockwise, in a frame that fits it.
+  /// For any simple polygon, counter-clockwise, with a frame that fits it.
   Setup(const Ring<double, 2>& ring, const Point<double, 2>& p);
 
   Frame frame;
@@ -37,9 +37,9 @@ struct Setup {
   int size() const { return static_cast<int>(ring.size()); }
 };
 
-/// What the three ways need: the polygon of the setting is simple, counter-clockwise and within the frame.
+/// Whether the polygon of the setting is simple, counter-clockwise and within the frame, as the three ways require.
 bool can_be_prepared(const viz::Parameters&);
-/// So many corners has the polygon with most of them.
+/// The largest number of corners of any polygon here.
 int most_corners();
 
 /// A polygon with this many long spikes, side by side: n = 2 spikes + 1, no two vertices at one height or abscissa.
@@ -56,7 +56,7 @@ struct Kept {
   double map_nodes;     ///< questions and trapezoids
 };
 const Kept& kept(int spikes);
-/// Both, as n grows, with the step that tells it.
+/// The chart of both counts as n grows, and the caption of its step.
 inline constexpr int fewest_spikes = 8, most_spikes = 512;
 viz::Chart growth();
 std::string growth_caption();
@@ -65,11 +65,11 @@ std::string growth_caption();
 
 viz::Region polygon(const Setup&, bool outlined = true);
 viz::Region filled(const std::vector<viz::Vec3>& ring, viz::Role role);
-/// One stored thing: a small square around `at`.
+/// Adds one stored item: a small square around the point `at`.
 void add_cell(viz::Scene&, double x, double y, double size, viz::Role role, bool thick = false);
-/// What stands above the cells.
+/// The heading above the cells.
 viz::Heading table_heading(const Frame&, const std::string&);
-/// The point with its name and its handle.
+/// Adds the point with its name and its handle.
 void add_point(viz::Scene&, const Setup&, bool on = false);
 
 std::string alt_text(const Setup&, const std::string& prepared);

@@ -54,7 +54,7 @@ class SlabPicture {
     return a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
   }
 
-  /// What of the slab is still possible: between the edges known to lie left and right of p.
+  /// The part of the slab that is still possible: between the edges known to lie left and right of p.
   Region possible() const {
     const double y0 = slab(d_.slab).bottom, y1 = slab(d_.slab + 1).bottom;
     const bool none_left = d_.lo == slab(d_.slab).first, none_right = d_.hi == slab(d_.slab + 1).first;
@@ -68,7 +68,7 @@ class SlabPicture {
     return filled({{x(true, y0), y0, 0}, {x(false, y0), y0, 0}, {x(false, y1), y1, 0}, {x(true, y1), y1, 0}}, role);
   }
 
-  /// What is stored: beside each slab a square for each of its edges.
+  /// Draws what is stored: beside each slab a square for each of its edges.
   void table(Scene& scene) const {
     const double size = 0.15, pitch = 0.22;
     for (int i = 0; i < count(); ++i) {

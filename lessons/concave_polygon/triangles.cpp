@@ -20,7 +20,7 @@ class Clipper {
  public:
   explicit Clipper(const std::vector<Point<double, 2>>& vertices) : vertices_(vertices) {}
 
-  /// Ears are cut off until a triangle is left.
+  /// Cuts off ears until a triangle is left.
   void clip(Outline outline, bool inside, std::vector<Triangle>& out) const {
     while (outline.size() > 2) {
       const Index n = outline.size();
@@ -48,7 +48,7 @@ class Clipper {
     });
   }
 
-  /// Area over the square of the longest side: slivers make poor pictures.
+  /// The area over the square of the longest side: it is small for slivers, which make poor pictures.
   double roundness(const Outline& outline, Index i) const {
     const Index n = outline.size();
     const Vector<double, 2> u = at(outline[(i + n - 1) % n]) - at(outline[i]),

@@ -18,7 +18,7 @@ struct Triangle {
 };
 struct Level {
   std::vector<Triangle> triangles;
-  std::vector<int> removed;  ///< vertices that the next level is without: no two joined by an edge
+  std::vector<int> removed;  ///< vertices that the next level lacks: no two joined by an edge
 };
 struct Hierarchy {
   std::vector<Point<double, 2>> vertices;  ///< the polygon's, then the four corners of the box
@@ -27,7 +27,7 @@ struct Hierarchy {
   Ring<double, 2> triangle(const Triangle& t) const;
 };
 
-/// Of a simple polygon, counter-clockwise, in the interior of a box.
+/// Builds the hierarchy of a simple polygon, counter-clockwise, in the interior of a box.
 Hierarchy make_hierarchy(const Ring<double, 2>& ring, const Aabb<double, 2>& box);
 
 /// On each level, from the coarsest to the finest, the triangle that holds the point; nothing outside of the box.

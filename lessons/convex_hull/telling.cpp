@@ -66,7 +66,7 @@ class Teller {
     return step;
   }
 
-  /// Its last points, as many as may matter.
+  /// The last points of the chain, as many as may matter.
   std::string end_of_chain() const {
     constexpr std::size_t enough = 5;
     const std::size_t n = drawn_.chain.size(), first = n > enough ? n - enough : 0;
@@ -75,7 +75,7 @@ class Teller {
     return fmt::format("The chain {} {}.", first > 0 ? "ends with" : "is", all);
   }
 
-  /// One more point of a chain, with those that it removed.
+  /// A point joins a chain, and those in `removed_` leave it.
   void say(const Added& e) {
     if (drawn_.chain.empty()) drawn_.upper = started_++ > 0;
     const std::string chain = end_of_chain();

@@ -14,7 +14,7 @@ using namespace viz;
 
 namespace {
 
-/// Kept, since a million vertices take a while; for n = 4 the vertices lie on the axes exactly.
+/// The lesson's polygon, cached as a million vertices take a while; for n = 4 the vertices lie on the axes exactly.
 const ConvexPolygon<double>& polygon_of(int n) {
   static std::map<int, ConvexPolygon<double>> kept;
   ConvexPolygon<double>& polygon = kept[n];
@@ -40,7 +40,7 @@ std::vector<Vec3> arc(const Setup& s, int from, int to) {
   return points;
 }
 
-/// From the apex to the vertices: all of them at the start, then those of the wedges left.
+/// Draws lines from the apex to the vertices: to all of them at the start, then to those of the wedges left.
 void rays(Scene& scene, const Setup& s, const Shown& shown) {
   const int from = shown.lo < 0 ? 0 : shown.lo, to = shown.lo < 0 ? s.size() - 1 : shown.hi;
   for (int i = from; i <= to; i += 1 + (to - from) / most_rays)

@@ -11,12 +11,12 @@ namespace isect::lessons::convex_polygon_lesson {
 
 /// A convex polygon, and what is true of the point by the exact test.
 struct Setup {
-  /// Of n vertices on an ellipse.
+  /// The lesson's polygon with n vertices on an ellipse.
   Setup(int n, const Point<double, 2>& the_point);
-  /// Any: three vertices or more, counter-clockwise, no three on one line.
+  /// Any polygon: three vertices or more, counter-clockwise, no three on one line.
   Setup(ConvexPolygon<double>, const Point<double, 2>& the_point);
 
-  std::shared_ptr<const ConvexPolygon<double>> own;  ///< none where the polygon is one of the lesson's
+  std::shared_ptr<const ConvexPolygon<double>> own;  ///< null where the polygon is one of the lesson's
   const ConvexPolygon<double>& polygon;
   Point<double, 2> p;
   Location truth;
@@ -37,7 +37,7 @@ struct Shown {
   bool edge = false;     ///< the wedge's edge is asked
   bool on = false;
 };
-/// So many rays of the fan are drawn at most; of more vertices some are left out.
+/// The most rays of the fan that are drawn; with more vertices some are left out.
 inline constexpr int most_rays = 64;
 viz::Scene picture(const Setup&, const Shown&);
 std::string alt_text(const Setup&);

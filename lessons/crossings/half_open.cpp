@@ -58,7 +58,7 @@ class HalfOpen : Teller {
     known_.raised = false;
     if (setup_.truth.even_odd == Location::on) return;
     step.question = how_many("A vertex on the ray counts as below it.", setup_.truth.crossings);
-    step.question->over = picture(setup_, known_);  // the raised ray would tell
+    step.question->over = picture(setup_, known_);  // the raised ray would give the answer away
     give_before(script_.walk(), {"count"});
   }
 

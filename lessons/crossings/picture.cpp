@@ -14,7 +14,7 @@ namespace {
 
 const char* word(Location l) { return l == Location::in ? "IN" : l == Location::on ? "ON" : "OUT"; }
 
-/// Right of everything, so that the ray leaves the picture last.
+/// The abscissa where the ray ends: right of everything, so that it leaves the picture last.
 double end_of_ray(const Setup& s) {
   double end = s.p.x();
   for (const Ring<double, 2>& ring : s.polygon.rings)
@@ -22,7 +22,7 @@ double end_of_ray(const Setup& s) {
   return end + 0.75;
 }
 
-/// The ray a little higher: by half the way to the next vertex above it, and little enough to look like one ray.
+/// Draws the ray raised by at most half the way to the next vertex above it, and so little that it looks like one ray.
 void add_raised(const Setup& s, Scene& scene) {
   double rise = 0.15;
   for (const Ring<double, 2>& ring : s.polygon.rings)

@@ -14,28 +14,28 @@ struct Situation {
   const char* title;
   Point<double, 2> p;
   Polygon<double, 2> polygon;
-  const char* note;  ///< one sentence on what is special, with the point where it is given
+  const char* note;  ///< one sentence on what is special about the given point
 };
 
-/// The first is the one to start with.
+/// All situations, the first of which is shown at the start.
 const std::vector<Situation>& situations();
 const Situation& situation(const std::string& id);
-/// So many corners has the polygon with most of them.
+/// The largest number of corners of any polygon here.
 int most_corners();
 
 /// A situation with its point and its corners perhaps moved, and what is true of it by the exact test.
 struct Setup {
   explicit Setup(const viz::Parameters&);
-  /// Of any polygon; the situation then has no corners and no note.
+  /// For any polygon; its situation has no corners and no note.
   Setup(const Point<double, 2>&, const Polygon<double, 2>&);
 
   const Situation& situation;
   Point<double, 2> p;
   Polygon<double, 2> polygon;
-  bool simple;  ///< one ring that neither crosses nor meets itself: what Jordan's theorem speaks of
+  bool simple;  ///< one ring that neither crosses nor meets itself, as Jordan's theorem requires
   Winding truth;
 
-  /// Nothing was moved.
+  /// Whether nothing was moved.
   bool as_given() const { return p == situation.p && polygon.rings == situation.polygon.rings; }
 
   /// The vertices on the ray, its origin left out.

@@ -12,7 +12,7 @@ using namespace viz;
 
 namespace {
 
-/// What is special about the point where it stands now.
+/// A sentence on what is special about the point where it is now.
 std::string special(const Setup& s) {
   if (s.as_given()) return s.situation.note;
   if (s.truth.even_odd == Location::on) return "The point lies on the boundary.";
@@ -21,7 +21,7 @@ std::string special(const Setup& s) {
                        : fmt::format("{} {} on the ray.", vertices, vertices == 1 ? "vertex lies" : "vertices lie");
 }
 
-/// Edges that meet the whole line of the ray, by the half-open rule: those on the left of the point, too.
+/// The number of edges that meet the whole line of the ray, by the half-open rule: left of the point, too.
 int crossings_of_line(const Setup& s) {
   int count = 0;
   for (const Ring<double, 2>& ring : s.polygon.rings)

@@ -31,7 +31,7 @@ int branch(const Parameters& p) {
   return meet(box, view) ? crossing : false_positive;
 }
 
-/// Before the eye and to its right. Only a single box has a place.
+/// How far the box is in front of the eye and to its right; NaN unless a single box is tested.
 Vec2 place(const Parameters& p) {
   if (std::get<std::string>(p.at("volume")) != "box") return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
   const Vec3 from_eye = std::get<Vec3>(p.at("p")) - std::get<Vec3>(p.at("eye"));

@@ -18,7 +18,7 @@ struct Visit {
   std::vector<std::pair<int, Answer>> tested;  ///< boxes of a leaf that crosses, each tested itself
 };
 
-/// What is drawn, in what order nodes are asked, and how many boxes were tested against the frustum.
+/// What is drawn, in what order nodes are tested, and how many boxes were tested against the frustum.
 struct Culled {
   std::vector<Visit> visits;
   std::vector<int> drawn;

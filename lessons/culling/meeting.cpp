@@ -32,7 +32,7 @@ Corner<W> between(const W& a, const Corner<W>& A, const W& b, const Corner<W>& B
   return {{mixed(A.x[0], B.x[0]), mixed(A.x[1], B.x[1]), mixed(A.x[2], B.x[2])}, mixed(A.w, B.w)};
 }
 
-/// Asks signs in the arithmetic W, and remembers if one stayed open. Then no answer counts.
+/// Finds signs in the arithmetic W, and remembers if one stayed open: then no answer is valid.
 template <class W>
 class Clipper {
  public:
@@ -44,7 +44,7 @@ class Clipper {
     return s.value_or(0);
   }
 
-  /// What lies over the plane or on it.
+  /// The part of the outline on the plane's inner side or on the plane.
   Outline<W> clip(const Outline<W>& outline, const Plane<double, 3>& plane) {
     Outline<W> kept;
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -93,7 +93,7 @@ Corner<W> corner(const Frustum<double>& view, Clipper<W>& clipper) {
   return c;
 }
 
-/// Nothing where W leaves it open.
+/// Returns nothing where W leaves a sign open.
 template <class W>
 std::optional<bool> meet_in(const Box& box, const Frustum<double>& view) {
   Clipper<W> clipper;

@@ -98,7 +98,7 @@ class OneVolume {
                               {"*r*", std::get<Ball>(asked_).radius, "length", Role::second}};
   }
 
-  /// Asked so that the numbers alone tell.
+  /// The question, with numbers that suffice to answer it.
   std::string where(int plane) const {
     const char* const name = plane_names[plane];
     if (ball_) return fmt::format("Where does the ball lie, relative to the {} plane, whose **n** has length 1?", name);
@@ -108,7 +108,7 @@ class OneVolume {
   }
 
   Comparison ask_box(int i, Culling side, Scene& scene) {
-    // Counted as isect/aabb_frustum.h asks: the n-vertex only where the p-vertex is not beyond.
+    // Counts what isect/aabb_frustum.h tests: the n-vertex only where the p-vertex is not beyond.
     const Plane<C, 3> plane = cast<C>(plane_at(i));
     const Aabb<C, 3> box = cast<C>(std::get<Box>(asked_));
     const auto at = [](const Point<C, 3>& p) -> Vec3 { return {p[0].value, p[1].value, p[2].value}; };
@@ -159,7 +159,7 @@ class OneVolume {
     return {"**n** · **c** + *D* < *r*", height, ball.radius, side == Culling::crossing, ""};
   }
 
-  /// Which corner of the box lies furthest along **n**: the signs of **n** tell.
+  /// The box's corner farthest along **n**, which follows from the signs of **n**; of a ball the height of its centre.
   std::string formula(int i) const {
     if (ball_) return "**n** · **c** + *D* = " + shown(reaches_ - std::get<Ball>(asked_).radius) + ", with |**n**| = 1";
     std::string corner;
@@ -205,7 +205,7 @@ class OneVolume {
     return found;
   }
 
-  /// Of a ball, whose centre each plane is asked about.
+  /// Whether the volume is a ball whose centre lies beyond none of the planes.
   bool centre_inside() const {
     if (!ball_) return false;
     const Point<double, 3>& centre = std::get<Ball>(asked_).center;

@@ -50,7 +50,7 @@ std::string inner_side(const Vec3& eye) {
 
 namespace {
 
-/// Hears of the planes, and of nothing else.
+/// Records the events about planes and ignores all others.
 struct Planes {
   std::vector<frustum_planes::Tested> tested;
 

@@ -25,9 +25,9 @@ Frustum<double> frustum(const viz::Vec3& eye);
 /// left, right, bottom, top, near, far
 extern const char* const plane_names[6];
 
-/// "3 *x* + 8 *z* + 12 ≥ 0": what lies on the inner side of a plane.
+/// The inner side of a plane: "3 *x* + 8 *z* + 12 ≥ 0".
 std::string inner_side(const Plane<double, 3>&);
-/// The same of all six at once: "−2.5 ≤ *x* ≤ 3, 4 |*y*| ≤ *x* + 4 and 8 |*z*| ≤ 3 (*x* + 4)".
+/// The inner sides of all six planes at once: "−2.5 ≤ *x* ≤ 3, 4 |*y*| ≤ *x* + 4 and 8 |*z*| ≤ 3 (*x* + 4)".
 std::string inner_side(const viz::Vec3& eye);
 
 /// The core's answer, and each plane that it tested on the way.
@@ -35,13 +35,13 @@ struct Answer {
   Culling culling;
   std::vector<frustum_planes::Tested> tested = {};
 
-  /// The one beyond which the volume lies; -1: none.
+  /// The plane beyond which the volume lies; -1: none.
   int rejecting_plane() const { return culling == Culling::outside && !tested.empty() ? tested.back().plane : -1; }
 };
 Answer ask(const Volume&, const Frustum<double>&);
 
-/// The parts of the box's faces that lie in the frustum, rounded, for a picture: nothing of a box around it, or
-/// outside.
+/// The parts of the box's faces that lie in the frustum, rounded, for a picture; none if the box contains the frustum
+/// or lies outside it.
 std::vector<Ring<double, 3>> faces_inside(const Box&, const Frustum<double>&);
 /// Whether they have a common point, touching included. Exact for the planes as given. Finite box, not empty.
 bool meet(const Box&, const Frustum<double>&);
@@ -51,11 +51,11 @@ const char* word(Culling);  ///< "inside"
 viz::Role role_of(Culling);
 viz::Mark mark_of(Culling);
 void add(const Volume&, viz::Role, viz::Scene&);
-/// With the sign of the answer in its middle, and beside it the name of the plane that rejects it.
+/// Adds the volume with its answer's sign in the middle, and beside it the name of the plane that rejects it.
 void add(const Volume&, const Answer&, viz::Scene&);
-/// The eye, dashed lines to the near corners, and the frustum itself.
+/// Adds the eye, dashed lines to the near corners, and the frustum itself.
 void add_view(const Frustum<double>&, const viz::Vec3& eye, viz::Scene&);
-/// One plane's face with its normal.
+/// Adds one plane's face with its normal.
 void add_plane(const Frustum<double>&, int plane, viz::Scene&);
 
 }  // namespace isect::lessons::culling_lesson

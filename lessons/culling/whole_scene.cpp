@@ -94,7 +94,7 @@ class WholeScene {
     return sum;
   }
 
-  /// With what the planes up to `plane` reject, and the inner and crossing ones once they are known.
+  /// The scene with what the planes up to `plane` reject, and the inner and crossing volumes once they are known.
   Scene picture(int plane, bool inside, bool crossing) const {
     Scene scene;
     add_view(view_, eye_, scene);

@@ -61,7 +61,7 @@ class Building {
     return step;
   }
 
-  /// Why a part is split though that costs more than a leaf.
+  /// Why a part is split although that costs more than a leaf.
   static std::string too_many(const bvh::Split<double>& split) {
     const int count = split.left + split.right;
     return count > options.largest_leaf

@@ -18,7 +18,7 @@ using namespace viz;
 
 namespace {
 
-/// Node and box tests of a ray from anywhere among the boxes, on average.
+/// The mean number of node and box tests of a ray from anywhere among the boxes.
 double ray_tests(const Bvh<double, 2>& bvh, const Boxes& boxes) {
   constexpr int rays = 64;
   bench::Random random(boxes.size());
@@ -50,7 +50,7 @@ Cost cost(int n) {
           statistics(bvh).depth};
 }
 
-/// What it takes without a hierarchy and, unless null, with one, over n.
+/// The chart of the cost over n, without a hierarchy and, if `with` is not null, with one.
 std::shared_ptr<const Chart> chart(const std::string& title, const std::string& name, double (*plain)(double),
                                    double Cost::*with) {
   const double n = costs().back().n;

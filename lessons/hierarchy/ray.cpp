@@ -152,7 +152,7 @@ class Shooting {
     give_before(script_.walk(), {"node tests", "box tests", "ruled out"});
   }
 
-  /// Asked so that the numbers alone tell.
+  /// The question, with numbers that suffice to answer it.
   std::string how_many(const BvhNode<double, 2>& node) const {
     const auto &a = tree_.node(node.first).box, &b = tree_.node(node.first + 1).box;
     return fmt::format(

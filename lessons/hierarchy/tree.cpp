@@ -42,7 +42,7 @@ Boxes cluster(const Vec3& middle) {
 TreePlace place_beside(const Boxes& boxes) {
   Vec2 lo = boxes.front().lo, hi = boxes.front().hi;
   for (const Aabb<double, 2>& box : boxes) lo = lo.cwiseMin(box.lo), hi = hi.cwiseMax(box.hi);
-  const double unit = std::max((hi.x() - lo.x()) / 4.2, (hi.y() - lo.y()) / 3.55);  // the lesson's own span these
+  const double unit = std::max((hi.x() - lo.x()) / 4.2, (hi.y() - lo.y()) / 3.55);  // spans of the lesson's boxes
   const Vec2 corner = {hi.x() + 0.9 * unit, (lo.y() + hi.y()) / 2 - 1.5 * unit};
   return {corner, corner + Vec2(3.75, 3.125) * unit, unit};
 }

@@ -15,7 +15,7 @@ using Boxes = std::vector<Aabb<double, 2>>;
 Boxes scattered(const viz::Vec3& p);     ///< twelve; the middle of box 0 is p
 Boxes cluster(const viz::Vec3& middle);  ///< six, for a second object
 
-/// Leaves of up to three boxes, as a node's test costs twice a box's here: small trees, that are drawn clearly.
+/// Leaves hold up to three boxes, as a node's test costs twice a box's here: small trees that are clear when drawn.
 inline constexpr BvhOptions options = {.largest_leaf = 3, .visit = 2};
 
 /// Where a tree is drawn, beside its boxes, and how long the lesson's unit is there.
@@ -39,10 +39,10 @@ struct Tree {
   int height(int node) const;              ///< 0 of a leaf
 };
 
-/// What a step shows of a node.
+/// How a step shows a node.
 enum class State {
   hidden,   ///< not built yet
-  unseen,   ///< not asked yet
+  unseen,   ///< not tested yet
   seen,     ///< opened
   waiting,  ///< met, to be opened later
   pruned,   ///< ruled out with all below it
@@ -71,16 +71,16 @@ const viz::Closing& closing();
 // The walks.
 
 viz::Walk build(const viz::Vec3& p);
-/// The closest hit of the ray from o along d.
+/// The walk to the closest hit of the ray from o along d.
 viz::Walk ray(const viz::Vec3& p, const viz::Vec3& o, const viz::Vec3& d);
-/// The same of any boxes, two or more, that are not all one point.
+/// The same walks over any two or more boxes that are not all one point.
 viz::Walk build(const Boxes&);
 viz::Walk ray(const Boxes&, const Ray<double, 2>&);
-/// All pairs between the boxes and a second object's.
+/// The walk to all pairs between the boxes and a second object's.
 viz::Walk pairs(const viz::Vec3& p, const viz::Vec3& q);
 viz::Walk growth();
 
-/// What a question costs in n boxes: node and box tests, on average of many rays, and of all pairs.
+/// The cost of a query in n boxes: node and box tests, as the mean of many rays, and for all pairs.
 struct Cost {
   int n;
   double ray, pairs;

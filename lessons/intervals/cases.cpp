@@ -33,7 +33,7 @@ int branch(const Parameters& p) {
   }
   return same;
 }
-/// In lengths of a, from its lower end; nowhere if a has none.
+/// The ends of b in lengths of a, from a's lower end; NaN if a has no length.
 Vec2 place(const Parameters& p) {
   const Setup s = setup(p);
   const double unit = s.a.lo < s.a.hi ? s.a.hi - s.a.lo : std::numeric_limits<double>::quiet_NaN();

@@ -41,7 +41,7 @@ const Vec3& vector_of(const Parameters& p, const char* name) { return std::get<V
 Vec2 place(const Parameters& p) {
   return {(vector_of(p, "b") - vector_of(p, "a")).norm(), degrees(vector_of(p, "b_u"))};
 }
-/// Asked for thousands of places: no box is built.
+/// No box is built here, as this is called for thousands of places.
 Parameters moved(const Parameters& p, const Vec2& to) {
   const Vec3 &a = vector_of(p, "a"), l = vector_of(p, "b") - a;
   const Eigen::AngleAxisd turn((to.y() - degrees(vector_of(p, "b_u"))) * std::numbers::pi / 180, Vec3::UnitY());

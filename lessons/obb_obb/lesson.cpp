@@ -85,7 +85,7 @@ Parameter half_lengths(const char* name, const char* label, const char* help, co
   return p;
 }
 
-/// Two directions span the sides' plane, a microradian apart or more.
+/// Two directions, a microradian apart or more, span the plane of the sides.
 Condition aside(const char* v, const char* u) {
   return {v, std::string("a vector that is neither 0 nor along ") + u, [=](const Parameters& p) {
             const Vec3 one = unit(std::get<Vec3>(p.at(u))), other = unit(std::get<Vec3>(p.at(v)));

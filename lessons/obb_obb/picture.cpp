@@ -23,7 +23,7 @@ Vec3 corner(const Box& box, int i) {
   return box.center + box.axes * s;
 }
 
-/// A right-handed frame: u normalised, w orthogonal to u and v, and v made orthogonal to both.
+/// A box with a right-handed frame: u normalised, w orthogonal to u and v, and v made orthogonal to both.
 Box box_of(const Vec3& center, const Vec3& half, const Vec3& u, const Vec3& v) {
   Box box = {center, {}, half};
   box.axes.col(0) = unit(u);
@@ -72,7 +72,7 @@ class Ruler {
     scene.items.push_back(Label{at(center, row), name, role, at(center + towards * r, row)});
   }
 
-  /// From the box's corner farthest towards the other box down to the ruler.
+  /// Draws a line from the box's corner farthest towards the other box down to the ruler.
   void drop(Scene& scene, const Box& box, double towards, double t, int row) const {
     Vec3 best = corner(box, 0);
     const auto rank = [&](const Vec3& p) { return 1e6 * towards * p.dot(e_) + p.dot(away_); };
@@ -86,7 +86,7 @@ class Ruler {
   double reach_ = 0, clear_;
 };
 
-/// The face whose normal is asked, on the side of the other box.
+/// Marks the face whose normal is tested, on the side of the other box.
 void mark_face(Scene& scene, const Box& box, int axis, const Vec3& other) {
   const Vec3 u = box.axes.col((axis + 1) % 3) * box.half[(axis + 1) % 3],
              v = box.axes.col((axis + 2) % 3) * box.half[(axis + 2) % 3], n = box.axes.col(axis);
@@ -97,7 +97,7 @@ void mark_face(Scene& scene, const Box& box, int axis, const Vec3& other) {
   scene.items.push_back(face);
 }
 
-/// The edge along the axis, of the four the one that lies farthest along `towards`.
+/// Marks an edge along the axis: of the four the one farthest along `towards`.
 void mark_edge(Scene& scene, const Box& box, int axis, const Vec3& towards) {
   Vec3 p = box.center;
   for (int i = 0; i < 3; ++i)

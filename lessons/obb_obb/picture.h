@@ -16,7 +16,7 @@ struct Setup {
 };
 Setup setup(const viz::Parameters&);
 
-/// The axis, not normalised, and the boxes' projections on it; by the core.
+/// The axis, not normalised, and the boxes' projections on it, as the core computes them.
 obb_obb::Tested<3> projections(const Setup&, const obb_obb::Axis&);
 /// "**a**_u", "**a**_u × **b**_w"
 std::string name_of(const obb_obb::Axis&);
@@ -30,7 +30,7 @@ enum class Focus {
 };
 viz::Scene picture(const Setup&, Focus, const std::optional<obb_obb::Axis>& = {});
 
-/// Distance against turn: which axis separates first. (cases.cpp)
+/// The map of distance against turn: which axis separates first. (cases.cpp)
 const viz::CaseMap& cases();
 
 /// What is told before the first step, and after the last one. (closing.cpp)

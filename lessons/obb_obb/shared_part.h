@@ -7,7 +7,7 @@
 
 namespace isect::lessons::obb_obb_lesson {
 
-/// The common body, or the point, segment or face where the boxes touch; as `truth` says which.
+/// Adds the common body, or the point, segment or face where the boxes touch; `truth` is their relation.
 void shared_part(viz::Scene&, const Obb<double, 3>& a, const Obb<double, 3>& b, Relation truth);
 
 }  // namespace isect::lessons::obb_obb_lesson

@@ -88,7 +88,7 @@ const Teller::Compared& Teller::telling_one(const std::vector<Compared>& all) co
 
 namespace {
 
-/// The sum, and then its terms, in full where it would read as `other` does.
+/// The two terms; if their sum would read as `other` does, they are in full, with the sum.
 std::string sum_of(double a, double b, double other) {
   const std::string terms = shown(a) + " + " + shown(b), sum = digits(a + b, other);
   return sum == shown(a + b) ? terms : fmt::format("{} + {} = {}", to_text(a), to_text(b), sum);

@@ -27,7 +27,7 @@ class Teller {
   std::string separated(const Group&, const Compared&, double l, int asked) const;
   std::string passed(const Group&, const Compared&, const std::vector<Compared>& group) const;
   viz::Question question(const Group&, const Compared&) const;
-  /// Whether one of the six normals separates by the core's numbers, without epsilon.
+  /// Whether one of the six normals separates in the core's numbers, without epsilon.
   bool a_normal_separates() const;
   /// Whether the axis separates by the core's numbers, without epsilon.
   bool widened(const Compared&) const;

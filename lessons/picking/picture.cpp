@@ -81,7 +81,7 @@ Scene picture(const Pointed& s, const Known& known) {
   return scene;
 }
 
-/// The object that each pixel shows, or -1; once, as neither eye nor objects move.
+/// The object that each pixel shows, or -1. Computed once, as neither eye nor objects move.
 const std::vector<int>& objects_seen(const Pointed& s) {
   static const std::vector<int> seen = [&] {
     std::vector<int> objects;

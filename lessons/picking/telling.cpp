@@ -56,7 +56,7 @@ class Teller {
   }
 
  private:
-  /// The eye's view rounds; a thousandth of a pixel is enough.
+  /// Removes the rounding of the eye's view; a thousandth of a pixel is fine enough.
   static double tidy(double pixels) { return std::round(1000 * pixels) / 1000 + 0.0; }
 
   std::string name(int i) const { return s_.world.object(i).name; }
@@ -68,7 +68,7 @@ class Teller {
     return s;
   }
 
-  /// Ray tests with bounding balls first. A ball is its own, so it takes one test.
+  /// The ray tests, bounding balls first. A ball is its own bounding ball, so it takes one test.
   int tests(const Ray3& ray) const {
     int sum = 0;
     for (int i = 0; i < s_.size(); ++i) {
@@ -169,7 +169,7 @@ class Teller {
     }
   }
 
-  /// What the ray meets behind the object kept.
+  /// A sentence on what the ray meets behind the object kept.
   std::string hidden() const {
     const auto behind = static_cast<int>(known_.hits.size()) - 1;
     if (behind == 0) return "The ray meets no other, so nothing is hidden behind it here.";
@@ -178,7 +178,7 @@ class Teller {
     return fmt::format("The ray meets {} too, but behind it: so {} cannot be picked here.", name(other), name(other));
   }
 
-  /// Over all pixels; once, as neither eye nor objects move.
+  /// The mean over all pixels. Computed once, as neither eye nor objects move.
   double mean_tests() const {
     static const double mean = [&] {
       int sum = 0;

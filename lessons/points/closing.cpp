@@ -9,13 +9,13 @@ using namespace viz;
 
 namespace {
 
-/// p near to q, q near to r, and p not near to r.
+/// Whether p is near to q, q near to r, and p not near to r.
 bool broken_chain(const Parameters& p) {
   const Setup s(p);
   const auto near = [&](const Point3& a, const Point3& b) { return nearly_equal(a, b, s.tested_within); };
   return near(s.tp, s.tq) && near(s.tq, s.tr) && !near(s.tp, s.tr);
 }
-/// In the cube of the tolerance, and not in the ball.
+/// Whether the point lies in the cube of the tolerance, but not in the ball.
 bool cube_only(const Parameters& p) {
   const std::vector<Said> all = said(Setup(p));
   return !all[0].near && all[3].near;

@@ -98,7 +98,7 @@ class Nearness {
     }
   }
 
-  /// Only rounding tells the first two methods from the exact one, and only a cube the third.
+  /// Why methods are wrong: the first two only by rounding, the third only as it tests a cube.
   std::string why_they_part() const {
     const auto wrong = [&](std::size_t method) { return said_[method].near != said_[0].near; };
     std::string reasons;

@@ -25,7 +25,7 @@ viz::Walk equality(const Setup&);
 viz::Walk nearness(const Setup&);
 viz::Walk chain(const Setup&);
 
-/// Which method says near: the exact one first.
+/// A method, and whether it says near. The exact one comes first.
 struct Said {
   const char* slug;
   const char* name;  ///< markup
@@ -43,9 +43,9 @@ extern const viz::Camera camera;
 
 void add_point(viz::Scene&, const char* parameter, const viz::Vec3& at, const std::string& label, viz::Role,
                viz::Mark = viz::Mark::disc);
-/// The ball of tolerance and its handle. `above`: its centre, so many tolerances up, stands what it is.
+/// Adds the ball of tolerance and its handle. Its label stands `above` tolerances above its centre.
 void add_tolerance(viz::Scene&, const Setup&, const viz::Vec3& center, double above);
-/// All sizes that doubles have, as a line of powers of two, with the distance and its square.
+/// Adds a line of powers of two over all sizes that doubles have, with the distance and its square.
 void add_range(viz::Scene&, double distance_exponent, bool squared);
 
 }  // namespace isect::lessons::points_lesson

@@ -60,7 +60,7 @@ std::vector<Condition> conditions() {
   return all;
 }
 
-/// A ray along d that is at the point (a, b) of the polygon's plane when t is the given one, or `off` normals beside
+/// A ray along d that reaches the point (a, b) of the polygon's plane at the given t, or a point `off` normals beside
 /// it.
 Preset preset_of(const char* id, const char* title, const char* polygon, const Vec2& at, double t, const Vec3& d,
                  double off = 0) {

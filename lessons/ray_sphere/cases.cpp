@@ -26,14 +26,14 @@ int branch(const Parameters& p) {
   if (!s.truth) return s.foot() < 0 ? behind : ends_before;
   return s.ray.range.hi < s.truth.roots.hi ? ends_inside : two_hits;
 }
-/// Along the ray from the line's point nearest to the centre, and from the centre to that point; in radii.
+/// In radii: how far along the ray the origin is from the line's point nearest to the centre; that point's distance.
 Vec2 place(const Parameters& p) {
   const Setup s = setup(p, true);
   const Vec3 from_center = s.ray.origin - s.sphere.center;
   const double along = from_center.dot(s.ray.direction);
   return Vec2(along, (from_center - along * s.ray.direction).norm()) / s.sphere.radius;
 }
-/// The ray keeps its direction and passes on the side on which it did, or above.
+/// The ray keeps its direction and passes on the same side as before, or above.
 Parameters moved(const Parameters& p, const Vec2& to) {
   const Setup s = setup(p, true);
   const Vec3& d = s.ray.direction;

@@ -45,7 +45,7 @@ std::string told(const Setup&, double t);
 /// One plain sentence for those who cannot see the picture.
 std::string alt_text(const Setup&);
 
-/// Where the ray begins along itself against how far its line passes the centre. (cases.cpp)
+/// The map of where the ray begins along itself against how far its line passes the centre. (cases.cpp)
 const viz::CaseMap& cases();
 /// First hits to five digits, in the walk's own unit: lengths, or lengths of the direction as given. (cases.cpp)
 std::vector<viz::Opinion> opinions(const viz::Parameters&);

@@ -14,7 +14,7 @@ viz::Walk haines(const viz::Parameters&);
 viz::Walk quadratic(const viz::Parameters&);
 viz::Walk half_b(const viz::Parameters&);
 
-/// Tells one run of one method. A method's own teller adds what to say of each event.
+/// Shows one run of one method. Each method's own teller adds what to say about each event.
 class Teller {
  protected:
   Teller(const Setup& setup, const std::string& title, const std::string& source, std::vector<std::string> pseudocode)
@@ -34,11 +34,11 @@ class Teller {
   viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption, Focus focus,
                  const std::string& formula = {});
   static void decide(viz::Step& step, const viz::Comparison& comparison) { Script::decide(step, comparison); }
-  /// Whether the method found what is true, as far as rounding allows; nothing: it rejected.
+  /// Whether the method found the truth, as far as rounding allows; no `found`: it rejected.
   bool right(const std::optional<double>& found) const;
-  /// Where it did not: "Rounding made this method wrong here: ..."
+  /// A sentence if it did not: "Rounding made this method wrong here: ..."
   std::string astray() const;
-  /// Where fewer digits are right than are shown: " Exactly it is ...".
+  /// A sentence if fewer digits are right than are shown: " Exactly it is ...".
   static std::string lost_digits(double found, double truth);
   /// What the line has in common with the sphere, where the computed sign says otherwise.
   std::string astray_line() const;
@@ -49,7 +49,7 @@ class Teller {
   Known known_;
 };
 
-/// How many leading decimal digits are right: at most 16, 0 for what is off by its own size.
+/// How many leading decimal digits are right: at most 16, 0 if the error is as large as the number.
 int digits_right(double found, double truth);
 /// "How many points does the line share with the sphere?"
 viz::Question roots_question(const Setup&);

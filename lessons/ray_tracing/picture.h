@@ -6,7 +6,7 @@
 namespace isect::lessons::ray_tracing_lesson {
 
 struct OnePixel {
-  /// Of the pixel that holds the point of the picture plane.
+  /// For the pixel that holds this point of the picture plane.
   OnePixel(const viz::Vec3& point, const viz::Vec3& lamp, ShadowRay);
 
   viewing::World world;

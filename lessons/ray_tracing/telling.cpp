@@ -139,8 +139,8 @@ class Teller {
                        : fmt::format("{}, lit", name()));
   }
 
-  /// Objects met by the line from the point to the light: up to it, or beyond it, too. The own one counts if it is
-  /// asked.
+  /// The number of objects that the line from the point towards the light meets up to t = `far` (the light is at 1).
+  /// The object itself counts only if the shadow ray tests it.
   int between(double far) const {
     const int own = s_.start == ShadowRay::naive ? -1 : s_.traced.hit->primitive;
     int met = 0;

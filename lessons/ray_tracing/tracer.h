@@ -15,16 +15,16 @@ struct Traced {
   std::optional<BvhHit<double>> hit;
   viz::Vec3 point = viz::Vec3::Zero(), normal = viz::Vec3::Zero(), to_lamp = viz::Vec3::Zero();
   double cosine = 0;           ///< of the angle between the normal and the way to the lamp
-  std::optional<int> blocker;  ///< an object between the point and the lamp; not asked for what faces away
+  std::optional<int> blocker;  ///< an object between the point and the lamp; not computed for a point that faces away
   double brightness = 0;       ///< 0 to 1
 };
 
-/// How many rays were sent, and how many objects and boxes around them were asked.
+/// How many rays were sent, and how many objects and boxes around them were tested.
 struct Work {
   int eye_rays = 0, shadow_rays = 0, tests = 0, nodes = 0;
 };
 
-inline constexpr double ambient = 0.2;  ///< of all brightness, what reaches every point
+inline constexpr double ambient = 0.2;  ///< the share of full brightness that reaches every point
 
 /// Where a shadow ray starts: with the object that it starts on left out, or on its surface as rounded.
 enum class ShadowRay { leaves_own_out, naive };

@@ -11,7 +11,7 @@ using namespace viz;
 
 enum Case { reached, farther, behind, parallel };
 
-/// By the lesson's own ranges: a unit direction's segment ends at |d|, any other one's at 1.
+/// The ranges are the lesson's own: the segment of a unit direction ends at |d|, any other segment at 1.
 int branch(const Parameters& p) {
   const auto truth = [&](const char* extent) {
     Parameters as = p;
@@ -26,7 +26,7 @@ int branch(const Parameters& p) {
 
 bool moves(const Parameters& p) { return std::get<std::string>(p.at("made")) == "motion"; }
 
-/// How far ahead the wall is, and how fast the ray comes nearer; a bullet has a wall of its own.
+/// How far ahead the wall is, and how fast the ray comes nearer; NaN for a bullet, which has a wall of its own.
 Vec2 place(const Parameters& p) {
   if (moves(p)) return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
   const Setup s = setup(p);

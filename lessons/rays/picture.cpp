@@ -12,10 +12,10 @@ using Point2 = Point<double, 2>;
 
 namespace {
 
-/// What is drawn of the plane, at least.
+/// The least part of the plane that is drawn.
 const Aabb<double, 2> least_view = {{-3.5, -1.5}, {3.5, 1.75}};
 
-/// With all that is told of: what gives the ray, and where the line meets the wall.
+/// The view with all that the text mentions: what defines the ray, and where the line meets the wall.
 Aabb<double, 2> view_of(const Setup& s, bool hit) {
   Aabb<double, 2> view = least_view;
   const auto show = [&](const Point2& p) {
@@ -37,7 +37,7 @@ Interval<double> drawn(const Ray<double, 2>& ray, const Aabb<double, 2>& view) {
   return {std::min(part->lo, 0.0), std::max(part->hi, 1.0)};
 }
 
-/// Small strokes across the line at every whole t, named.
+/// Draws small, labelled strokes across the line at every whole t.
 void draw_marks(Scene& scene, const Ray<double, 2>& ray, const Interval<double>& t) {
   const double length = ray.direction.norm();
   if (!(length > 0.2)) return;  // too dense to draw
@@ -80,7 +80,7 @@ class Painter {
     add(Label{Vec3(s_.wall, view_.lo.y() + 0.25, 0), "wall", Role::second});
   }
 
-  /// The line without its range.
+  /// Draws the line, without regard to its range.
   void line() { add(Line{at(line_.lo), at(line_.hi), Role::construction, Pen::construction}); }
 
   void range() {
@@ -100,7 +100,7 @@ class Painter {
     add(Label{at(1), "**u**", Role::text});
   }
 
-  /// Until it is settled whether it counts, a plain point.
+  /// Draws the hit: as a plain point until it is settled whether it counts.
   void hit() {
     const double t = *s_.truth.line;
     const bool counts = s_.ray.range.contains(t);

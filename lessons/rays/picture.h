@@ -25,7 +25,7 @@ Setup setup(const viz::Parameters&);
 struct Shown {
   bool marks = false;    ///< t along the line
   bool range = false;    ///< the part that belongs to the ray
-  bool wall = false;     ///< not before it is asked for: a mark of t may stand at it
+  bool wall = false;     ///< shown only after its question, as a mark of t may stand at it
   bool hit = false;      ///< t in the wall
   bool settled = false;  ///< and whether it counts
 };
@@ -34,7 +34,7 @@ viz::Scene picture(const Setup&, const Shown&);
 const viz::CaseMap& cases();                                      ///< of the wall's place and the direction
 viz::Walk tell(const Setup&);                                     ///< a ray against the wall
 viz::Walk bullet(const viz::Vec3& p, const viz::Vec3& velocity);  ///< a moving point, as a ray
-/// Whether it is in the wall between the frames, and in neither of them.
+/// Whether the point is in the wall between the frames, and in neither of them.
 bool tunnels(const viz::Vec3& p, const viz::Vec3& velocity);
 
 /// Why the line's hit counts, or does not. (verdict.cpp)

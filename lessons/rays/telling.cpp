@@ -31,7 +31,7 @@ std::vector<std::string> pseudocode(const Setup& s) {
           "return HIT, r(t)"};                                                         // 6
 }
 
-/// Of t, for whoever does not see the axis.
+/// The unit of t, for readers who don't see the axis.
 std::string unit_of_t(const Setup& s) {
   return s.made == Made::unit || s.ray.direction.squaredNorm() == 1 ? " (a length)" : ", in lengths of d";
 }
@@ -63,7 +63,7 @@ class Teller {
   }
 
  private:
-  /// The same ray, made of counting scalars.
+  /// The same ray with counting scalars.
   Ray<C, 2> counted() const {
     Ray<C, 2> ray = {s_.o.head<2>().cast<C>(), s_.d.head<2>().cast<C>(), cast<C>(s_.ray.range)};
     if (s_.made == Made::points)
@@ -151,7 +151,7 @@ class Teller {
                     letter(s_)),
         fmt::format("**n** · **{}** = 0", letter(s_)));
   }
-  void say(const ray_plane::InRange<C>&) {}  // the verdict says it
+  void say(const ray_plane::InRange<C>&) {}  // part of the verdict
   void say(const ray_plane::Quotient<C>& e) {
     const double t = e.t.value;
     known_.wall = known_.hit = true;

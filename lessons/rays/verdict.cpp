@@ -9,7 +9,7 @@ namespace isect::lessons::rays_lesson {
 
 namespace {
 
-/// What the unit direction has lost, asked exactly.
+/// A sentence on how rounding turned the unit direction; exact.
 std::string rounding(const Setup& s) {
   const Vector<double, 2> d = s.d.head<2>();
   const int turned = orient2d({0, 0}, d, s.ray.direction);
@@ -20,7 +20,7 @@ std::string rounding(const Setup& s) {
                            turned > 0 ? "left" : "right");
 }
 
-/// Whether the segment's end lies in the wall. Said only where that end was not rounded.
+/// Whether the segment's end lies in the wall. False if that end was rounded.
 bool ends_in_the_wall(const Setup& s) {
   if (s.extent != "segment" || s.made == Made::unit) return false;
   if (s.made == Made::points) return s.q.x() == s.wall;

@@ -27,7 +27,7 @@ namespace {
 /// How large the pairs are in each kind of grid: short numbers, so that nothing about them changes.
 constexpr double two_by_two = 0.625, two_rows = 0.375, four_rows = 0.21875;
 
-/// A grid in the middle of the picture.
+/// The insets in a grid, centred in the picture.
 std::vector<Item> centred(const std::vector<Inset>& insets, int columns) {
   const std::vector<Item> items = in_grid(insets, columns, camera);
   const Box2 box = extent(items, camera);
@@ -49,7 +49,7 @@ Scene six(Kind kind) {
 
 namespace {
 
-/// In a word or two, for narrow columns.
+/// A name in a word or two, for narrow columns.
 std::string short_name(Relation relation) {
   const char* const names[] = {"disjoint", "equal", "a in b", "b in a", "touch", "overlap"};
   return names[static_cast<int>(relation)];

@@ -10,9 +10,9 @@ extern const std::vector<std::string> note_pseudocode;
 inline constexpr const char* all_kinds = "all kinds";  ///< a choice beside the kinds
 inline const viz::Camera camera = {.azimuth = azimuth, .elevation = elevation};
 
-/// The six pairs of a kind, each with the answer of the yes or no test below.
+/// The six relations of a kind, each pair with the answer of the yes or no test below it.
 viz::Scene six(Kind);
-/// The same pose for all kinds, then every relation of every kind.
+/// A walk that shows the same pose for all kinds, then every relation of every kind.
 viz::Walk page_of_all(const Pose&);
 
 }  // namespace isect::lessons::relations_lesson

@@ -43,7 +43,7 @@ void add_slabs(Kdop<double, 3>& kdop, const Aabb<double, 3>& box) {
     kdop.slabs.push_back(box.along(i));
   }
 }
-/// Of axes at right angles, as here; the numbers are short enough to be exact.
+/// Adds the box's slabs. Its axes must be at right angles, as here; the numbers are short enough to be exact.
 void add_slabs(Kdop<double, 3>& kdop, const Obb<double, 3>& box) {
   for (int i = 0; i < 3; ++i) {
     const Vec3 axis = box.axes.col(i);
@@ -53,7 +53,7 @@ void add_slabs(Kdop<double, 3>& kdop, const Obb<double, 3>& box) {
   }
 }
 
-/// Two boxes share the k-DOP of both sets of slabs.
+/// The common part of two boxes: the k-DOP with the slabs of both.
 template <class Box>
 Items part(const Box& a, const Box& b) {
   Kdop<double, 3> kdop;
@@ -94,7 +94,7 @@ Items part(const ConvexPolygon<double>& a, const ConvexPolygon<double>& b) {
   return {flat_part(in_space(ring))};
 }
 
-// A point that two touching shapes share, where rounding leaves nothing of what they share.
+// A common point of two touching shapes, for when rounding leaves nothing of their common part.
 
 Vec3 nearest(const Aabb<double, 3>& box, const Vec3& x) { return x.cwiseMax(box.lo).cwiseMin(box.hi); }
 Vec3 nearest(const Obb<double, 3>& box, const Vec3& x) {
@@ -106,7 +106,7 @@ Vec3 nearest(const Obb<double, 3>& box, const Vec3& x) {
   return point;
 }
 
-/// By going to and fro between both.
+/// Finds it by alternating projections onto the two boxes.
 template <class Box>
 Items contact(const Box& a, const Box& b) {
   Vec3 p = nearest(a, Vec3::Zero());
@@ -129,7 +129,7 @@ Items contact(const ConvexPolygon<double>& a, const ConvexPolygon<double>& b) {
 std::vector<Vec3> corners(const Aabb<double, 3>& box) { return solid(box, Role::first).vertices; }
 std::vector<Vec3> corners(const Obb<double, 3>& box) { return solid(box, Role::first).vertices; }
 
-/// Of the points left over, the one farthest from the other's middle, preferably in front.
+/// The point in `left` farthest from the other shape's middle, preferably in front.
 std::optional<Vec3> clearest(const std::vector<Vec3>& left, const Vec3& middle) {
   const Vec3 viewer = across().cross(upwards());
   if (left.empty()) return {};

@@ -25,7 +25,7 @@ inline const std::vector<std::string> turns = {"none", "quarter", "oblique"};
 
 using Shape = std::variant<Sphere<double, 3>, Aabb<double, 3>, Obb<double, 3>, ConvexPolygon<double>>;
 
-/// Where b's place lies in the polygons' plane, in units of axis_length.
+/// The place of b in the polygons' plane, in units of axis_length.
 Point<double, 2> place(const viz::Vec3& b);
 
 /// Both shapes, `scale` times as large: a power of two changes nothing about how they lie.
@@ -51,15 +51,15 @@ std::string they(Kind);  ///< "the balls"
 std::string name(Kind);  ///< "balls", as choice and heading
 std::string one(Kind);   ///< "ball"
 
-/// A point of `of` that does not lie in `other`, if there is one: a vertex, or of a ball the point farthest out.
+/// A point of `of` that does not lie in `other`, if there is one: a vertex, or a ball's point farthest out.
 std::optional<viz::Vec3> left_over(const Shape& of, const Shape& other);
 
 std::vector<viz::Item> drawn(const Shape&, viz::Role);
-/// What they share: a solid, a polygon, a segment or a point; of balls the circle of their surfaces.
+/// What they share: a solid, a polygon, a segment or a point; for balls the circle of their surfaces.
 std::vector<viz::Item> shared(const Pair&);
 /// The pair, with what it shares if `with_shared`.
 std::vector<viz::Item> drawn(const Pair&, bool with_shared);
-/// The point of a shape farthest out that way, nearly: for its name.
+/// The point of a shape that is nearly the farthest in that direction, for its name.
 viz::Vec3 farthest(const Shape&, const viz::Vec3& direction);
 
 }  // namespace isect::lessons::relations_lesson

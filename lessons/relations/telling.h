@@ -6,7 +6,7 @@
 namespace isect::lessons::relations_lesson {
 
 Pose pose(const viz::Parameters&);
-/// None where the walk is of all kinds at once; it has no map.
+/// The kind of the setting; null where the walk shows all kinds at once and has no map.
 const Kind* kind_of(const viz::Parameters&);
 
 viz::Walk questions(Kind, const Pose&);

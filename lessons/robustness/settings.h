@@ -17,9 +17,9 @@ struct Setting {
   std::string naive;                  ///< the text under test
   std::string cell;                   ///< what one cell is
   std::string why;                    ///< why it fails, in one or two sentences
-  std::string consequence;            ///< what a wrong verdict does to what builds on it
-  std::string measured;               ///< the suite whose measurements tell the cost of exactness
-  bool has_on = false;                ///< the naive test has a word for 0, too: to miss that is an error as well
+  std::string consequence;            ///< how a wrong verdict harms code that relies on it
+  std::string measured;               ///< the suite whose measurements show the cost of exactness
+  bool has_on = false;                ///< the naive test can answer 0, too: then missing a 0 is an error as well
   std::vector<std::string> verdicts;  ///< of -1, 0, 1
   viz::Scene scene;                   ///< the situation at its own size
   std::function<int(int i, int j)> truth,
@@ -39,11 +39,11 @@ Setting setting(const std::string& test, const std::string& scalar, const viz::V
 const std::vector<std::string>& tests();
 viz::Vec3 standard_point(const std::string& test);
 
-/// How the naive test errs on a neighbour. A yes/no test cannot say "touching": there either answer will do.
+/// How the naive test errs on a neighbour. Since a yes/no test cannot say "touching", there either answer is right.
 enum class Fault { none, called_on, wrong_side };
 Fault fault(const Setting&, int truth, int answer);
 
-/// `look`: the neighbour that is asked about, so many to the right and up. (telling.cpp)
+/// `look` is the neighbour that the question is about, in steps to the right and up. (telling.cpp)
 viz::Walk tell(const std::string& scalar, const Setting&, const std::array<int, 2>& look);
 
 /// What is told before the first step, and after the last one. (closing.cpp)

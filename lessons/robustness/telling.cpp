@@ -25,7 +25,7 @@ Cells asked(const Setting& s) {
 
 class Teller {
  public:
-  /// `look`: the neighbour that is asked about, so many to the right and up.
+  /// `look` is the neighbour that the question is about, in steps to the right and up.
   Teller(const std::string& scalar, const Setting& setting, const std::array<int, 2>& look)
       : scalar_(scalar),
         look_(look),
@@ -99,7 +99,7 @@ class Teller {
            " A tolerance only moves the band, or widens it.\n" + price();
   }
 
-  /// What the exact test costs, as measured far from degeneracy and near it.
+  /// A sentence on the cost of the exact test, as measured far from degeneracy and near it.
   std::string price() const {
     const auto rows = bench::rows_of(speed_against_error_lesson::results(), s_.measured, "double");
     const bench::Row *usual = nullptr, *most = nullptr;
@@ -170,7 +170,7 @@ class Teller {
     return step;
   }
 
-  /// How many steps away the border is; not where the crosshair's grips and names stand.
+  /// Adds how many steps away the border is, except where the crosshair's grips and names stand.
   void axes(Step& step) const {
     constexpr double cell = side / (2 * half + 1), middle = side / 2, near = 9;
     const auto number = [&](int steps, int looked_at, const Vec3& at, double lean) {
@@ -184,7 +184,7 @@ class Teller {
     }
   }
 
-  /// Two lines that meet in the neighbour looked at, each with a grip at the rim.
+  /// Adds two lines that meet in the neighbour looked at, each with a grip at the rim.
   void crosshair(Step& step) const {
     const double cell = side / (2 * half + 1), rim = 0.6, end = 0.9;  // a grip has room for its name beside it
     const Vec3 middle = {left + side / 2, bottom + side / 2, 0};

@@ -27,7 +27,7 @@ void add_bar(Scene& scene, const std::string& name, double count, double most, c
   scene.items.emplace_back(viz::Heading{{left + width / 2, y - 0.36, 0}, number_of(count, unit), role, 3, false});
 }
 
-/// How much of the count is left.
+/// The question of how much of the count is left.
 Question question(const Experiment& e) {
   const double left = e.before > 0 ? e.after / e.before : 1;
   return {"How much of the count is left with the rule?",

@@ -14,7 +14,7 @@ namespace isect::lessons::rules_of_thumb_lesson {
 
 using Flat = Point<double, 2>;
 
-/// One of the four steps: the rule, without it, how it works, with it. Each stands at its own line of the pseudocode.
+/// One of the four steps: the rule, without it, how it works, with it. Each belongs to one line of the pseudocode.
 struct Part {
   std::string title, caption;
   std::vector<viz::Item> items;
@@ -26,7 +26,7 @@ struct Experiment {
   std::string unit;                     ///< what is counted: "operations"
   double before = 0, after = 0;
   std::array<Part, 4> parts = {};
-  std::string saving = {};                                   ///< why, shown with the answer if anything is saved
+  std::string saving = {};                                   ///< why the rule saves, shown with the answer if it does
   std::vector<std::pair<std::string, double>> details = {};  ///< further counts, for the last step
 };
 

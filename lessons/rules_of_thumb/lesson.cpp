@@ -14,7 +14,7 @@ using namespace viz;
 struct Rule {
   const char* id;
   const char* title;
-  Experiment (*make)(const Flat&);  ///< none: measured
+  Experiment (*make)(const Flat&);  ///< null for the measured rule
   Vec3 p;
 };
 const std::vector<Rule> rules = {

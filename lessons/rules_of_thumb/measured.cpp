@@ -27,7 +27,7 @@ struct Method {
   double operations, ns;
 };
 
-/// Operations a call, on average over ordinary cases like those that were timed.
+/// The methods with their operations per call, averaged over ordinary cases like those that were timed.
 std::vector<Method> methods() {
   bool (*const all_of_them[])(const Sphere<C, 3>&, const Aabb<C, 3>&) = {
       [](const Sphere<C, 3>& a, const Aabb<C, 3>& b) { return sphere_aabb::accumulate(a, b); },
@@ -132,7 +132,7 @@ class Measuring {
     return q;
   }
 
-  /// The method whose time differs most from what its count promised; and the tweak that the note warns of.
+  /// A sentence on the method whose time differs most from its predicted time, and on the tweak that the note warns of.
   std::string farthest() const {
     const auto off = [&](const Method& m) { return std::abs(std::log(time(m) / operations(m))); };
     const Method& m = *std::ranges::max_element(methods_, {}, off);
@@ -157,7 +157,7 @@ class Measuring {
                        shown(quadratic->ns), differ(half->ns, quadratic->ns) ? "" : ", no difference beyond the noise");
   }
 
-  /// The same call on other families of cases.
+  /// Adds the step that times the same call on other families of cases.
   void families() {
     const auto rows = bench::rows_of(speed_against_error_lesson::results(), "sphere-aabb", "double");
     Bars all = {{Scale::Kind::log, 1, 50, "time per call (ns), " + speed_against_error_lesson::results().machine.cpu},

@@ -18,7 +18,7 @@ using namespace viz;
 
 namespace {
 
-/// A point said to lie left or right of the line, or on it: drawn on that side.
+/// A mark for a point that a test puts left or right of the line, or on it, drawn on that side.
 Dot said(const Flat& q, const Vector<double, 2>& left, int side, bool wrong) {
   const Flat at = q + 0.13 * side * left;
   if (wrong) return {flat(at), Mark::cross, Role::miss};
@@ -26,7 +26,7 @@ Dot said(const Flat& q, const Vector<double, 2>& left, int side, bool wrong) {
   return {flat(at), Mark::disc, side > 0 ? Role::first : Role::second};
 }
 
-/// What the measurements say of the price.
+/// A sentence on the measured cost.
 std::string price() {
   const auto rows = bench::rows_of(speed_against_error_lesson::results(), "orient2d", "double", "ordinary");
   const bench::Row *naive = bench::standard_of(rows), *exact = bench::exact_of(rows);
@@ -61,7 +61,7 @@ Experiment robust(const Flat& p) {
     const double rounded = orient::pivoted<orient::Corner::c>(a, p, q);
     const int naive = (rounded > 0) - (rounded < 0);
     open += !record.events.empty(), beside += truth != 0;
-    e.before += naive != truth;  // with the rule none: the truth is its own
+    e.before += naive != truth;  // with the rule none is wrong: it gives the truth
     e.parts[0].items.emplace_back(Dot{flat(q), Mark::disc, Role::muted});
     e.parts[1].items.emplace_back(said(q, left, naive, naive != truth));
     e.parts[2].items.emplace_back(Dot{flat(q), record.events.empty() ? Mark::disc : Mark::ring, Role::text});

@@ -8,12 +8,12 @@
 
 namespace isect::lessons {
 
-/// As many digits as tell the number from `other`.
+/// The number with as many digits as distinguish it from `other`.
 inline std::string digits(double x, double other) {
   return x != other && viz::shown(x) == viz::shown(other) ? viz::to_text(x) : viz::shown_with_sign(x);
 }
 
-/// "(−2, 1.5)", as shown.
+/// "(−2, 1.5)", each number as it is shown.
 inline std::string coordinates(const viz::Vec2& p) {
   return fmt::format("({}, {})", viz::shown(p.x()), viz::shown(p.y()));
 }
@@ -21,14 +21,14 @@ inline std::string coordinates(const viz::Vec3& p) {
   return fmt::format("({}, {}, {})", viz::shown(p.x()), viz::shown(p.y()), viz::shown(p.z()));
 }
 
-/// As shown, but a power of ten without its factor 1: "10⁻⁶".
+/// The number as it is shown, but a power of ten without its factor 1: "10⁻⁶".
 inline std::string as_power(double x) {
   const std::string text = viz::shown(x), one = "1\u2009·\u2009";
   return text.starts_with(one) ? text.substr(one.size()) : text;
 }
 
-/// "*d* = 3 > *R* = 2": both with as many digits as tell them apart. Where rounding hides what `sign` says of the true
-/// numbers, that is said instead. Either name may be empty. `unit` follows both numbers.
+/// "*d* = 3 > *R* = 2": both with as many digits as distinguish them. If rounding hides the true order, which is
+/// `sign`, the text says so instead. Either name may be empty. `unit` follows both numbers.
 inline std::string ordered(const std::string& left, double a, const std::string& sign, double b,
                            const std::string& right, const std::string& unit = {}) {
   if (sign == "=") a = b;  // they are equal, whatever rounding made of one of them

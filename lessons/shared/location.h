@@ -22,7 +22,7 @@ inline std::string lies(Location l) {
   return l == Location::in ? "inside" : l == Location::on ? "on its boundary" : "outside";
 }
 
-/// A yes/no method cannot say "on the boundary". Of a closed set "inside" is right there, and "outside" is wrong; the
+/// A yes/no method cannot say "on the boundary". For a closed set "inside" is right there, and "outside" is wrong; the
 /// table says why.
 class LocationOpinions {
  public:

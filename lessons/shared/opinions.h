@@ -1,5 +1,5 @@
 #pragma once
-// Methods that should agree, asked side by side on the setting that is shown. The window rings an alarm where one
+// Methods that should agree, compared side by side on the setting that is shown. The window shows an alarm where one
 // differs.
 
 #include <string>
@@ -12,15 +12,15 @@ namespace isect::lessons {
 
 /// What a yes/no test of two sets says.
 inline std::string says_meet(bool meet) { return meet ? "they meet" : "disjoint"; }
-/// The same in the words of the note's pseudocode.
+/// The words of the note's pseudocode for the same.
 inline std::string says_overlap(bool overlap) { return overlap ? "OVERLAP" : "DISJOINT"; }
 
-/// Gathers what the methods say. The exact one comes first, and the others are held against it.
+/// Collects the methods' answers. The exact one comes first, and the others are compared with it.
 class Opinions {
  public:
   explicit Opinions(std::string exact) : said_{{"exact", std::move(exact)}} {}
 
-  /// A method whose words are those of the exact one where it is right.
+  /// Adds a method that is right where its words are those of the exact one.
   void add(std::string method, std::string says) {
     const bool agrees = says == said_.front().says;
     add(std::move(method), std::move(says), agrees);

@@ -11,7 +11,7 @@
 
 namespace isect::lessons {
 
-/// One of several named settings; at the start number `initial`.
+/// A choice among several named settings; number `initial` is the one at the start.
 inline viz::Parameter choice(std::string name, std::string label, std::string help, std::vector<std::string> choices,
                              std::size_t initial = 0) {
   viz::Parameter p{std::move(name), std::move(label), std::move(help), choices.at(initial)};
@@ -19,13 +19,13 @@ inline viz::Parameter choice(std::string name, std::string label, std::string he
   return p;
 }
 
-/// A point or a vector, with sliders that reach so far on each axis.
+/// A point or a vector whose sliders go from -reach to reach on each axis.
 inline viz::Parameter vector(std::string name, std::string label, std::string help, const viz::Vec3& initial,
                              double reach = 4) {
   return {std::move(name), std::move(label), std::move(help), initial, -1e6, 1e6, -reach, reach};
 }
 
-/// A parameter that counts only where a choice is one of these.
+/// Restricts a parameter to settings in which `choice` has one of these values.
 inline viz::Parameter where(const std::string& choice, std::vector<std::string> values, viz::Parameter p) {
   p.where[choice] = std::move(values);
   return p;
@@ -36,13 +36,13 @@ inline Point<double, 2> flat_point(const viz::Parameters& values, const std::str
   return std::get<viz::Vec3>(values.at(name)).head<2>();
 }
 
-/// Its direction, of length 1, however long it is.
+/// The direction of v as a unit vector, whatever the length of v.
 inline viz::Vec3 unit(const viz::Vec3& v) {
   return std::isnormal(v.squaredNorm()) ? v.normalized() : v.stableNormalized();
 }
 
-/// A direction must have a length. `flat`: in the plane, as its third coordinate is not used. `where`: asked of the
-/// settings that use it.
+/// Requires a vector that is not 0. `flat`: in the plane, as its third coordinate is not used. `where`: required only
+/// in settings for which it holds.
 inline viz::Condition not_zero(const std::string& name, bool flat = false,
                                std::function<bool(const viz::Parameters&)> where = {}) {
   return {name, flat ? "a vector that is not 0 in the plane" : "a vector of any length but 0",

@@ -12,8 +12,8 @@
 
 namespace isect::lessons {
 
-/// "What is d^2?": the true value among those that `misconceived` ways give, in rising order. What reads alike is
-/// offered once; where fewer than three are left, larger ones are made up.
+/// "What is d^2?": the true value among those of the `misconceived` ways, in rising order. Values that read alike are
+/// offered once; if fewer than three are left, larger ones are made up.
 inline viz::Question which_value(const std::string& prompt, double truth, std::vector<double> misconceived,
                                  const std::string& because) {
   std::vector<double> values = {truth};
@@ -32,7 +32,7 @@ inline viz::Question which_value(const std::string& prompt, double truth, std::v
   return question;
 }
 
-/// The question of the walk's last step is given what the step before tells of these values, which the step may change.
+/// Gives the question of the walk's last step these values as the step before shows them; the step may change them.
 inline void give_before(viz::Walk& walk, const std::vector<std::string>& names) {
   const std::size_t last = walk.steps.size() - 1;
   if (last == 0) return;
@@ -41,14 +41,14 @@ inline void give_before(viz::Walk& walk, const std::vector<std::string>& names) 
       walk.steps[last].question->given.push_back(viz::before(value));
 }
 
-/// While the question of the walk's last step is open, the picture before it stays: the step's own would tell.
+/// While the question of the walk's last step is open, the picture before it stays: the step's own has the answer.
 inline void keep_picture(viz::Walk& walk) {
   const std::size_t last = walk.steps.size() - 1;
   if (last > 0) walk.steps[last].question->over = walk.steps[last - 1].scene;
 }
 
-/// Which line settles or returns something: `line` among `others`, in the order of the pseudocode. Which line runs next
-/// is never asked: tests that fail run, too.
+/// Which line settles or returns something: `line` among `others`, in the order of the pseudocode. There is no question
+/// which line runs next, since tests that fail run, too.
 inline viz::Question which_line(const std::string& prompt, const std::vector<std::string>& pseudocode, int line,
                                 std::vector<int> others, const std::string& because) {
   others.push_back(line);

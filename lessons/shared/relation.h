@@ -32,8 +32,8 @@ inline viz::Verdict::Kind verdict_kind(Relation r) {
   return r == Relation::touching ? viz::Verdict::Kind::on : viz::Verdict::Kind::yes;
 }
 
-/// "How are the two boxes related?" `they` with its article; the answer is the exact test's. Sets that touch from
-/// inside are one inside the other.
+/// "How are the two boxes related?" `they` has its article; the answer is that of the exact test. If sets touch from
+/// inside, the answer is that one is inside the other.
 inline viz::Question relation_question(Relation r, const std::string& they, const std::string& because) {
   const bool inside = r == Relation::a_inside_b || r == Relation::b_inside_a;
   const int answer = r == Relation::disjoint   ? 0

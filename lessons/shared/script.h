@@ -26,7 +26,7 @@ struct CountingRecord {
   }
 };
 
-/// What stands at the head of a walk.
+/// The data at the head of a walk.
 struct Opening {
   std::string source;  ///< of every step: page of the note or book
   std::string alt;     ///< what the picture shows, in plain words
@@ -34,8 +34,8 @@ struct Opening {
   std::string method = {};  ///< title of the variant, where a lesson has several
 };
 
-/// Writes the steps of a walk one after the other. What is said once stays: values, refused conditions, lines
-/// that were not taken and the verdict go on into the later steps.
+/// Writes the steps of a walk one after the other. What one step sets stays: values, refused conditions, lines that
+/// were not taken and the verdict carry over to the later steps.
 class Script {
  public:
   explicit Script(Opening opening) {
@@ -61,13 +61,13 @@ class Script {
     count(total);
   }
 
-  /// The operations done up to the next step.
+  /// Sets the operations done up to the next step.
   void count(const Tally& t) {
     const bool early_out = state_.counters.early_out;
     state_.counters = {t.mul, t.add, t.div, t.sqrt, t.compare, early_out};
   }
 
-  /// A value computed for the next step. A name that is there already is replaced, and new if its number is.
+  /// Adds a value for the next step. It replaces one of the same name, and counts as new if the number differs.
   void value(const std::string& name, double number, const std::string& unit = {}, viz::Role role = viz::Role::muted) {
     const auto unchanged = [&](const viz::Value& v) { return v.name == name && v.value == number && !v.fresh; };
     const bool fresh = std::ranges::none_of(state_.values, unchanged);
@@ -75,12 +75,12 @@ class Script {
     state_.values.push_back({name, number, unit, role, fresh});
   }
 
-  /// Values that the next steps don't have.
+  /// Removes values that the next steps don't have.
   void forget(const std::vector<std::string>& names) {
     std::erase_if(state_.values, [&](const viz::Value& v) { return std::ranges::count(names, v.name) > 0; });
   }
 
-  /// The condition on `line` was false, so the lines of its branch are not taken.
+  /// Notes that the condition on `line` was false, so that the lines of its branch are not taken.
   void refuse(int line, const std::vector<int>& branch) {
     state_.refused.push_back(line);
     state_.untaken.insert(state_.untaken.end(), branch.begin(), branch.end());
@@ -99,7 +99,7 @@ class Script {
     return walk_.steps.back();
   }
 
-  /// The inequality that a step decides.
+  /// Sets the inequality that a step decides.
   static void decide(viz::Step& step, const viz::Comparison& comparison) {
     step.decides = true;
     step.comparison = comparison;

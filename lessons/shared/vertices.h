@@ -1,6 +1,6 @@
 #pragma once
 // Points of a polygon or a cloud that a reader may move: parameters v0, v1, … that are absent until then, so that a
-// setting without them is as its choices have it.
+// setting without them has the points of its choices.
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 
 namespace isect::lessons {
 
-/// Of the point number i: `name` in front of its number, `kind` in its help: "corner".
+/// The parameter of point number i: its name is `name` and the number; `kind` is the noun in its help: "corner".
 inline viz::Parameter movable(const std::string& name, int i, const std::string& kind) {
   viz::Parameter p =
       vector(fmt::format("{}{}", name, i), fmt::format("**{}**_{{{}}}", name, i),
@@ -23,7 +23,7 @@ inline viz::Parameter movable(const std::string& name, int i, const std::string&
   return p;
 }
 
-/// The points as the setting has them. The first of the ring is the point number `first`.
+/// Moves the points to where the setting has them. The ring's first point is number `first`.
 inline void move_vertices(const viz::Parameters& values, const std::string& name, Ring<double, 2>& ring,
                           std::size_t first = 0) {
   for (std::size_t i = 0; i < ring.size(); ++i)
@@ -31,7 +31,7 @@ inline void move_vertices(const viz::Parameters& values, const std::string& name
       ring[i] = std::get<viz::Vec3>(moved->second).head<2>();
 }
 
-/// A handle on each of them. `kind` is what one of them is called: "a corner".
+/// Adds a handle for each point. `kind` is what one of them is called: "a corner".
 inline void add_handles(viz::Scene& scene, const std::string& name, const Ring<double, 2>& ring, viz::Role role,
                         const std::string& kind, std::size_t first = 0) {
   for (std::size_t i = 0; i < ring.size(); ++i)

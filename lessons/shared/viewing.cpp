@@ -42,7 +42,7 @@ Ring3 corners(const Triangles& triangles) {
   return points;
 }
 
-/// Of the triangle whose plane is nearest to p.
+/// The normal of the triangle whose plane is nearest to p.
 Vec3 normal_of(const Triangles& triangles, const Vec3& p) {
   Vec3 best = Vec3::UnitY();
   double nearest = INFINITY;
@@ -54,7 +54,7 @@ Vec3 normal_of(const Triangles& triangles, const Vec3& p) {
   return best;
 }
 
-/// With each vertex once, so that faces of one plane are seen to be neighbours.
+/// A solid that has each vertex once, so that it is known which faces are neighbours.
 Solid body(const Triangles& triangles, Role role) {
   Solid solid;
   solid.role = role;

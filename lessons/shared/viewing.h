@@ -23,7 +23,7 @@ struct Object {
 
 /// The least t of the ray's range at which it meets the shape: the core's own ray tests.
 std::optional<double> first_hit(const Ray3&, const Shape&);
-/// Unit, outwards; of a polygon upwards.
+/// The unit normal, outwards; a polygon's points upwards.
 viz::Vec3 normal_at(const Shape&, const viz::Vec3& p);
 Aabb<double, 3> bounds(const Shape&);
 viz::Vec3 middle(const Shape&);
@@ -53,11 +53,11 @@ struct Eye {
 
   /// Where the viewing ray through a point of the picture, in pixels, meets the picture plane.
   viz::Vec3 on_plane(const viz::Vec2& pixel) const;
-  /// Back again; the point's x is not used.
+  /// The inverse of on_plane; the point's x is not used.
   viz::Vec2 pixel(const viz::Vec3& on_plane) const;
-  /// From the eye, t = 1 on the picture plane.
+  /// The viewing ray from the eye, with t = 1 on the picture plane.
   Ray3 through(const viz::Vec3& on_plane) const { return {eye_point(), on_plane - eye_point()}; }
-  static viz::Vec3 eye_point() { return {-4.5, 0.25, 0}; }  ///< exact; the view's own is rounded
+  static viz::Vec3 eye_point() { return {-4.5, 0.25, 0}; }  ///< exact; the eye point of `view` is rounded
 };
 inline constexpr double plane_x = -1.5;
 viz::Camera eye_camera();
@@ -65,12 +65,12 @@ viz::Camera eye_camera();
 void add(const Object&, viz::Scene&, bool lit = true);  ///< not lit: muted, without a colour of its own
 void add_name(const Object&, viz::Scene&);
 std::string short_name(const Object&);  ///< without "ball"
-/// The eye and the frame of its picture plane, with the lines from one to the other.
+/// Adds the eye and the frame of its picture plane, with the lines from one to the other.
 void add(const Eye&, viz::Scene&);
 /// The eye's picture, a cell a pixel, facing the viewer outside; and where a point of it, in pixels, lies.
 viz::Raster picture(const Eye&, std::vector<viz::Cell>, const viz::Vec3& center, double height);
 viz::Vec3 on_picture(const viz::Raster&, const Eye&, const viz::Vec2& pixel);
-/// From outside: the eye on the left, the objects on the right.
+/// A camera outside: the eye on the left, the objects on the right.
 viz::Camera from_outside();
 
 }  // namespace isect::lessons::viewing

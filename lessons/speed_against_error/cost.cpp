@@ -23,7 +23,7 @@ std::string error_share(const Row& r) {
   return share(static_cast<double>(r.wrong()), static_cast<double>(r.judged)) + " of the cases";
 }
 
-/// As the sentence beside it says it.
+/// The number rounded to two digits, as the sentence beside it shows it.
 double two_digits(double x) {
   const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
   return std::round(x / unit) * unit;

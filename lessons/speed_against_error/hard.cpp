@@ -17,7 +17,7 @@ using namespace bench;
 
 namespace {
 
-/// The only element with the greatest value, or none where two share it.
+/// The index of the only element with the greatest value; nothing where two share it.
 template <class List, class Value>
 std::optional<std::size_t> only_greatest(const List& list, const Value& value) {
   if (list.empty()) return {};
@@ -29,7 +29,7 @@ std::optional<std::size_t> only_greatest(const List& list, const Value& value) {
   return best;
 }
 
-/// What a family is made of, in the words of a reader: "0.1", where a programmer writes ".1".
+/// A family's note in a reader's words: "0.1", where a programmer writes ".1".
 std::string readable(std::string note) {
   for (std::size_t at = note.find(" ."); at != note.npos; at = note.find(" .", at + 1))
     if (at + 2 < note.size() && note[at + 2] >= '0' && note[at + 2] <= '9') note.insert(at + 1, "0");

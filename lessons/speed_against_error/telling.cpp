@@ -57,7 +57,7 @@ Teller::Teller(const Report& report, const std::string& test)
     if (!r->hard && ordinary_.empty()) ordinary_ = r->family;
     if (r->hard && exact_of(of(r->family)) != nullptr) hard_.push_back(r->family);
   }
-  // Of rays and spheres these tell most, in this order; of other tests, what breaks the naive method worst.
+  // For rays and spheres these families show most, in this order; for other tests those worst for the naive method.
   const std::vector<std::string> telling = {"near-tangent", "far-small", "planet"};
   if (std::ranges::all_of(telling, [&](const std::string& f) { return std::ranges::find(hard_, f) != hard_.end(); })) {
     hard_ = telling;
@@ -115,7 +115,7 @@ Plot Teller::plot(const std::vector<std::string>& families) const {
 
 void Teller::show(Step& step, Chart chart) const { step.scene.chart = std::make_shared<const Chart>(std::move(chart)); }
 
-/// Times and errors of the naive and of the exact method, for the step that comes next.
+/// Sets the times and errors of the naive and of the exact method for the next step.
 void Teller::values(const std::string& family) {
   for (const Row* r : {&naive(family), &exact(family)}) {
     script_.value(name_of(*r) + ": time", r->ns, "ns", r->exact ? Role::hit : Role::muted);

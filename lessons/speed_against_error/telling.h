@@ -30,18 +30,18 @@ class Teller {
   viz::Plot plot(const std::vector<std::string>& families) const;
   /// Whether two times differ by more than the noise of the machine that took them.
   bool differ(double a, double b) const;
-  /// Of isect's methods that are right on all ordinary cases, the exact one left out, and as fast there as the fastest:
-  /// the one that is least often wrong on hard cases.
+  /// The method of isect that is least often wrong on hard cases, among those that are not the exact one, right on all
+  /// ordinary cases and, but for noise, as fast there as the fastest.
   const bench::Row& rival() const;
-  /// Those, but for noise.
+  /// The methods among which rival() chooses: as fast as this one but for noise.
   Rows as_fast_as(const bench::Row&) const;
-  /// The share of its verdicts on hard cases.
+  /// The share of a method's verdicts on hard cases that are wrong.
   double wrong_when_hard(const bench::Row& method) const;
-  /// The family on which the exact call takes most times as long as the naive method, and how many times.
+  /// The family on which the ratio of the exact call's time to the naive method's is largest, and that ratio.
   std::pair<std::string, double> dearest() const;
-  /// On how many hard families it takes longer, and how much: empty where it does on none.
+  /// A sentence on the number of hard families where the exact call takes longer, and how much; empty if there is none.
   std::string cost_when_hard() const;
-  /// What the naive method does there, as a sentence.
+  /// A sentence on what the naive method does on that family.
   std::string naive_there(const std::string& family) const;
   void values(const std::string& family);
   void show(viz::Step&, viz::Chart) const;
@@ -71,7 +71,7 @@ class Teller {
 const std::string& opening();
 const viz::Closing& closing();
 
-/// The tests that the results can tell about: with a naive method, an exact one and a hard family.
+/// The tests that the results can show: those with a naive method, an exact one and a hard family.
 std::vector<std::string> tests(const bench::Report&);
 
 }  // namespace isect::lessons::speed_against_error_lesson

@@ -30,7 +30,7 @@ int branch(const Parameters& p) {
   return std::array{within, face, edge, corner}[s.feature()];
 }
 
-/// From the middle of the box to the centre of the ball; an empty box has no middle.
+/// The way from the middle of the box to the centre of the ball; NaN if the box is empty.
 Vec2 place(const Parameters& p) {
   const Setup s = setup(p);
   if (empty(s.box)) return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());

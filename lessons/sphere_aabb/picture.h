@@ -22,14 +22,14 @@ Setup setup(const viz::Parameters&);
 
 /// What a step shows.
 struct Shown {
-  int legs = 0;          ///< so many axes are done
+  int legs = 0;          ///< how many axes are done
   bool current = false;  ///< the last of them is the step's own
   bool grown = false;    ///< the box grown by r, and the set of centres that do meet
-  bool settled = false;  ///< the straight way, and what they share
+  bool settled = false;  ///< shows the straight way, and what they share
 };
 viz::Scene picture(const Setup&, const Shown&);
 
-/// The centre's plane, *z* as it is. (cases.cpp)
+/// The map over the plane of the centre, whose *z* is kept. (cases.cpp)
 const viz::CaseMap& cases();
 
 /// What is told before the first step, and after the last one. (closing.cpp)

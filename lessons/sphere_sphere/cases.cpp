@@ -17,7 +17,7 @@ Vec2 place(const Parameters& p) {
   const Setup s = setup(p);
   return {(s.b.center - s.a.center).norm() / s.a.radius, s.b.radius / s.a.radius};
 }
-/// The second ball at that distance, in the direction in which it lies, and of that radius.
+/// Puts the second ball at that distance, in the direction in which it lies, and gives it that radius.
 Parameters moved(const Parameters& p, const Vec2& to) {
   const Setup s = setup(p);
   const Vec3 l = s.b.center - s.a.center;

@@ -24,7 +24,7 @@ enum class Focus { none, line, distance, radii, settled };
 
 viz::Scene picture(const Setup&, Focus);
 
-/// Distance against second radius, both in lengths of the first. (cases.cpp)
+/// The map of distance against second radius, both in radii of the first. (cases.cpp)
 const viz::CaseMap& cases();
 /// Whether the balls meet, by each method. (cases.cpp)
 std::vector<viz::Opinion> opinions(const viz::Parameters&);

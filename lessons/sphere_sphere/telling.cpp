@@ -51,7 +51,7 @@ class Teller {
     return step;
   }
 
-  /// One event tells both squares; what each step of the pseudocode takes is counted beside.
+  /// One event has both squares; the operations of each step of the pseudocode are counted separately.
   void measured(double d2, double s2) {
     d2_ = d2, s2_ = s2;
     tally() = {};
@@ -87,7 +87,7 @@ class Teller {
     Script::decide(step,
                    {"*d*^2 < *R*^2", d2, s2, near, near ? "the note returns OVERLAP" : "the note returns DISJOINT"});
     step.question = relation_question(s_.truth, "the two balls", because());
-    const Ball3 a = s_.tested(s_.a), b = s_.tested(s_.b);  // where squares leave the range, these do not
+    const Ball3 a = s_.tested(s_.a), b = s_.tested(s_.b);  // these stay in range where their squares do not
     step.question->given = {{"*d*", (b.center - a.center).stableNorm(), "length", Role::highlight},
                             {"*r*_a", a.radius, "length", Role::first},
                             {"*r*_b", b.radius, "length", Role::second}};
