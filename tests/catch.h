@@ -11,7 +11,7 @@ using Catch::Approx;
 
 namespace isect::test {
 #ifdef CATCH_ALL_HPP_INCLUDED
-/// That a text has this part; what Catch2 2.x calls so.
+/// Matches a text that has this part; Catch2 2.x has it under this name.
 inline auto Contains(const std::string& part) { return Catch::Matchers::ContainsSubstring(part); }
 #else
 using Catch::Matchers::Contains;

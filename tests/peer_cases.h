@@ -18,12 +18,12 @@ struct PeerCase {
   std::string name;  ///< its file, its number there and its note
   std::string kind;
   nlohmann::json content;
-  bool own;  ///< of the project
+  bool own;  ///< one of the project's cases
 };
 
 inline std::filesystem::path own_cases() { return ISECT_CASES; }
 
-/// Nothing where there are none. Throws for a folder that was named and isn't there.
+/// The folder of public cases; empty if there is none. Throws if a folder was named and isn't there.
 inline std::filesystem::path public_cases() {
   if (const char* given = std::getenv("ISECT_PEER_CASES")) {
     if (!std::filesystem::is_directory(given))
@@ -76,7 +76,7 @@ inline double peer_number(const nlohmann::json& json) {
   if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
   return text == "-inf" ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
 }
-/// The number that is meant where a case may ask for floats: the nearest one.
+/// The number as the case means it, where it may ask for floats: then the nearest float.
 inline double peer_number(const nlohmann::json& json, bool f32) {
   const double x = peer_number(json);
   return f32 ? static_cast<float>(x) : x;

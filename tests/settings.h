@@ -22,5 +22,5 @@ inline int cases(int few, int many) { return long_run() ? many : few; }
 
 }  // namespace isect::tests
 
-/// For TEMPLATE_TEST_CASE_SIG: the shapes of the plane and of space, in both precisions.
+/// Parameters of TEMPLATE_TEST_CASE_SIG: the shapes of the plane and of space, in both precisions.
 #define FLOATS_AND_DIMENSIONS ((class S, int N), S, N), (float, 2), (double, 2), (float, 3), (double, 3)

@@ -43,7 +43,7 @@ class Accepted : public Shell {
   const Subject subject;
 };
 
-/// The picture as an earlier isect would have written it for this preset: it said no more than lesson, preset and step.
+/// The picture as an earlier isect wrote it for this preset: with lesson, preset and step as its only metadata.
 inline std::string as_of(const std::string& png, const Subject& subject, const std::string& name) {
   const std::string step = std::to_string(std::stoi(name));
   return viz::png(viz::read_png(png), {{"lesson", subject.lesson}, {"preset", subject.preset}, {"step", step}});
@@ -60,20 +60,20 @@ inline std::map<std::string, std::string> all_in(const fs::path& folder) {
   return files;
 }
 
-/// The command that a report says accepts all.
+/// The command with which a report says that all is accepted.
 inline std::string accept_command(const std::string& report) {
   const std::size_t line = report.find("to accept "), begin = report.find(": ", line) + 2;
   REQUIRE(line != std::string::npos);
   return report.substr(begin, report.find('\n', begin) - begin);
 }
 
-/// The number that the subject's preset gives a parameter.
+/// The value of a parameter in the subject's preset.
 inline double number(const Subject& subject, const std::string& parameter) {
   const viz::Lesson& lesson = viz::lesson_named(isect::lessons::all_lessons(), subject.lesson);
   return std::get<double>(viz::preset(lesson, subject.preset).parameters.at(parameter));
 }
 
-/// The baselines as they would be were a number another one: trace by the library, pictures by render.
+/// Accepts baselines that are made with another value of a parameter: trace by the library, pictures by render.
 inline void accept_with(const Accepted& shell, const std::string& parameter, double value) {
   const auto& [id, preset] = shell.subject;
   const viz::Lesson& lesson = viz::lesson_named(isect::lessons::all_lessons(), id);
@@ -100,7 +100,7 @@ inline void accept_with(const Accepted& shell, const std::string& parameter, dou
   fs::remove_all(shell.work() / "other");
 }
 
-/// A change that shows in the pictures and needs no other steps.
+/// Accepts a change that shows in the pictures and needs no other steps.
 inline void accept_other_interval(const Accepted& shell) {
   accept_with(shell, "b_min", number(shell.subject, "b_min") - 0.25);
 }

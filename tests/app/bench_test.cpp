@@ -19,7 +19,7 @@ using isect::test::write;
 
 namespace {
 
-/// `isect` in a folder of its own, so that nothing stands beside it.
+/// Copies `isect` into a folder of its own, so that nothing stands beside it.
 void copy_program(const Shell& shell) { std::filesystem::copy_file(ISECT_BIN "/isect", shell.work() / "alone"); }
 
 int lines(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }

@@ -33,7 +33,7 @@ std::vector<std::string> quoted(const std::string& text, const std::string& befo
   return all;
 }
 
-/// Ids that stand twice, references to none, and tags that are not closed.
+/// The ids that stand twice, references to missing ids, and tags that are not closed.
 std::string faults(const std::string& page) {
   std::string out;
   std::set<std::string> ids;

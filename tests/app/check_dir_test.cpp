@@ -25,7 +25,7 @@ class Course : public Shell {
   }
 };
 
-/// With accepted baselines.
+/// A course with accepted baselines.
 class AcceptedCourse : public Course {
  public:
   AcceptedCourse() { REQUIRE((*this)("isect check --dir course --update=missing").status == 0); }
@@ -112,7 +112,7 @@ TEST_CASE("a preset's file may be called as one of the lesson's own, and is guar
   CHECK(files("touching").size() == 1 + 6);  // the trace, and a picture of each step
   CHECK(files("touching") == files("my-touching"));
 
-  // What the lesson says of itself is told in the trace of its first preset, not in that of a file called so.
+  // The lesson's own data stands in the trace of its first preset, not in that of a file of the same name.
   write(shell.work() / "first/overlapping.json", scene("overlapping"));
   CHECK(shell("isect check --dir first --update=missing").status == 0);
   CHECK_THAT(isect::test::contents(shell.work() / "first/snapshots/intervals/overlapping/trace.json"),
@@ -139,7 +139,7 @@ TEST_CASE("a preset that was moved is told as moved, in a line, and is accepted 
   CHECK_FALSE(fs::exists(shell.work() / "course/snapshots/intervals/week-3"));
   CHECK(fs::exists(shell.work() / "course/snapshots/intervals/new/week-4/trace.json"));
 
-  // What says anything else is not the same preset under another name.
+  // A preset whose text differs is not the same preset under another name.
   fs::remove(shell.work() / "course/new/week-4.json");
   write(shell.work() / "course/week-5.json", scene("b-after-a"));
   CHECK_THAT(shell("isect check --dir course").out,

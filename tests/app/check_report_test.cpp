@@ -46,7 +46,7 @@ TEST_CASE("one command accepts all that failed, word by word", "[check]") {
   CHECK_THAT(accept_command(shell(dir).out), StartsWith("isect check clipping --dir 'my '\\''notes'\\'''"));
   follow(dir);
 
-  // Of everything, something: a lesson that changed, one that is new, one that is gone.
+  // One change of each kind: a lesson that changed, one that is new, one that is gone.
   write(shell.work() / "my 'notes'/a.json", scene("near-points"));
   write(shell.work() / "my 'notes'/c.json", scene("a-after-b"));
   fs::remove(shell.work() / "my 'notes'/b.json");
@@ -277,7 +277,7 @@ TEST_CASE("where there are no baselines it is said once, with the place and the 
   CHECK(fs::is_empty(shell.work()));
   CHECK(nlohmann::json::parse(shell(check + " --json").out)["failures"].size() == 7);
 
-  // Where others have theirs, those without are named, a line each.
+  // If some presets have baselines, those without are named, a line each.
   REQUIRE(shell(check + " --update").status == 0);
   const Ran some = shell("isect check intervals");
   CHECK(some.status == 3);

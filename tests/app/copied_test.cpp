@@ -38,7 +38,7 @@ void look_elsewhere(viz::WindowDriver& window) {
   window.type("p");
 }
 
-/// All of a figure but what it tells of itself.
+/// All of a figure without its metadata.
 std::string drawn(const std::string& figure) {
   if (!figure.starts_with("<?xml")) {
     const std::vector<std::uint8_t> pixels = viz::read_png(figure).rgba;
@@ -49,7 +49,7 @@ std::string drawn(const std::string& figure) {
   return figure.substr(begin);
 }
 
-/// What a figure carries, but for the file that it was first written to.
+/// A figure's metadata without the name of the file that it was first written to.
 viz::Metadata place_in(const std::string& figure) {
   viz::Metadata data = figure.starts_with("<?xml") ? viz::svg_metadata(figure) : viz::png_metadata(figure);
   data.erase("file");

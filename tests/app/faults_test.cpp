@@ -22,13 +22,13 @@ namespace {
 struct Fault {
   std::string name;
   std::string before;   ///< makes the fault, in the shell
-  std::string command;  ///< what meets it
+  std::string command;  ///< the command that meets the fault
   int status;
   std::string says;   ///< on stdout or stderr
   std::string after;  ///< what must be true of the disk then, in the shell
 };
 
-/// Every figure and list that lies below `folder` is whole.
+/// A command that checks that every figure and list below `folder` is whole.
 std::string all_whole(const std::string& folder) {
   return "! find " + folder + " -name '*.tmp-*' | grep . && for f in $(find " + folder +
          " -name '*.svg'); do tail -c 7 $f | grep -q '</svg>' || exit 1; done";
@@ -39,7 +39,7 @@ const std::string accept = "isect check intervals --preset touching --snapshots 
 const std::string check = "isect check intervals --preset touching --snapshots disk";
 const std::string picture = "disk/intervals/touching/04-relation.png",
                   text = "disk/ray-sphere/two-roots/01-to-center.txt";
-const std::string at_once = "timeout 60 ";  ///< what would wait for ever is ended, with another status
+const std::string at_once = "timeout 60 ";  ///< ends a command that would wait for ever, with another status
 const std::string a_state = R"(printf '{"lesson": "intervals"}' >preset.json)";
 
 const std::vector<Fault> full_or_closed = {
@@ -62,7 +62,7 @@ const std::vector<Fault> full_or_closed = {
      "standard output", "test -c /dev/full"},
 };
 
-/// By a user who has to keep to permissions: nobody, where the tests run as root.
+/// Sets $user to run commands as a user bound by permissions: as nobody, where the tests run as root.
 const std::string as_user =
     "test $(id -u) != 0 || user='setpriv --reuid=65534 --regid=65534 --clear-groups'; chmod 755 . ..; ";
 
@@ -179,7 +179,7 @@ const std::vector<Fault> damaged = {
      "isect show o.svg", 4, "broken SVG", "test -s o.svg"},
 };
 
-/// How a user who may not mount gets to: as root of a namespace of its own.
+/// How a user who may not mount can do so: as root of a namespace of its own.
 std::string in_own_mounts(const Shell& shell) {
   for (const std::string unshare : {"unshare -m", "unshare -rm"})
     if (shell(unshare + " mount -t tmpfs none /tmp").status == 0) return unshare + " ";

@@ -37,7 +37,7 @@ namespace {
 
 std::filesystem::path folder() { return ISECT_FILES; }
 
-/// The table of readings: some have a name, as many files mean the same.
+/// The table of readings. Some readings have a name, as many files mean the same.
 Json readings() {
   const Json table = Json::parse(contents(folder() / "readings.json"));
   Json all = Json::object();
@@ -60,7 +60,7 @@ Json listed(const std::vector<Vec3>& points, bool flat) {
   return all;
 }
 
-/// Of small whole numbers it is exact.
+/// The area of all triangles; exact for small whole numbers.
 double area(const ShapeFile& shape) {
   double sum = 0;
   for (const auto& [a, b, c] : shape.triangles) {
@@ -117,7 +117,7 @@ Mesh prism(std::mt19937& random) {
   return mesh;
 }
 
-/// Of triangles, its points numbered as these name them.
+/// The triangles as a mesh, its points numbered in the order in which they occur.
 Mesh in_triangles(const ShapeFile& shape) {
   Mesh mesh;
   std::map<int, int> numbers;
@@ -222,7 +222,7 @@ Dialects in_ply_and_off(const Mesh& m) {
           {"crlf.off", replaced("OFF\n" + counts + v + f, "\n", "\r\n")}};
 }
 
-/// What triangles alone can be written in.
+/// The mesh in the formats that hold triangles only.
 Dialects in_stl_and_strips(const Mesh& m) {
   std::string text = "solid of a test\n", strips, binary = std::string("solid, in bytes").append(65, ' ');
   binary += raw(static_cast<std::uint32_t>(m.faces.size()));
@@ -311,7 +311,7 @@ Dialects in_geojson_and_wkt(const Rings& rings) {
       {"tagged.wkt", "GEOMETRYCOLLECTIONZ(POLYGON (" + wkt + "))"}};
 }
 
-/// What a scene is answered, with a shape from a file or written in it.
+/// The answers of a scene, with a shape from a file or written in it.
 class Scenes {
  public:
   Scenes(std::string others, std::string ask) : others_(std::move(others)), ask_(std::move(ask)) {}

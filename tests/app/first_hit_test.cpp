@@ -18,7 +18,7 @@ using namespace isect::program::scene;
 
 namespace {
 
-/// Numbers of a scene of size 1, in a scene 2^exponent times as large.
+/// Converts numbers of a scene of size 1 to those of a scene 2^exponent times as large.
 struct Scale {
   int exponent;
 
@@ -30,13 +30,13 @@ struct Scale {
   }
 };
 
-/// An object that the ray meets sooner the less, and later the greater its number is, or the other way round.
+/// An object that the ray meets later if its numbers grow, and sooner if they shrink, or the other way round.
 struct Tied {
   Json object;
-  std::vector<Json::json_pointer> numbers;  ///< none where the ray would miss it then
-  int way;                                  ///< 1: the greater the later
+  std::vector<Json::json_pointer> numbers;  ///< empty if the ray would miss the moved object
+  int way;                                  ///< 1: greater numbers are met later
 
-  /// By one ulp later (1) or sooner (-1).
+  /// The object, met an ulp later (1) or sooner (-1).
   Json moved(int by) const {
     Json result = object;
     for (const Json::json_pointer& at : numbers) {
@@ -49,7 +49,7 @@ struct Tied {
 
 Json::json_pointer at(const char* place) { return Json::json_pointer(place); }
 
-/// Those that a ray from (-3, -2, 5) along (3, 1, -2) meets in (3, 0, 1).
+/// Objects that a ray from (-3, -2, 5) along (3, 1, -2) meets in (3, 0, 1).
 std::vector<Tied> tied_in_a_point(const Scale& of) {
   const Json corners = {of({3, -2, 0}), of({3, 3, 0}), of({3, 0, 4})};
   Json four = corners;
@@ -93,7 +93,7 @@ std::vector<Tied> tied_in_a_point(const Scale& of) {
   };
 }
 
-/// Those that a ray from the origin along x meets at 5 - sqrt(3).
+/// Objects that a ray from the origin along x meets at 5 - sqrt(3).
 std::vector<Tied> tied_at_a_root(const Scale& of) {
   return {
       {{{"sphere", "S"}, {"center", of({5, 1, 0})}, {"radius", of(2)}}, {at("/radius")}, -1},
@@ -104,7 +104,7 @@ std::vector<Tied> tied_at_a_root(const Scale& of) {
   };
 }
 
-/// Those in the plane that a ray from (-3, -2) along (3, 1) meets in (3, 0).
+/// Objects in the plane that a ray from (-3, -2) along (3, 1) meets in (3, 0).
 std::vector<Tied> tied_in_the_plane(const Scale& of) {
   const std::vector<Json::json_pointer> two_x = {at("/points/0/0"), at("/points/1/0")};
   const Json corners = {of({3, -2}), of({3, 3}), of({6, 0})};
@@ -138,7 +138,7 @@ Answered first_hit(const Json& ray, std::vector<Json> objects) {
 std::string told(const Answered& a) { return viz::plain(a.verdict.text); }
 std::string last_of(const Answered& a) { return a.json["hits"].back()["object"].get<std::string>(); }
 
-/// All at the same t; then each of them alone by an ulp sooner, and later.
+/// Checks all objects, met at the same t, and then each of them alone an ulp sooner and an ulp later.
 void check_all(const Json& ray, const std::vector<Tied>& tied) {
   std::vector<Json> objects;
   for (const Tied& t : tied) objects.push_back(t.object);

@@ -50,7 +50,7 @@ TEST_CASE("a setting of fewer steps leaves no figures of the longer one behind",
   REQUIRE(shell("isect render --preset mine.json --format svg").status == 0);
   REQUIRE(shell("isect render --preset mine.json --step 12 --format png").status == 0);
   REQUIRE(stems() == 13);
-  // What a user put there: a picture, a note, a copy with its metadata, a link.
+  // Files that a user put there: a picture, a note, a copy with its metadata, a link.
   write(folder / "14-photo.png", viz::png({1, 1, {1, 2, 3, 255}}));
   write(folder / "12-note.txt", "mine");
   fs::copy_file(folder / "11-intersect.svg", folder / "11-intersect-annotated.svg");
@@ -167,7 +167,7 @@ TEST_CASE("a figure that someone has edited is neither written over nor removed,
   REQUIRE(fs::exists(folder / "12-cases.svg"));
   const auto manifest = [&] { return contents(shell.work() / "figures/manifest.json"); };
   const std::string listed = manifest(), text = contents(folder / "01-to-center.txt");
-  // One drawn anew, and one that keeps its metadata, whose step the other preset does not have.
+  // A figure that was drawn anew, and one that keeps its metadata, whose step the other preset does not have.
   const std::string drawing = "<svg>my own drawing</svg>\n",
                     note = contents(folder / "11-intersect.svg") + "<!-- a note -->\n";
   write(folder / "01-to-center.svg", drawing);

@@ -19,10 +19,10 @@ using isect::test::Shell;
 
 namespace {
 
-/// ISECT_LONG=1: everything, a hundred times; otherwise enough to notice.
+/// Whether to test everything, a hundred times (ISECT_LONG=1); otherwise enough to notice faults.
 bool for_long() { return std::getenv("ISECT_LONG") != nullptr; }
 
-/// What matters happens early as well: a run does the same again and again.
+/// The critical moments come early as well, since a run does the same again and again.
 const double longest = for_long() ? 20 : 1.5;
 
 bool is_left_over(const fs::path& file) { return file.filename().string().find(".tmp-") != std::string::npos; }

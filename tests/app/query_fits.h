@@ -25,13 +25,13 @@ inline Rational product(const Coordinates& x, const Coordinates& y) {
   return sum;
 }
 
-/// The number before, of the scalar that was asked for.
+/// The largest number below `size`, in the scalar that was requested.
 inline Rational before(const Json& size, bool f32) {
   const double x = peer_number(size), inf = std::numeric_limits<double>::infinity();
   return f32 ? std::nextafter(static_cast<float>(x), static_cast<float>(-inf)) : std::nextafter(x, -inf);
 }
 
-/// A size in an answer, and what the point farthest out needs of it: at least `most`, or a square of at least `most`.
+/// A size in an answer, and what the farthest point requires of it: that it, or its square, is at least `most`.
 struct Need {
   Json size;
   Rational most;  ///< a length, or its square
@@ -48,7 +48,7 @@ inline std::vector<Coordinates> across(const std::vector<Coordinates>& u) {
   return {cross(1, 2), cross(2, 0), cross(0, 1)};
 }
 
-/// Of a ball, a k-DOP or an oriented box.
+/// The sizes that the points require of a ball, a k-DOP or an oriented box.
 inline std::vector<Need> needs(const Question& q, const Json& r) {
   const bool f32 = asks_for_floats(q.request);
   const std::string volume = q.request["volume"];

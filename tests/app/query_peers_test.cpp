@@ -11,7 +11,7 @@ using isect::test::Shell;
 
 namespace {
 
-/// What is wrong with the reply; nothing if it is right.
+/// A description of what is wrong with the reply; empty if it is right.
 std::string wrong(const Question& q, const Json& reply) {
   const bool may_refuse = q.expected.contains("policy") || q.expected.contains("degenerate");
   if (reply.contains("error")) return may_refuse ? "" : "an error";

@@ -32,7 +32,7 @@ inline Json inputs(const PeerCase& c) {
   return in;
 }
 
-/// The case in the ways it is asked, each with what is expected of it.
+/// One way to ask the case, with its expected answer.
 struct Question {
   const PeerCase* of;
   Json request, expected;
@@ -125,7 +125,7 @@ inline bool refused(const Question& of, const Json& reply) {
   return part(0, 1, 2, 3) && part(2, 3, 0, 1);
 }
 
-/// Whether the answer says that there is a common point, or that two are one.
+/// Whether the answer says that there is a common point, or that two points are equal.
 inline bool says_yes(const Json& result) {
   for (const char* key : {"intersects", "hit", "ray_hit", "equal"})
     if (result.value(key, Json(false)) == true) return true;
@@ -168,7 +168,7 @@ inline std::string contradiction(const Question& q, const Json& result) {
   return "";
 }
 
-/// Whether a naive method says yes where the truth is no, or the other way round; nothing where it knows no such
+/// Whether a naive method says yes where the truth is no, or the other way round; nothing where it gives no such
 /// answer.
 inline std::optional<bool> misjudged(const Json& expected, const Json& result) {
   if (expected.contains("policy")) return {};

@@ -25,7 +25,7 @@ Json answers(const std::string& objects, const std::string& ask) {
   return scene::answers(scene::read_scene(R"({"objects": [)" + objects + R"(], "ask": )" + ask + "}", ""));
 }
 
-/// The relation of A to B, which are called so; "meet" where it says no more; "not decided".
+/// The relation of the objects named A and B; "meet" where the answer says no more; "not decided".
 std::string relation(const std::string& objects) {
   const Json answer = answers(objects, R"([["A", "B"]])")[0], &result = answer["result"];
   INFO(objects << "\n" << answer.dump());
@@ -118,7 +118,7 @@ TEST_CASE("balls, capsules and segments without a radius lie to a hull of any si
   struct Place {
     std::string p, q;
     double r;
-    std::string told;  ///< of the capsule as A
+    std::string told;  ///< the relation of the capsule as A
   };
   const std::vector<Place> places = {
       {"[3, 14, 2]", "[3.5, 15, 2]", 0, "b_contains_a"},  // within
@@ -152,7 +152,7 @@ TEST_CASE("balls, capsules and segments without a radius lie to a hull of any si
 TEST_CASE("plates are told alike in whatever form they are given", "[scene]") {
   struct Place {
     std::vector<double> lo, hi;  ///< flat in z
-    std::string told;            ///< of the plate to the cube from -1 to 1
+    std::string told;            ///< the relation of the plate to the cube from -1 to 1
   };
   const std::vector<Place> places = {{{-0.5, -0.5, 0}, {0.5, 0.5, 0}, "b_contains_a"},
                                      {{-0.5, -0.5, 1}, {0.5, 0.5, 1}, "b_contains_a"},
@@ -244,7 +244,7 @@ TEST_CASE("a polygon without its repeated corners and the points of its sides is
       CHECK(relation(polygon("A", a) + ", " + polygon("B", b)) == expected);
     }
   }
-  // Those that go on and come back, or have a notch, are no convex outlines.
+  // Outlines that go on and come back, or have a notch, are not convex.
   for (const char* other : {"[[0,0],[3,0],[2,0],[2,2],[0,2]]", "[[0,0],[2,0],[1,1],[2,2],[0,2]]"})
     CHECK(relation(polygon("A", other) + ", " + polygon("B", "[[0.25,0.5],[0.5,0.5],[0.5,1]]")) == "a_contains_b");
 }
@@ -306,7 +306,7 @@ TEST_CASE("of many pairs a step tells those of one object, and few have a step e
   CHECK_THAT(viz::plain(steps[1].caption), isect::test::Contains("b₀ and b₁ overlap."));
   CHECK(viz::plain(steps[59].verdict.text) == "b₅₈ and b₅₉ overlap");
   CHECK(scene::answers(scene::read_scene(row_of_boxes(60), "")).size() == 60 * 59 / 2);
-  // The last step's card has what can be read on it: of many answers those that meet something, and how many there are.
+  // The last step's card has room for few: of many answers it shows those that meet something, and how many there are.
   for (const auto& [walked, all] :
        {std::pair{few.walk(few.presets[0].parameters), 190}, {many.walk(many.presets[0].parameters), 59}}) {
     const viz::Step& last = walked.steps.back();

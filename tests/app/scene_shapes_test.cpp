@@ -124,7 +124,7 @@ TEST_CASE("k-DOPs, frusta and hulls are asked as they lie", "[scene]") {
 TEST_CASE("convex solids, balls, capsules, triangles, meshes and lines in space are asked about each other",
           "[scene]") {
   const Shell shell;
-  // Of each pair one that touches in whole numbers or lies apart by a little
+  // Each pair once touches in whole numbers and once lies apart by a little
   const std::string
       box = R"({"box": "A", "lo": [0,0,0], "hi": [4,4,4]})",
       tilted = R"(, {"obb": "O", "center": [5,0,2], "u": [0.6,0.8,0], "v": [-0.8,0.6,0], "w": [0,0,1],)",
@@ -350,7 +350,7 @@ TEST_CASE("a walk tells the lesson's steps on the scene's numbers", "[scene]") {
   }
   CHECK_THAT(shell("isect scene w.json").out, StartsWith("A and B touch"));
 
-  // Of polygons and boxes that no lesson has.
+  // Walks of polygons and boxes that no lesson has.
   const std::string flat = R"({"box": "W", "lo": [-2,-1], "hi": [2,1]}, {"segment": "s", "from": [-3,0], "to": [1,0]},
     {"polygon": "P", "points": [[3,0],[2,1.5],[0,2],[-2,1.5],[-3,0],[-2,-1.5],[0,-2],[2,-1.5]]})";
   const Json two = answers(shell, flat, R"([{"walk": ["W", "s"]}, {"walk": ["P", "W"]}])");

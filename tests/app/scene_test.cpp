@@ -201,7 +201,7 @@ TEST_CASE("a scene that is no JSON, or holds what is none of ours, is told by it
   const std::string point = R"({"point": "p", "at": [0, 0]})", space = R"({"point": "p", "at": [0, 0, 0]})";
   const auto objects = [](const std::string& text) { return "{\"objects\": [\n" + text + "]}"; };
   const std::vector<Wrong> all = {
-      // No JSON.
+      // Texts that are not JSON.
       {" \n\n", "the file is empty", ""},
       {std::string("\0\1\2", 3), "line 1, column 1: no JSON", "no text in UTF-8"},
       {"{\"title\": \"\xE9t\xE9\", \"objects\": []}", "line 1, column 13", "no text in UTF-8"},
@@ -219,7 +219,7 @@ TEST_CASE("a scene that is no JSON, or holds what is none of ours, is told by it
       {objects(R"({"sphere": "A", "center": [0, 0], "radius": 0,5})"), "line 2, column ", "a decimal point"},
       {objects(point) + " {}", "line 2, column ", "expected end of input"},
       {"{\"objects\": [" + point + "]", "line 1, column ", "expected '}'"},
-      // No scene.
+      // Files that are not scenes.
       {"7", "line 1: the file: ", "in braces"},
       {"{\"title\": \"x\"}", "line 1: the file: ", "\"objects\" is missing"},
       {R"({"lesson": "ray-sphere"})", "line 1: lesson: ", "a preset’s file"},
@@ -228,7 +228,7 @@ TEST_CASE("a scene that is no JSON, or holds what is none of ours, is told by it
       {objects(R"({"type": "sphere", "name": "A"})"), "line 2: objects[0].type: ", "{\"sphere\": \"A\", ...}"},
       {"{\"objects\": [" + point + "], \"asks\": []}", "line 1: asks: ", "mean \"ask\""},
       {"{\"title\": 3, \"objects\": [" + point + "]}", "line 1: title: ", "a text"},
-      // No object of ours.
+      // Objects that are not valid.
       {objects(R"({"point": "ä", "at": [0, 0]})"), "line 2: objects[0].point: ", "a to z"},
       {objects(R"({"point": "p", "at": [0, null]})"), "line 2: objects[0].at[1]: ", "a finite number"},
       {objects(R"({"point": "p", "at": [0, 1e308]})"), "line 2: objects[0].at[1]: ", "1e300 is the most"},
@@ -249,7 +249,7 @@ TEST_CASE("a scene that is no JSON, or holds what is none of ours, is told by it
       {objects(R"({"polygon": "P", "points": [[0,0],[1,0],[1,1]], "rings": []})"), "line 2: objects[0]: ", "one of"},
       {objects(R"({"mesh": "M", "points": [[0,0,0],[1,0,0],[0,1,0]], "triangles": [[0,1,3]]})"),
        "line 2: objects[0].triangles: ", "they are 0 to 2"},
-      // No question, note or camera of ours.
+      // Questions, notes and cameras that are not valid.
       {"{\"objects\": [" + point + "], \"ask\": \"all\"}", "line 1: ask: ", "\"all pairs\""},
       {"{\"objects\": [" + point + "], \"ask\": [\"p\"]}", "line 1: ask[0]: ", "two names"},
       {"{\"objects\": [" + point + "], \"ask\": [{\"firsthit\": \"p\"}]}",

@@ -1,5 +1,5 @@
-// Pairs of a scene that are asked in more than one way: by a query or by exact ends, by faces or by facets, in numbers
-// of any size. Each way is held to rationals, and to the other ways.
+// Pairs of a scene that can be asked in more than one way: by a query or by exact ends, by faces or by facets, in
+// numbers of any size. Each way is compared with rationals, and with the other ways.
 
 #include <cmath>
 #include <map>
@@ -62,7 +62,7 @@ Json hull(const char* name, const std::vector<Vec3>& points) {
   return {{"hull", name}, {"points", all}};
 }
 
-/// Of a hull's facets, in rationals.
+/// The half-spaces of a hull's facets, in rationals.
 Sides sides(const Hull3<double>& hull) {
   Sides all;
   for (const auto& [i, j, k] : hull.triangles) {
@@ -83,7 +83,7 @@ void check_part(const Json& result, const std::optional<std::pair<Rational, Rati
   CHECK(ulps(number(result["t_out"]), truth->second) <= 2);
 }
 
-/// The exponents of two by which whole numbers are scaled: ordinary, far out, and both ends of what a scene takes.
+/// Exponents of the powers of two that scale whole numbers: ordinary, far out, and both ends of what a scene accepts.
 constexpr int sizes[] = {0, -3, 60, 600, 990, -60, -600, -1000, -1060};
 
 }  // namespace

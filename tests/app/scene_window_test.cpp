@@ -1,4 +1,4 @@
-// Scenes of one's own in the window: their handles, their contacts, and what a walk of a lesson refuses.
+// A user's own scenes in the window: their handles, their contacts, and what a walk of a lesson refuses.
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ using isect::test::Contains;
 
 namespace {
 
-/// Those of the examples, and each as a walk of the lessons that take it.
+/// The scenes of the examples, and each as a walk of the lessons that accept it.
 std::vector<const Lesson*> all_scenes() {
   std::vector<const Lesson*> all;
   for (const auto& entry : std::filesystem::directory_iterator(ISECT_EXAMPLE_SCENES)) {

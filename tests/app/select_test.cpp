@@ -79,7 +79,7 @@ TEST_CASE("a figure is taken as a preset's file is: with its lesson, step, numbe
   CHECK_THAT(shell("isect explain " + points).out, Contains("Step 2 of") && Contains("P lies on the boundary of A"));
   CHECK(lines_of(shell("isect render " + ball + " --step all --format svg --out again").out).size() > 5);
 
-  // Several at once, each of its own name; what is no figure of ours, and no figure at all, is refused.
+  // Several at once, each with a name of its own; pictures that isect did not make, and other files, are refused.
   CHECK(lines_of(shell("isect render " + ball + " " + points + " --format svg --out both").out).size() == 2);
   write(shell.work() / "o.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
   CHECK_THAT(shell("isect render o.svg").err, Contains("o.svg: it carries no isect metadata"));
@@ -146,7 +146,7 @@ TEST_CASE("a figure drawn again keeps its width, its theme, its title and its fo
             contents(again.work() / ("f/obb-obb/edges/" + stem + "." + to)));
     }
 
-  // What is asked for now counts.
+  // The options of the current command win over those of the figure.
   const Ran drawn = shell("isect render" + figure + " --format svg --out f");
   const std::string svg = drawn.out.substr(0, drawn.out.size() - 1);
   const auto now = entry("isect render " + svg + " --width 10cm --theme grey --format svg");
@@ -156,7 +156,7 @@ TEST_CASE("a figure drawn again keeps its width, its theme, its title and its fo
   CHECK(entry("isect render " + svg + " --size 480x300 --format svg")["size"] == "480x300");
   CHECK(entry("isect render " + svg + " --text-size 7pt --format svg")["text_pt"] == 7);
 
-  // One figure in two formats is one, and steps of one setting lie side by side.
+  // One figure in two formats is drawn once, and steps of one setting lie side by side.
   REQUIRE(shell("isect render ray-sphere --step 2-3 --format svg,pdf --width 8cm --out f").status == 0);
   CHECK(lines_of(shell("isect render f/ray-sphere/two-roots/*.svg f/ray-sphere/two-roots/*.pdf --format tikz").out)
             .size() == 2);
@@ -168,7 +168,7 @@ TEST_CASE("a figure drawn again keeps its width, its theme, its title and its fo
   CHECK(contents(shell.work() / "t/ray-sphere/two-roots/strip-02-04.svg") ==
         contents(shell.work() / "s/ray-sphere/two-roots/strip-02-04.svg"));
 
-  // A folder that leads elsewhere is none.
+  // A folder that leads elsewhere is ignored.
   std::string evil = contents(shell.work() / svg);
   const std::string honest = "obb-obb/edges/04-";
   for (std::size_t at = evil.find(honest); at != evil.npos; at = evil.find(honest, at + 1))

@@ -284,11 +284,11 @@ TEST_CASE("a question of a deck stands beside the picture and the numbers of its
     return figure["file"] == "obb-obb/normal-of-b/03-normals-b-question.tikz" && figure["title"] == "Question 2";
   }));
 
-  // It is none of a step that the walk has no more.
+  // It is not removed like a figure of a step that the walk no longer has.
   REQUIRE(shell("isect render obb-obb --preset normal-of-b --format tikz --out decks").status == 0);
   CHECK(contents(folder / "03-normals-b-question.tikz") == asked);
 
-  // What is known then stands in the question's words; what there is no picture of stands alone.
+  // The values known then stand in the question's words; a question without a picture stands alone.
   REQUIRE(shell("isect deck ray-sphere --step 5").status == 0);
   const std::string ray = contents(shell.work() / "decks/ray-sphere/two-roots/deck.tex");
   CHECK_THAT(slide_of(ray, "Question 2"), Contains("= 4.472") && Contains("= 21.146") && !Contains("= 1.1465"));

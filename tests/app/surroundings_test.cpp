@@ -15,7 +15,7 @@ using isect::test::write;
 
 namespace {
 
-/// A font configuration of this folder alone; of none at all if it is empty.
+/// Writes a font configuration of this folder only; without any folder if it is empty.
 void configure_fonts(const Shell& shell, const std::string& folder) {
   write(shell.work() / "fonts.conf", "<fontconfig>" + (folder.empty() ? "" : "<dir>" + folder + "</dir>") +
                                          "<cachedir>" + (shell.work() / "cache").string() + "</cachedir></fontconfig>");
@@ -158,7 +158,7 @@ TEST_CASE("little memory is told or is enough, and nothing crashes", "[surroundi
       CHECK((r.status == 0 || r.status == 3 || r.status == 4 || r.status == 77));
       if (r.status == 4 || r.status == 77) CHECK((r.err + r.out).find("isect") != std::string::npos);
     }
-  // What one thread needs is granted here, whatever the number of processors.
+  // The memory that one thread needs is enough, whatever the number of processors.
   const Ran enough = shell("ulimit -v 800000; LP_NUM_THREADS=16 isect render ray-sphere --step 1 --out few");
   INFO(enough.err);
   CHECK(enough.status == 0);
@@ -181,7 +181,7 @@ TEST_CASE("a picture too large for the memory is told by name", "[surroundings]"
 TEST_CASE("few descriptors, no room for a file, closed streams: an error or nothing, never a crash", "[surroundings]") {
   const Shell shell;
   const std::string render = "isect render ray-sphere --step 1 --format svg";
-  // What the test's own caller left open would take the places of 3 and 4.
+  // Files that the test's own caller left open would take the places of 3 and 4.
   const std::string close = "exec 3>&- 4>&- 5>&- 6>&- 7>&- 8>&- 9>&-; ";
   const Ran descriptors = shell(close + "ulimit -n 5; " + render + " --out few");
   CHECK(descriptors.status == 4);

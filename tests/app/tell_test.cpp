@@ -13,7 +13,7 @@ using isect::test::Shell;
 
 namespace {
 
-/// Characters of the longest line.
+/// The number of characters in the longest line.
 std::size_t widest(const std::string& text) {
   std::size_t most = 0;
   std::istringstream lines(text);
@@ -23,7 +23,7 @@ std::size_t widest(const std::string& text) {
   return most;
 }
 
-/// Its words with one space between them, wherever its lines break.
+/// The words of the text with one space between them, wherever its lines break.
 std::string in_one_line(const std::string& text) {
   std::istringstream words(text);
   std::string line;

@@ -250,7 +250,7 @@ TEST_CASE("the interval of a median holds it, narrows with more values, and is t
   CHECK(many_range.hi - many_range.lo < (few_range.hi - few_range.lo) / 3);
   CHECK((median_interval(few_values).lo == few_range.lo && median_interval(few_values).hi == few_range.hi));
   CHECK((median_interval({7}).lo == 7 && median_interval({7}).hi == 7 && median_interval({}).hi == 0));
-  // Of values from 1 to 3 the median is 2: it lies within the interval for about 19 of 20 samples.
+  // The median of values from 1 to 3 is 2: it lies within the interval for about 19 of 20 samples.
   int within = 0;
   for (int sample = 0; sample < 200; ++sample) {
     std::vector<double> values;

@@ -19,7 +19,7 @@ namespace {
 
 int places(const Query& q) { return near_edges::steps[static_cast<std::size_t>(q.row)]; }
 
-/// Of the method, over all rows from the first one given.
+/// The number of wrong answers of the method, over all rows from `from` on.
 int wrong(const near_edges::Method& method, std::size_t from = 0) {
   int sum = 0;
   for (std::size_t i = from; i < method.rows.size(); ++i)

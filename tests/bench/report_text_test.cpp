@@ -21,7 +21,7 @@ using isect::test::Contains;
 
 namespace {
 
-/// All passes within 1 % of their median, the least far from it.
+/// The row with all passes but the least within 1 % of their median.
 Row timed(Row r, double ns) {
   r.ns = 0.8 * ns, r.median = ns, r.lo = 0.99 * ns, r.hi = 1.01 * ns;
   return r;
@@ -74,7 +74,7 @@ Report report(const std::string& build, double exact_ns) {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
-/// The target of that work in every report here.
+/// The target with that `work`, which every report here has.
 Target target(const std::string& work) {
   for (const Target& t : report("portable", 29).targets)
     if (t.work == work) return t;

@@ -40,7 +40,7 @@ Case boxes(const Aabb<S, N>& a, const Aabb<S, N>& b) {
   return {in, expected, is_f32<S>};
 }
 
-/// The two ways to touch from inside apart from plain containment.
+/// Distinguishes the two ways to touch from inside from plain containment.
 template <class S, int N>
 std::string tangency(Relation relation, const Sphere<S, N>& a, const Sphere<S, N>& b) {
   if (relation == Relation::touching) return "touch_outer";

@@ -25,7 +25,7 @@ struct Case {
   bool f32 = false;  ///< asked in floats, which the inputs are
 };
 
-/// What is asked of input that has no meaning: NaN, or an infinity where none belongs.
+/// The expected answer for input that has no meaning: NaN, or an infinity where none belongs.
 inline Case policy(Json inputs, bool f32) { return {std::move(inputs), {{"policy", "an error or a plain no"}}, f32}; }
 
 class CaseFile {
@@ -38,11 +38,11 @@ class CaseFile {
   /// `note` says what is hard about the case.
   void add(const std::string& note, const Case&);
 
-  /// Cases from a generator with a seed of its own: `count` of them, their verdicts mixed as evenly as they come. It
-  /// may draw nothing.
+  /// Adds cases from a generator with a seed of its own: `count` of them, with verdicts mixed as evenly as possible.
+  /// `draw` may return nothing.
   void family(const std::string& note, int count, const std::function<std::optional<Case>(Random&)>& draw);
 
-  /// One case a line; numbers in as few digits as name them.
+  /// The file's text, one case a line; numbers have as few digits as identify them.
   std::string text() const;
 
  private:
@@ -54,10 +54,10 @@ class CaseFile {
   std::vector<Noted> cases_;
 };
 
-/// On one line, numbers in as few digits as name them.
+/// The value on one line; numbers have as few digits as identify them.
 std::string written(const Json&);
 
-/// Every kind, in the order of `isect query --help`.
+/// All kinds, in the order of `isect query --help`.
 std::vector<CaseFile> all();
 
 // What a file of the project's own generators holds.

@@ -59,8 +59,8 @@ Case polygon_and_plane(const Ring<S, N>& ring, const Plane<S, N>& plane) {
   return {both({{"polygon", json<S, N>(ring)}}, fields(plane)), points(oracle::clipped<S, N>(ring, plane)), is_f32<S>};
 }
 
-/// Side by side. Nothing where a vertex that no number of S denotes is cut again, for what comes then is no matter of
-/// ulps.
+/// Clips side by side. Nothing if a vertex that is not a number of S is cut again, since the result then can't be given
+/// in ulps.
 template <class S, int N>
 std::optional<Case> polygon_and_box(const Ring<S, N>& ring, const Aabb<S, N>& box) {
   std::vector<oracle::Coordinates<N>> left;

@@ -21,7 +21,7 @@ using oracle::operator-;
 template <class S>
 using Rings = std::vector<Ring<S, 2>>;
 
-/// By the winding number, which tells both rules.
+/// The location by the winding number, which gives it by both rules.
 template <class S>
 Case located(const Point<S, 2>& p, const Rings<S>& rings) {
   Json outlines = Json::array();
@@ -35,7 +35,7 @@ Case located(const Point<S, 2>& p, const Rings<S>& rings) {
   return {{{"rings", outlines}, {"point", json<S, 2>(p)}}, expected, is_f32<S>};
 }
 
-/// Whether the point is at the height of an edge, and so near to it that doubles err about every other time.
+/// Whether the point is at the height of an edge, and so near it that doubles are wrong about every other time.
 template <class S>
 bool almost_on_an_edge(const Point<S, 2>& p, const Ring<S, 2>& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -68,7 +68,7 @@ Json outlines(const Polygon<S, 2>& p) {
   return rings;
 }
 
-/// The first t; a ray without direction stays where it is, if that is met.
+/// The first t; if the direction is 0 and the origin is met, the start of the range.
 template <class S, int N, class IsMet, class First>
 Case first_t(const Ray<S, N>& ray, const Json& shape, const IsMet& is_met, const First& first) {
   std::optional<double> t;
@@ -102,7 +102,7 @@ Case polygons(const Polygon<double, 2>& a, const Polygon<double, 2>& b) {
           is_f32<double>};
 }
 
-/// The ends differ.
+/// The segment's ends must differ.
 Case segment_and_polygon(const Segment<double, 2>& s, const Polygon<double, 2>& polygon) {
   const auto p = oracle::rational<double, 2>(s.p), q = oracle::rational<double, 2>(s.q);
   const Relation r = oracle::line_polygon_truth(p, q - p, Rational(0), Rational(1), polygon);

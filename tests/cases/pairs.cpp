@@ -21,7 +21,7 @@ Case obbs(const Obb<S, N>& a, const Obb<S, N>& b) {
   return {{{"a", json(a)}, {"b", json(b)}}, related(r), is_f32<S>};
 }
 
-/// Slabs are compared as they are.
+/// Compares slabs as they are.
 template <class S, int N>
 Case kdops(const std::vector<Vector<S, N>>& normals, const std::vector<Interval<S>>& a,
            const std::vector<Interval<S>>& b) {
@@ -37,7 +37,7 @@ Case kdops(const std::vector<Vector<S, N>>& normals, const std::vector<Interval<
           is_f32<S>};
 }
 
-/// The least numbers of S that hold the projections of the corners.
+/// The smallest slab with ends in S that holds the projections of the corners.
 template <class S>
 Interval<S> slab(const Vector<S, 3>& normal, const std::array<Point<S, 3>, 4>& corners) {
   constexpr S inf = std::numeric_limits<S>::infinity();

@@ -10,7 +10,7 @@ namespace {
 
 using oracle::dot, oracle::rational, oracle::operator*;
 
-/// By the point of the plane nearest to the center.
+/// Decides by the point of the plane nearest to the center.
 template <class S, int N>
 Case plane_and_ball(const Plane<S, N>& plane, const Sphere<S, N>& ball) {
   const auto n = rational(plane.normal);
@@ -21,7 +21,7 @@ Case plane_and_ball(const Plane<S, N>& plane, const Sphere<S, N>& ball) {
   return {both(fields(plane), fields(ball)), related(relation), is_f32<S>};
 }
 
-/// By all corners.
+/// Decides by all corners.
 template <class S, int N>
 Case plane_and_box(const Plane<S, N>& plane, const Aabb<S, N>& box) {
   bool above = false, below = false, within = false;

@@ -17,7 +17,7 @@ Case hull_of(const Ring<S, 2>& points) {
   return {{{"points", json<S, 2>(points)}}, {{"hull", json<S, 2>(oracle::hull(points))}}, is_f32<S>};
 }
 
-/// From twice the area vector; none where that is 0.
+/// Computes normal and area from twice the area vector; there is no normal where that is 0.
 template <class S>
 Case normal_of(const Ring<S, 3>& ring) {
   const auto twice = tests::area_rings::truth(ring);
@@ -29,8 +29,8 @@ Case normal_of(const Ring<S, 3>& ring) {
       {{"polygon", json<S, 3>(ring)}}, {{"normal", normal}, {"area", json(nearest(Rational(length / 2)))}}, is_f32<S>};
 }
 
-/// The aligned box is the only one that fits; of the others, that they hold every point and are the least about their
-/// center and axes is asked of the answer itself.
+/// Expects the aligned box, which is unique. Other volumes are checked by themselves: they must hold every point, and
+/// be the least about their center and axes.
 template <class S, int N>
 Case fits(const std::vector<Point<S, N>>& points) {
   Point<S, N> lo = points[0], hi = lo;

@@ -23,7 +23,7 @@ Case point_in(const Point<S, 3>& p, const Solid& solid) {
   return {in, {{"location", word(oracle::locate(p, solid))}}, is_f32<S>};
 }
 
-/// The families that stand in bench, and any numbers.
+/// Adds the families of bench, and any numbers.
 template <template <class> class Solid>
 void add_points(CaseFile& file) {
   const auto ask = [](const auto& c) { return point_in(c.a, c.b); };
@@ -97,7 +97,7 @@ void add_balls(CaseFile& file, const std::string& name) {
   });
 }
 
-/// Both ends as given.
+/// Takes both ends of the segment as given.
 template <class S, class Solid>
 Case segment_and_solid(const Segment<S, 3>& segment, const Solid& solid) {
   const Json in = both({{"segment", {json<S, 3>(segment.p), json<S, 3>(segment.q)}}}, fields(solid));

@@ -36,7 +36,7 @@ proof::Faces faces_of(const std::vector<Plane<double, 3>>& planes) {
   return faces;
 }
 
-/// By their names: each plane as its normal and d.
+/// The frusta by name: each plane as its normal and d.
 SceneJson planes_of_frusta(const SceneJson& objects) {
   const scene::File file = read(objects);
   SceneJson all = SceneJson::object();
@@ -73,13 +73,13 @@ const char* what_is_hard(Family f) {
   return "";
 }
 
-// How many cases a pair of types gets.
+// How many cases each pair of types gets.
 constexpr int of_an_answer = 3, of_a_family = 1, beside_an_ulp = 4;
-constexpr int patience = 400;  // draws that are looked at, and a tenth of them for an ulp
+constexpr int patience = 400;  // the most draws tried, and a tenth of that for an ulp
 constexpr std::size_t most_letters = 700, most_letters_of_many = 3000;
 
-/// An object of a size s around a place on the x axis, or from it on: with others of like sizes it touches, holds or
-/// equals them.
+/// An object of size s around the place x on the x axis, or from it on: it touches, holds or equals others of like
+/// sizes.
 SceneJson posed_object(const std::string& type, bool flat, double x, double s) {
   const auto at = [&](double dx, double y, double z) {
     SceneJson p = {x + dx * s, y * s};
@@ -160,7 +160,7 @@ class Chooser {
   }
 
  private:
-  /// Of a pair of types.
+  /// The cases chosen for a pair of types.
   struct Chosen {
     std::vector<SceneJson> lines;
     std::map<std::string, int> of_answer;
@@ -177,7 +177,7 @@ class Chooser {
           pair(drawn.family, b, a);
   }
 
-  /// Answers that the draws have not found.
+  /// Adds answers that the draws have not found.
   void posed_pairs(const std::array<std::string, 2>& types, Chosen& chosen) {
     struct Pose {
       double x, s;
@@ -218,7 +218,7 @@ class Chooser {
     if (chosen.beside < beside_an_ulp && chosen.seen % 3 == 0 && !many) beside(chosen, objects, kind);
   }
 
-  /// With one number moved by an ulp, where that changes the answer.
+  /// Adds the objects with one number moved by an ulp, if that changes the answer.
   void beside(Chosen& chosen, SceneJson objects, const std::string& kind) {
     std::vector<SceneJson*> numbers;
     for (SceneJson& o : objects)
@@ -242,7 +242,7 @@ class Chooser {
       for (SceneJson& entry : value) collect(entry, numbers);
   }
 
-  /// Nothing where the program refuses one of them, or the question has no answer.
+  /// Returns nothing where the program refuses one of them, or the question has no answer.
   std::optional<SceneJson> judged(const SceneJson& objects, proof::Times times = proof::Times::left_out) const {
     try {
       const std::optional<Posed2> both = posed(objects, flat_);

@@ -102,7 +102,7 @@ inline std::string note_of(Numbers numbers) {
   return words[static_cast<int>(numbers)];
 }
 
-/// Draws of every family of numbers, in doubles and, half as many, in floats: draw<S>(random, numbers).
+/// Adds draws of every family of numbers, in doubles and, half as many, in floats: draw<S>(random, numbers).
 template <class Draw>
 void by_numbers(CaseFile& file, int count, const Draw& draw) {
   for (const Numbers numbers : bench::all_numbers) {
@@ -113,7 +113,7 @@ void by_numbers(CaseFile& file, int count, const Draw& draw) {
   }
 }
 
-/// The same of named families, each a list with `name` and `draw(random)`; ask(shapes) finds the truth.
+/// Adds draws of named families, each a list with `name` and `draw(random)`; ask(shapes) finds the truth.
 template <class Doubles, class Floats, class Ask>
 void by_families(CaseFile& file, int count, const Doubles& doubles, const Floats& floats, const Ask& ask) {
   for (const auto& f : doubles) file.family(f.name, count, [&](Random& r) { return ask(f.draw(r)); });

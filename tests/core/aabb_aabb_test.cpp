@@ -14,7 +14,7 @@ namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
-/// From lo to hi on the first axis, from y to y + height on the others.
+/// A box from lo to hi on the first axis, from y to y + height on the others.
 template <class S, int N>
 Aabb<S, N> bar(double lo, double hi, double y = 0, double height = 1) {
   Aabb<S, N> b = {Point<S, N>::Constant(S(y)), Point<S, N>::Constant(S(y + height))};

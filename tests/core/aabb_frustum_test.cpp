@@ -13,7 +13,7 @@ namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
-/// A cube of that half-width.
+/// A cube with that half-width.
 template <class S>
 Aabb<S, 3> cube(double x, double y, double z, double half) {
   const Vector<double, 3> c(x, y, z), h = Vector<double, 3>::Constant(half);

@@ -20,7 +20,7 @@ template <class S, int N>
 using Boxes = std::vector<Aabb<S, N>>;
 using List = std::vector<IndexPair>;
 
-/// From the definition: no axis on which one ends before the other begins, and nothing in it that is no number.
+/// All pairs by definition: no axis separates the two boxes, and both are finite and not empty.
 template <class S, int N>
 List truth(const Boxes<S, N>& boxes) {
   const auto real = [](const Aabb<S, N>& box) {
@@ -42,7 +42,7 @@ List truth(const Boxes<S, N>& boxes) {
 
 enum Method { by_brute_force, by_sweep, by_grid, by_default, methods };
 
-/// In order; a pair that is reported twice is in it twice.
+/// The pairs found, in order; a pair that is reported twice occurs twice.
 template <class S, int N>
 List found(const Boxes<S, N>& boxes, int method) {
   List pairs;
@@ -55,7 +55,7 @@ List found(const Boxes<S, N>& boxes, int method) {
   return pairs;
 }
 
-/// By every method; returns the number of pairs.
+/// Checks every method; returns the number of pairs.
 template <class S, int N>
 std::size_t check(const Boxes<S, N>& boxes) {
   const List pairs = truth(boxes);

@@ -90,7 +90,7 @@ struct Draw {
     const Vec a = vec(), b = vec();
     return {a.cwiseMin(b), a.cwiseMax(b)};
   }
-  /// Turned by the angle of the triangle 3, 4, 5, so that axes meet on integers, too.
+  /// An oriented box turned by the angle of the triangle 3, 4, 5, so that axes meet on integers, too.
   Obb<double, 3> obb() const {
     Eigen::Matrix3d axes;
     axes << 0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1;
@@ -123,7 +123,7 @@ void ask_all(const Number& number) {
   CHECK(after == before);
 }
 
-/// The same of polygons, which are drawn beforehand, as their vertices stand on the heap.
+/// Checks polygons. They are drawn before the calls are counted, as their vertices stand on the heap.
 template <class Number>
 void ask_polygons(const Number& number) {
   bench::Random random(tests::seed());

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
-/// Small whole numbers, so that much touches, or any.
+/// Draws small whole numbers, so that much touches, or any numbers.
 template <int N>
 struct Draw {
   std::mt19937_64 random{tests::seed()};
@@ -87,7 +87,7 @@ struct Draw {
              at({0, 0, -1}, 3)}};
   }
 
-  /// Of four to six corners, flat or folded, convex or not.
+  /// A polygon of four to six corners, flat or folded, convex or not.
   TriangulatedPolygon<double> polygon() requires(N == 3) {
     const Vec from = vector(3), u = direction();
     const bool folded = integer(0, 3) == 0;
@@ -104,7 +104,7 @@ struct Draw {
   Cylinder<double> cylinder() requires(N == 3) { return {vector(4), vector(4), number(0, 3)}; }
   Cone<double> cone() requires(N == 3) { return {vector(4), vector(4), number(0, 3)}; }
 
-  /// One of each kind.
+  /// One shape of each kind.
   std::vector<AnyShape<double, N>> all() {
     std::vector<AnyShape<double, N>> shapes = {Point<double, N>(vector(4)),
                                                Segment<double, N>{vector(4), vector(4)},
@@ -135,13 +135,13 @@ bool is_line(const AnyShape<double, N>& x) {
   return std::holds_alternative<Segment<double, N>>(x) || std::holds_alternative<Ray<double, N>>(x);
 }
 
-/// What is not decided counts as an answer that says nothing.
+/// The answer; an empty one where the question is not decided.
 template <class A, class B>
 Answer answered(const A& a, const B& b) {
   return std::optional<Answer>(ask(a, b)).value_or(Answer());
 }
 
-/// Calls check(a, b) with every two kinds, whole numbers and others.
+/// Calls check(a, b) for shapes of every two kinds, with whole numbers and others.
 template <int N, class Check>
 void each_pair(int rounds, const Check& check) {
   Draw<N> draw;

@@ -1,6 +1,6 @@
 #pragma once
-// The smallest ball of a few points, in rationals: of all balls through N + 1 of them or fewer that hold the rest, the
-// least.
+// The smallest ball of a few points, in rationals: the least of all balls through N + 1 of them or fewer that hold the
+// rest.
 
 #include <algorithm>
 #include <optional>

@@ -76,7 +76,7 @@ struct Boxes : Columns<S, 2 * N> {
   BoxBatch<S, N> batch() const { return {this->template points<N>(0), this->template points<N>(N)}; }
 };
 
-/// The number that a shape may have by mistake.
+/// A number that a shape may have by mistake.
 template <class S>
 S bad(bench::Random& random) {
   constexpr S inf = std::numeric_limits<S>::infinity();
@@ -87,7 +87,7 @@ S bad(bench::Random& random) {
 
 int length(bench::Random& random) { return random.one_in(4) ? random.below(300) : random.below(41); }
 
-/// Asks both questions of all spheres; the number of hits.
+/// Checks both queries on all spheres; returns the number of hits.
 template <class S, int N>
 std::size_t check(const Ray<S, N>& ray, const SphereBatch<S, N>& batch) {
   std::vector<std::size_t> truth;

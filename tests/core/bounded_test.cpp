@@ -96,7 +96,7 @@ TrackedVector vector(bench::Random& random, double lo, double hi) {
   return v;
 }
 
-/// Whether it was certain.
+/// Checks the bound and the sign; returns whether the sign was certain.
 bool stays_within_its_bound(const Bounded<double>& x, const Rational& truth) {
   if (std::isfinite(x.error()) && std::isfinite(x.value()))
     REQUIRE(abs(Rational(x.value()) - truth) <= Rational(x.error()) + Rational(5e-324));

@@ -15,7 +15,7 @@ using bench::Random;
 
 namespace {
 
-/// Primitives that are their boxes, asked exactly: hit where the ray enters.
+/// Primitives that are their boxes, tested exactly: the hit is where the ray enters.
 template <class S, int N>
 auto solid(const Ray<S, N>& ray, const std::vector<Aabb<S, N>>& boxes) {
   return [&](int i) -> std::optional<S> {
@@ -34,7 +34,7 @@ std::optional<BvhHit<S>> brute_force(const Ray<S, N>& ray, const std::vector<Aab
   return closest;
 }
 
-/// From anywhere, or aimed at a corner, an edge, a face or the inside of one of the boxes; at times along an axis.
+/// A ray from anywhere, or aimed at a corner, an edge, a face or the inside of one of the boxes; some along an axis.
 template <class S, int N>
 Ray<S, N> aimed(Random& random, const std::vector<Aabb<S, N>>& boxes, bench::Numbers numbers) {
   Ray<S, N> ray = bench::ray<S, N>(random, numbers);

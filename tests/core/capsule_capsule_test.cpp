@@ -24,7 +24,7 @@ Capsule<S, N> capsule(double px, double py, double qx, double qy, double radius)
   c.q[0] = S(qx), c.q[1] = S(qy);
   return c;
 }
-/// From (-k, 0) to (k, 0).
+/// A capsule from (-k, 0) to (k, 0).
 template <class S, int N>
 Capsule<S, N> lying(double k, double radius) {
   return capsule<S, N>(-k, 0, k, 0, radius);
@@ -34,7 +34,7 @@ Capsule<S, N> turned(const Capsule<S, N>& c) {
   return {c.q, c.p, c.radius};
 }
 
-/// Checked from both sides, and with the ends swapped.
+/// The relation, checked in both orders, and with the ends swapped.
 template <class S, int N>
 Relation related(const Capsule<S, N>& a, const Capsule<S, N>& b) {
   const Relation r = relate(a, b);

@@ -18,7 +18,7 @@ using oracle::Rational;
 
 namespace {
 
-/// As predicates use it: by the size and the roundings that doubles found, with the grid.
+/// A number tracked as predicates do it: with the size and the roundings of its double, and the grid.
 struct Tracked {
   Bounded<double> quick;
   Compensated fine;
@@ -56,7 +56,7 @@ Tracked expression(bench::Random& random, int depth, const Number& number) {
   }
 }
 
-/// Of `count` expressions how many signs were certain, how many of those 0.
+/// How many signs of `count` expressions were certain, and how many of those were 0.
 template <class Number>
 std::pair<int, int> certain(bench::Random& random, int count, const Number& number) {
   std::pair<int, int> result;

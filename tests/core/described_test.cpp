@@ -23,7 +23,7 @@ void fill(auto&& value, const auto& draw) {
     value = draw();
 }
 
-/// Small integers: needs are kept, broken, and met just so.
+/// Small integers, so that preconditions are kept, broken, and just kept.
 template <class S, class X>
 X drawn(Random& random) {
   X x = {};

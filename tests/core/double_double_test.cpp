@@ -23,7 +23,7 @@ Rational exact(double x) { return Rational(x); }
 Rational exact(const DoubleDouble& x) { return Rational(x.hi) + Rational(x.lo); }
 Rational size(const Rational& x) { return x < 0 ? Rational(-x) : x; }
 
-/// Whole mantissas, and now and then numbers close to each other, whose sums cancel.
+/// Draws numbers with full mantissas, and sometimes numbers close to each other, whose sums cancel.
 struct Operands {
   bench::Random random{bench::stream(tests::seed(), "double_double")};
   DoubleDouble last = {1, 0};

@@ -37,14 +37,14 @@ struct Draw {
   bench::Random random{tests::seed()};
 
   Vector<S, N> vector() { return bench::vector<S, N>(random, Numbers::ends); }
-  /// With ends that are given twice, and any range.
+  /// A ray that sometimes begins at `corner`, with any range.
   Ray<S, N> ray(const Point<S, N>& corner) {
     Ray<S, N> ray = {random.one_in(3) ? corner : vector(), vector()};
     if (random.one_in(3)) ray.range = {S(-1), S(1)};
     if (random.one_in(4)) ray.range = infinite<S>;
     return ray;
   }
-  /// Closed, or with a corner that is repeated, once in a while.
+  /// A ring that is sometimes closed, or has a repeated corner.
   Ring<S, N> ring() {
     Ring<S, N> ring;
     for (int k = 3 + random.below(4); k > 0; --k)
@@ -53,7 +53,7 @@ struct Draw {
   }
 };
 
-/// The stretch to 2 ulp; of a ray that is a point only whether there is one.
+/// Whether the stretch is right to 2 ulp; for a ray that is a point, whether it is rightly found.
 template <class S, int N>
 bool right(const Ray<S, N>& ray, const std::optional<Interval<S>>& found,
            const std::optional<std::pair<oracle::Rational, oracle::Rational>>& truth) {

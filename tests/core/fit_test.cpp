@@ -38,7 +38,7 @@ S less(S x) {
   return std::nextafter(x, -std::numeric_limits<S>::infinity());
 }
 
-/// The faces of a box, of a diagonal cut, and of skew directions.
+/// Normals of the faces of a box, of a diagonal cut, and of skew directions.
 template <class S, int N>
 std::vector<Vector<S, N>> normals(bench::Random& random) {
   std::vector<Vector<S, N>> result;
@@ -49,7 +49,7 @@ std::vector<Vector<S, N>> normals(bench::Random& random) {
   return result;
 }
 
-/// x in rationals against what holds it, by division where the core multiplies.
+/// Compares the volumes' sizes with those of the points in rationals, by division where the core multiplies.
 template <class S, int N>
 void check_sizes(const Points<S, N>& points, const Kdop<S, N>& kdop, const Sphere<S, N>& sphere) {
   for (std::size_t i = 0; i < kdop.normals.size(); ++i) {

@@ -65,7 +65,7 @@ oracle::Rational exact_volume(const Obb<S, N>& box) {
   return volume;
 }
 
-/// The area of the smallest rectangle around points: of those with a side along an edge of their hull.
+/// The area of the smallest rectangle around points, among those with a side along an edge of their hull.
 template <class S>
 oracle::Rational least_rectangle(const Points<S, 2>& points) {
   const Ring<S, 2> hull = oracle::hull(points);
@@ -89,8 +89,8 @@ oracle::Rational least_rectangle(const Points<S, 2>& points) {
   return least;
 }
 
-/// What makes boxes hard to fit: many points on a sphere, needles, discs, all far away from the origin, a lattice with
-/// every point twice, and sizes near both ends of the range.
+/// Points around which boxes are hard to fit: many on a sphere, needles, discs, all far away from the origin, a lattice
+/// with every point twice, and sizes near both ends of the range.
 template <class S, int N>
 std::vector<Points<S, N>> families(bench::Random& random) {
   const Eigen::Matrix<double, N, N> turn = bench::rotation<double, N>(random, 3);

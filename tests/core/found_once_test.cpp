@@ -1,4 +1,4 @@
-// What is kept in an arithmetic is found there once, by each copy for itself, and anew where steps are recorded.
+// A value kept in an arithmetic is found there once, by each copy for itself, and anew where steps are recorded.
 
 #include <isect/numbers/found_once.h>
 

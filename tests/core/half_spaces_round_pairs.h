@@ -13,7 +13,7 @@ namespace isect::tests::half_spaces_round_pairs {
 
 using bench::Numbers, bench::Random;
 
-/// Of any numbers, and of the named families.
+/// Compares the core with the oracle on any numbers, and on the named families.
 template <class S, template <class> class Solid, class Event>
 void check() {
   std::array<int, 6> seen = {};
@@ -46,7 +46,7 @@ void check() {
     CHECK(seen[static_cast<std::size_t>(r)] > 20);
 }
 
-/// Boxes, oriented ones, frusta and hulls of whole numbers, flat ones among them, and such as have a corner on the
+/// Checks boxes, oriented boxes, frusta and hulls of whole numbers, some of them flat, and some with a corner on the
 /// axis.
 template <class Solid>
 void check_forms() {
@@ -88,7 +88,7 @@ void check_forms() {
     CHECK(seen[static_cast<std::size_t>(r)] > 5);
 }
 
-/// Sums of a solid's faces follow from these, however many: edges and corners touch most of them.
+/// Checks that sums of a solid's faces change nothing, however many: most of them touch it in an edge or a corner.
 template <class Solid>
 void check_many_faces() {
   Random random(tests::seed());
@@ -111,8 +111,8 @@ void check_many_faces() {
   }
 }
 
-/// A half-space says what its plane does, a segment what the line's test says, and a point where it lies: solids that
-/// never end, and such as have no volume.
+/// Compares a half-space with its plane, a segment with the test of the line, and a point with its location: solids
+/// that are unbounded, and ones without a volume.
 template <template <class> class Solid>
 void check_thin_and_endless() {
   Random random(tests::seed());
@@ -149,7 +149,7 @@ void check_thin_and_endless() {
   }
 }
 
-/// What is empty, NaN or infinite.
+/// Checks shapes that are empty, NaN or infinite.
 template <class Solid>
 void check_nothing(const Solid& some) {
   const HalfSpaces box = half_spaces_of(Aabb<double, 3>{{-1, -1, -1}, {1, 1, 1}});

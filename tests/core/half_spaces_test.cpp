@@ -23,7 +23,7 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 using Vec = Vector<double, 3>;
 
-/// Whole numbers, so that much touches, or any.
+/// Draws whole numbers, so that much touches, or any numbers.
 struct Draw {
   std::mt19937_64 random{tests::seed()};
   bool whole = true;
@@ -53,7 +53,7 @@ struct Draw {
     }
     return k;
   }
-  /// A pyramid cut off, somewhere.
+  /// A truncated pyramid anywhere.
   Frustum<double> frustum() {
     const Vec eye = vector(3);
     const auto plane = [&](const Vec& n, double d) { return Plane<double, 3>{n, d - n.dot(eye)}; };
@@ -64,7 +64,7 @@ struct Draw {
   Triangle<double, 3> triangle() { return {{vector(4), vector(4), vector(4)}}; }
 };
 
-/// |x| <= z and |y| <= z for z from 1 to 4.
+/// The pyramid |x| <= z and |y| <= z for z from 1 to 4.
 Frustum<double> pyramid() {
   const auto plane = [](const Vec& n, double d) { return Plane<double, 3>{n, d}; };
   return {{plane({1, 0, 1}, 0), plane({-1, 0, 1}, 0), plane({0, 1, 1}, 0), plane({0, -1, 1}, 0), plane({0, 0, 1}, -1),
@@ -87,7 +87,7 @@ Solid any_solid(Draw& draw, int kind) {
   return solid(draw.frustum());
 }
 
-/// f(draw, round): on whole numbers, then on any.
+/// Calls f(draw, round) with whole numbers, then with any numbers.
 template <class F>
 void rounds(int count, const F& f) {
   Draw draw;
@@ -119,7 +119,7 @@ TEST_CASE("two convex solids lie as their corners tell", "[half_spaces]") {
     CHECK(seen[static_cast<std::size_t>(r)] > 0);
 }
 
-/// The same solid with sums of its faces among them, which follow from them: many touch it in a corner or an edge.
+/// The solid with sums of its faces added, which change nothing: many touch it in a corner or an edge.
 HalfSpaces with_more_faces(Draw& draw, const HalfSpaces& solid, int more) {
   HalfSpaces result = solid;
   const auto level = [&](std::size_t i) { return std::get<half_spaces::Level>(solid.faces[i].form); };

@@ -70,7 +70,7 @@ std::set<oracle::Coordinates<N>> true_vertices(const Kdop<S, N>& kdop) {
   return found;
 }
 
-/// Each edge of a face is, backwards, one of another; Euler's formula holds.
+/// Checks that each edge of a face is the reverse of an edge of another face, and that Euler's formula holds.
 template <class S>
 void check_closed(const Polytope<S, 3>& polytope) {
   if (polytope.vertices.size() < 3) {

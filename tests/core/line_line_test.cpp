@@ -31,7 +31,7 @@ bool on(const oracle::Coordinates<3>& x, const Straight& b) {
   return o == x;
 }
 
-/// Whole lines: the t of a, from two of the three equations; nothing where these have no single solution.
+/// The t of a where the whole lines meet, from two of the three equations; nothing if they have no single solution.
 std::optional<Rational> t_of(const Straight& a, const Straight& b) {
   const auto o = oracle::rational(a.origin), u = oracle::rational(a.direction), p = oracle::rational(b.origin),
              v = oracle::rational(b.direction);
@@ -77,7 +77,7 @@ TEST_CASE("two lines in space have in common what solving their equations gives"
       REQUIRE(*found.t == t->convert_to<double>());
       continue;
     }
-    // Of one direction, or a point: some end of one lies on the other, or both are whole lines
+    // Parallel, or one is a point: they meet iff some end of one lies on the other, or both are whole lines
     bool truth = false;
     for (const double t : {a.range.lo, a.range.hi, 0.0})
       if (std::isfinite(t)) truth |= in_range(t) && on(at(Rational(t)), b);

@@ -40,7 +40,7 @@ Triangle<S, 3> draw(Random& random, Numbers numbers) {
   return x;
 }
 
-/// From anywhere, or in the plane of the triangle, along an edge, at a corner.
+/// A ray from anywhere, or in the plane of the triangle, along an edge, at a corner.
 template <class S>
 Segment<S, 3> course(Random& random, Numbers numbers, const Triangle<S, 3>& x) {
   Segment<S, 3> s = {bench::vector<S, 3>(random, numbers), bench::vector<S, 3>(random, numbers)};

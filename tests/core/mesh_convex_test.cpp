@@ -9,7 +9,7 @@
 #include "tests/core/cell_solids.h"
 #include "tests/settings.h"
 
-// Solids of cells: what lies in them is counted, how far they are is the least of whole numbers.
+// Solids of cells: what lies in them is counted, and their distances are minima of whole numbers.
 
 namespace mesh_convex_test {
 using namespace isect;
@@ -34,11 +34,11 @@ Drawn draw(Random& random) {
   return d;
 }
 
-/// The box from lo to hi, flat or a point, too, by twice its coordinates.
+/// The box from lo to hi, which may be flat or a point, given by twice its coordinates.
 struct Reach {
   std::array<int, 3> lo, hi;
 };
-/// Four times the square of the least distance to a cell, of the greatest.
+/// Four times the square of the least distance to a cell; below, of the greatest.
 int least(const Reach& r, const Cell& c) {
   int sum = 0;
   for (int i = 0; i < 3; ++i) {
@@ -63,8 +63,8 @@ int twice_to(const Cells& cells, const Reach& r) {
   return static_cast<int>(std::lround(std::sqrt(square)));
 }
 
-/// How the cells lie to all that is within a radius of what `r` reaches; twice the radius, and whether the true one is
-/// a little less (-1) or more (1) than that.
+/// How the cells lie to the set of points within a radius of `r`. `twice` is twice the radius; the true one is a little
+/// less if `beside` is -1, or more if it is 1.
 Relation truth(const Cells& cells, const Reach& r, int twice, int beside) {
   int to_solid = 1 << 20, to_rest = 1 << 20, far = 0;
   for (int i = 0; i < 1000; ++i) {

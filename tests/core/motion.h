@@ -21,7 +21,7 @@ struct Motion {
   S operator()(S length) const {
     return std::ldexp(length, exponent);
   }
-  /// A vector that is not scaled: a normal.
+  /// The image of a vector that is not scaled, such as a normal.
   template <class S>
   Vector<S, N> turned(const Vector<S, N>& x) const {
     Vector<S, N> y;

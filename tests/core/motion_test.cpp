@@ -34,7 +34,7 @@ Moving<Sphere, S, N> ball(const Point<S, N>& center, const Vector<S, N>& velocit
   return {{center, S(1)}, velocity};
 }
 
-/// The first contact, the same from both sides, and "perhaps" by the swept bounds wherever there is one.
+/// The first contact. It must be the same in both orders, and the swept bounds must overlap wherever there is one.
 template <template <class, int> class Shape, class S, int N>
 std::optional<S> first(const Moving<Shape, S, N>& a, const Moving<Shape, S, N>& b, double duration) {
   const std::optional<S> t = first_contact(a, b, static_cast<S>(duration));
@@ -161,7 +161,7 @@ std::optional<Rational> truth(const Moving<Aabb, S, N>& a, const Moving<Aabb, S,
   return in <= out ? std::optional(in) : std::nullopt;
 }
 
-/// The way of one ball as the other sees it.
+/// The motion of one ball relative to the other.
 template <class S, int N>
 struct Distance {
   oracle::Coordinates<N> f, w;
@@ -185,7 +185,7 @@ struct Distance {
   }
 };
 
-/// Whether t is the first time at which they are not apart, but for 8 ulp; infinite only where that is beyond S.
+/// Whether t is the first time, to 8 ulp, at which they are not apart; infinite only where that is beyond S.
 template <class S, int N>
 bool is_first(const Distance<S, N>& distance, S t) {
   constexpr S most = std::numeric_limits<S>::max();
@@ -290,7 +290,7 @@ TEST_CASE("balls meet at times near the largest double", "[motion]") {
 
 namespace {
 
-/// A number of any size, or at an end: near the largest, the least normal or the least of all.
+/// A number of any size, or near the largest, the least normal or the least number of all.
 template <class S>
 S of_any_size(Random& random) {
   using Limits = std::numeric_limits<S>;
@@ -307,7 +307,7 @@ S of_any_size(Random& random) {
   }
 }
 
-/// Ends of a gap that closes with a speed in a time near an end of the range, as far as S can hold it.
+/// Two ends of a gap that closes at a speed within a time near an end of the range, as far as S can represent it.
 template <class S>
 struct Race {
   S x = 0, speed = 0, duration = 0;

@@ -11,7 +11,7 @@ namespace isect::tests::plane_round_pairs {
 
 using bench::Numbers, bench::Random;
 
-/// All answers agree with each other and with that of the plane turned round.
+/// The relation; all answers must agree with each other and with those for the reversed plane.
 template <class S, class Solid>
 Relation related(const Plane<S, 3>& plane, const Solid& solid) {
   const Relation r = relate(plane, solid);
@@ -23,7 +23,7 @@ Relation related(const Plane<S, 3>& plane, const Solid& solid) {
   return r;
 }
 
-/// Of any numbers, and of the named families.
+/// Compares the core with the oracle on any numbers, and on the named families.
 template <class S, template <class> class Solid, class Event, class Draws>
 void check(const Draws& draws) {
   std::array<int, 6> seen = {};
@@ -59,7 +59,7 @@ void check(const Draws& draws) {
     CHECK(seen[static_cast<std::size_t>(r)] > 400);
 }
 
-/// Holds a method to the oracle on ordinary planes.
+/// Compares a method with the oracle on ordinary planes.
 template <class S, template <class> class Solid, class Method>
 void check_method(const Method& method) {
   Random random(tests::seed());

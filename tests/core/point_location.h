@@ -106,7 +106,7 @@ Rings<S> cells(bench::Random& random, int w, int n) {
   return rings;
 }
 
-/// A polygon of several kinds, that the maps may have to refuse.
+/// A polygon of one of several kinds; the maps may have to refuse it.
 template <class S>
 Rings<S> random_rings(bench::Random& random, bench::Numbers numbers) {
   Rings<S> rings;
@@ -161,13 +161,13 @@ Point<S, 2> random_point(bench::Random& random, bench::Numbers numbers, const Ri
   return p;
 }
 
-/// What went on in a run against the truth.
+/// Counts of how a run compares with the truth.
 struct Agreement {
   int refused = 0, in = 0, on = 0, out = 0, rules_differ = 0, wrong = 0;
 };
 
-/// Whether a map of every polygon that it must take, and no other, says what `winding` says, and rationals for one
-/// point of eight. `make(rings)` makes it.
+/// Whether maps accept the polygons that they must, and no others, and give the answers of `winding`, and those of
+/// rationals for one point of eight. `make(rings)` makes a map.
 template <class S, class Make>
 Agreement agreement(std::uint64_t seed, int cases, const Make& make) {
   bench::Random random(seed);

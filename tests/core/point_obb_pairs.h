@@ -10,7 +10,7 @@ namespace isect::tests::point_obb_pairs {
 
 using oracle::Rational;
 
-/// By the point's coordinates in the box's frame, by elimination with pivoting.
+/// The location by the point's coordinates in the box's frame, by elimination with pivoting.
 template <class S, int N>
 Location oracle_locate(const Point<S, N>& point, const Obb<S, N>& box) {
   Rational m[N][N + 1];

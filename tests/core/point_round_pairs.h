@@ -11,7 +11,7 @@ namespace isect::tests::point_round_pairs {
 
 using bench::Numbers, bench::Random;
 
-/// Holds each verdict to the oracle: of any numbers, and of the named families.
+/// Compares each verdict with the oracle on any numbers, and on the named families.
 template <class S, template <class> class Solid, class Event, class Draws>
 void check(const Draws& draws) {
   std::array<int, 3> seen = {};
@@ -43,7 +43,7 @@ void check(const Draws& draws) {
   for (const int often : seen) CHECK(often > 500);
 }
 
-/// Holds a method to the oracle where the point is well in or well out: on ordinary points.
+/// Compares a method with the oracle on ordinary points, which are well inside or well outside.
 template <class S, template <class> class Solid, class Method>
 void check_method(const Method& method) {
   Random random(tests::seed());

@@ -20,13 +20,13 @@ using P = Point<double, 2>;
 
 constexpr int n = 3;  // squares reach from (0, 0) to (n, n)
 
-/// Rings around rectangles, that run along each other, or one around squares, perhaps with a hole.
+/// Rings around rectangles, which run along each other, or one ring around squares, perhaps with a hole.
 struct Case {
-  Squares ringed, odd;  ///< whose sides belong to the set; which of them are in it
+  Squares ringed, odd;  ///< the squares whose sides belong to the set; those that are in it
   Polygon<double, 2> polygon;
 
   explicit Case(Random& random) {
-    if (random.one_in(2)) {  // one outline, as people have it, perhaps with a hole
+    if (random.one_in(2)) {  // one outline, as is usual, perhaps with a hole
       odd = ringed = tests::random_squares(random, n);
       add(tests::outline_of(odd), random);
       if (random.one_in(2) && odd.contains({1, 1})) {
@@ -85,7 +85,7 @@ struct Seen {
   }
 };
 
-/// x turned and made larger, by whole numbers, and a power of two.
+/// Turns x and scales it, by whole numbers and a power of two.
 struct Pose {
   int a = 1, b = 0;
   double unit = 1;
@@ -102,7 +102,7 @@ struct Pose {
       for (P& x : ring) x = (*this)(x);
     return polygon;
   }
-  /// From lo to hi on each axis, where these are finite.
+  /// The box from lo to hi on each axis, unbounded where an end is not finite.
   HalfSpaces box(const P& lo, const P& hi) const {
     HalfSpaces solid = {{}, 2};
     for (int i = 0; i < 2; ++i)
@@ -205,10 +205,10 @@ TEMPLATE_TEST_CASE("polygons, balls and half-spaces: points, segments, nothing a
   using S = TestType;
   const S nan_ = std::numeric_limits<S>::quiet_NaN();
   const Polygon<S, 2> frame = {{{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{2, 2}, {4, 2}, {4, 4}, {2, 4}}}};
-  // The same, as an edge leads into the hole and back
+  // The same polygon as one ring: an edge leads into the hole and back
   const Polygon<S, 2> key = {{{{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}}}};
   for (const Polygon<S, 2>& x : {frame, key}) {
-    CHECK(relate(x, Sphere<S, 2>{{1, 1}, 1}) == Relation::b_inside_a);  // on the edge, which parts nothing
+    CHECK(relate(x, Sphere<S, 2>{{1, 1}, 1}) == Relation::b_inside_a);  // on the edge, which divides nothing
     CHECK(relate(x, Sphere<S, 2>{{3, 3}, 1}) == Relation::touching);
     CHECK(relate(x, Sphere<S, 2>{{3, 3}, S(0.5)}) == Relation::disjoint);
     CHECK(relate(x, Sphere<S, 2>{{3, 3}, 5}) == Relation::a_inside_b);

@@ -32,7 +32,7 @@ struct Case {
       : frame(f), squares(tests::random_squares(random, n)), polygon(triangulated(outline_in(f, squares, random))) {}
 };
 
-/// Two sets that are seen at a grid of points so fine that it has a point in each part of either.
+/// How two sets lie, from a grid of points so fine that it has a point in each part of either.
 struct Seen {
   bool meet = false, a_in_b = true, b_in_a = true, within = false;
 
@@ -57,7 +57,7 @@ void at_all_points(const Use& use) {
 
 using Bounds = std::array<double, 3>;
 
-/// How squares in z = 0 (A) lie to what reaches from lo to hi (B).
+/// How squares in z = 0 (A) lie to the box from lo to hi (B).
 Relation truth(const Squares& squares, const Bounds& lo, const Bounds& hi) {
   Seen seen;
   const bool reached = lo[2] <= 0 && 0 <= hi[2], crossed = lo[2] == hi[2] || (lo[2] < 0 && 0 < hi[2]);
@@ -81,7 +81,7 @@ std::pair<Bounds, Bounds> bounds(Random& random) {
   return {lo, hi};
 }
 
-/// As each of its squares does, by rationals; of_square(sides of a square) tells how the solid (A) does.
+/// How the polygon lies to a solid, by its squares in rationals; of_square(sides) says how the solid (A) lies to one.
 template <class OfSquare>
 Relation truth(const Frame& frame, const Squares& squares, const OfSquare& of_square) {
   std::size_t held = 0;

@@ -26,7 +26,7 @@ namespace {
 
 Ring2 box(double x0, double y0, double x1, double y1) { return bench::polygon_pairs::box(x0, y0, x1, y1); }
 
-/// Both ways, with whether they meet.
+/// The relation, checked in both orders and against intersects().
 Relation both_ways(const Polygon2& a, const Polygon2& b) {
   const Relation r = relate(a, b);
   CHECK(relate(b, a) == reversed(r));
@@ -56,7 +56,7 @@ Polygon2 changed(Polygon2 p, const Change& change) {
   return p;
 }
 
-/// The same set, told in another way.
+/// The same set with other rings: another start, repeated vertices, another order.
 Polygon2 retold(Random& random, Polygon2 p) {
   for (Ring2& ring : p.rings) {
     if (ring.empty()) continue;

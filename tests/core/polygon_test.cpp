@@ -148,7 +148,7 @@ TEMPLATE_TEST_CASE("areas and normals agree with rationals", "[polygon]", float,
     }
   CHECK(none > all / 20);
   CHECK(none < all / 2);
-  CHECK(worst > eps / 8);  // the bound is no idle one
+  CHECK(worst > eps / 8);  // the bound is not too loose
 }
 
 TEST_CASE("Newell's sum counts its steps and tells them", "[polygon]") {

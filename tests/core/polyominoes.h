@@ -99,8 +99,8 @@ struct Frame {
   }
 };
 
-/// An outline in the plane of a frame's first two axes, or of others; it may name points of its sides, and corners
-/// twice, and run clockwise.
+/// An outline in the plane of a frame's first two axes, or of others; it may have points within its sides, repeat
+/// corners, and run clockwise.
 inline Ring<double, 3> outline_in(const Frame& frame, const Squares& squares, bench::Random& random) {
   const std::vector<Square> ring = outline_of(squares);
   const std::size_t n = ring.size();

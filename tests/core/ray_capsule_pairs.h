@@ -18,9 +18,9 @@ struct Case {
   Capsule<S, N> capsule;
 };
 
-/// Any capsule, and a ray from anywhere: along a coordinate axis or along the capsule's at times, from the middle of
-/// that, without direction; and a capsule whose axis lies along a coordinate axis. `touching` makes the radius that of
-/// a line that touches it, but for rounding.
+/// Any capsule and a ray from anywhere. The ray is sometimes along a coordinate axis or the capsule's, from the middle
+/// of that axis, or without direction; the capsule's axis is sometimes along a coordinate axis. `touching` sets the
+/// radius so that the line touches the capsule, but for rounding.
 template <class S, int N>
 Case<S, N> draw(Random& random, Numbers numbers, bool touching) {
   Case<S, N> c = {bench::ray<S, N>(random, numbers), bench::capsule<S, N>(random, numbers)};

@@ -27,13 +27,13 @@ template <class S, int N>
 Ray<S, N> ray(double x, double y, double dx, double dy, double lo = 0, double hi = inf) {
   return {at<S, N>(x, y), at<S, N>(dx, dy), {S(lo), S(hi)}};
 }
-/// From (-3, 0) to (3, 0).
+/// A capsule from (-3, 0) to (3, 0).
 template <class S, int N>
 Capsule<S, N> lying(double radius) {
   return {at<S, N>(-3, 0), at<S, N>(3, 0), S(radius)};
 }
 
-/// Checked with the ends of the capsule swapped, and with the ray turned round.
+/// Whether they meet, checked with the ends of the capsule swapped, and with the ray reversed.
 template <class S, int N>
 bool met(const Ray<S, N>& ray, const Capsule<S, N>& c) {
   const bool hit = intersects(ray, c);
@@ -42,8 +42,8 @@ bool met(const Ray<S, N>& ray, const Capsule<S, N>& c) {
   return hit;
 }
 
-/// The square of the ray's distance from the axis. An end that is at infinity may as well lie beside the axis' ends:
-/// the points of the line that are nearest to the axis lie between theirs.
+/// The square of the ray's distance from the axis. An infinite end may be replaced by one beside the axis' ends: the
+/// points of the line that are nearest to the axis lie between them.
 template <class S, int N>
 Rational distance2(const Ray<S, N>& ray, const Capsule<S, N>& capsule) {
   using namespace oracle;

@@ -17,7 +17,7 @@ template <class S>
 Ray<S, 3> ray(double x, double y, double dx, double dy, double lo = 0, double hi = inf) {
   return {{S(x), S(y), 0}, {S(dx), S(dy), 0}, {S(lo), S(hi)}};
 }
-/// Its apex at (0, 0, 0), its base around (4, 0, 0).
+/// A cone with its apex at (0, 0, 0) and its base around (4, 0, 0).
 template <class S>
 Cone<S> lying(double radius) {
   return {{0, 0, 0}, {4, 0, 0}, S(radius)};

@@ -17,12 +17,12 @@ template <class S>
 Ray<S, 3> ray(double x, double y, double dx, double dy, double lo = 0, double hi = inf) {
   return {{S(x), S(y), 0}, {S(dx), S(dy), 0}, {S(lo), S(hi)}};
 }
-/// From (-3, 0, 0) to (3, 0, 0).
+/// A cylinder from (-3, 0, 0) to (3, 0, 0).
 template <class S>
 Cylinder<S> lying(double radius) {
   return {{-3, 0, 0}, {3, 0, 0}, S(radius)};
 }
-/// Of the cylinder turned round, too, and by first_hit.
+/// The part of the line in the cylinder, checked with the cylinder's ends swapped, and by first_hit.
 template <class S>
 std::optional<Interval<S>> part(const Ray<S, 3>& line, const Cylinder<S>& c) {
   const auto found = intersect(line, c);

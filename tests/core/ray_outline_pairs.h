@@ -13,8 +13,8 @@ struct Case {
   Polygon<S, 2> polygon;
 };
 
-/// One to three rings of up to six corners, or two, or one, whatever they make; at times a corner given twice, a spike,
-/// edges along the axes. The ray comes from anywhere, along an edge or towards a corner at times, ending there or
+/// One to three rings of up to six corners, some of two corners or one; sometimes with a repeated corner, a spike, or
+/// edges along the axes. The ray comes from anywhere, sometimes along an edge or towards a corner, ending there or
 /// starting on it.
 template <class S>
 Case<S> draw(Random& random, Numbers numbers) {

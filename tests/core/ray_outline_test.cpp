@@ -22,7 +22,7 @@ namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
-/// From (1, 1) to (5, 5), with a hole from (2, 2) to (4, 4).
+/// A square from (1, 1) to (5, 5), with a hole from (2, 2) to (4, 4).
 template <class S>
 Polygon<S, 2> frame() {
   const auto square = [](S lo, S hi) -> Ring<S, 2> { return {{lo, lo}, {hi, lo}, {hi, hi}, {lo, hi}}; };

@@ -11,12 +11,12 @@ namespace isect::tests::ray_round_pairs {
 
 using bench::Numbers, bench::Random;
 
-/// How often was seen what.
+/// How often each outcome occurred.
 struct Seen {
   int hits = 0, misses = 0, from_within = 0, by_side = 0, by_end = 0, touches = 0;
 };
 
-/// The answers of all calls, held to the oracle: t within 0.6 ulp by the side, within 2 by an end. No direction 0.
+/// Compares all calls with the oracle: t within 0.6 ulp by the side, within 2 by an end. The direction must not be 0.
 template <class Event, class S, class Line, class Solid>
 void ask(const Line& line, const Interval<S>& range, const Solid& solid, Seen& seen) {
   const auto part = intersect(line, solid);
@@ -48,7 +48,7 @@ void ask(const Line& line, const Interval<S>& range, const Solid& solid, Seen& s
   seen.touches += part->lo == part->hi && range.lo < range.hi;
 }
 
-/// Of any numbers, and of the named families.
+/// Compares the core with the oracle on any numbers, and on the named families.
 template <class S, template <class> class Solid, class Event, class Draws>
 void check(const Draws& draws) {
   Seen seen;
@@ -84,7 +84,7 @@ void check(const Draws& draws) {
   for (const int often : {seen.from_within, seen.touches}) CHECK(often > 200);
 }
 
-/// Holds a method to the oracle on ordinary rays.
+/// Compares a method with the oracle on ordinary rays.
 template <class S, template <class> class Solid, class Method>
 void check_method(const Method& method) {
   Random random(tests::seed());

@@ -1,4 +1,4 @@
-// What a recorded text finds is what the text finds itself, bit for bit, in every arithmetic.
+// A recorded text finds the same values as the text itself, bit for bit, in every arithmetic.
 
 #include <isect/numbers/recorded.h>
 

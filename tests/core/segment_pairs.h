@@ -19,7 +19,7 @@ struct Pair {
   Segment<S, 2> a, b;
 };
 
-/// Two segments: any, or with ends of one on the other, shared ends, or on one line, as well as S can say it.
+/// Two segments: any, or with ends of one on the other, shared ends, or on one line, as nearly as S can represent it.
 template <class S>
 Pair<S> draw(Random& random, Numbers numbers) {
   const auto any = [&] { return bench::vector<S, 2>(random, numbers); };
@@ -73,7 +73,7 @@ struct Truth {
   std::vector<P> points;  ///< the common point, or the ends of the common stretch in any order
 };
 
-/// By solving for the parameters; the end points one by one for parallel segments.
+/// The truth by solving for the parameters; for parallel segments by each end point.
 template <class S>
 Truth truth(const Pair<S>& c) {
   using oracle::operator-;

@@ -45,7 +45,7 @@ Points drawn(std::size_t n, const Draw& draw) {
   return points;
 }
 
-/// Comparisons a point, after having looked at the result.
+/// The number of comparisons per point; the result must be sorted.
 double cost(Points points) {
   comparisons = 0;
   sort_points(points);

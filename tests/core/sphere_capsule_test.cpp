@@ -23,13 +23,13 @@ template <class S, int N>
 Sphere<S, N> ball(double x, double y, double radius) {
   return {at<S, N>(x, y), S(radius)};
 }
-/// From (-k, 0) to (k, 0).
+/// A capsule from (-k, 0) to (k, 0).
 template <class S, int N>
 Capsule<S, N> lying(double k, double radius) {
   return {at<S, N>(-k, 0), at<S, N>(k, 0), S(radius)};
 }
 
-/// Checked with the ends of the capsule swapped, too.
+/// The relation, checked with the ends of the capsule swapped, too.
 template <class S, int N>
 Relation related(const Sphere<S, N>& a, const Capsule<S, N>& b) {
   const Relation r = relate(a, b);

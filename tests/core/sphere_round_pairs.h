@@ -11,7 +11,7 @@ namespace isect::tests::sphere_round_pairs {
 
 using bench::Numbers, bench::Random;
 
-/// Of any numbers, and of the named families; `places` is how many places the nearest point may lie at.
+/// Compares the core with the oracle on any numbers and named families; the nearest point has `places` possible places.
 template <class S, template <class> class Solid, class Event, class Reach, std::size_t places, class Draws>
 void check(const Draws& draws) {
   std::array<int, 6> seen = {};
@@ -53,7 +53,7 @@ void check(const Draws& draws) {
   for (std::size_t i = 1; i < places; ++i) CHECK(touched[i] > 5);  // by a point inside only a point touches
 }
 
-/// Holds a method to the oracle on ordinary balls.
+/// Compares a method with the oracle on ordinary balls.
 template <class S, template <class> class Solid, class Method>
 void check_method(const Method& method) {
   Random random(tests::seed());

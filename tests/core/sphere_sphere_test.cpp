@@ -21,7 +21,7 @@ Sphere<S, N> ball(double x, double y, double radius) {
   return b;
 }
 
-/// Checked from both sides.
+/// The relation, checked in both orders.
 template <class S, int N>
 Relation related(const Sphere<S, N>& a, const Sphere<S, N>& b) {
   const Relation r = relate(a, b);

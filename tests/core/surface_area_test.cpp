@@ -39,7 +39,7 @@ Decimal true_area(const std::vector<Point<S, 3>>& vertices, const Triangles& tri
   return sum;
 }
 
-/// How far off x is, in ulps; of an infinite one, 0 where the truth is within `room` ulps of the largest S.
+/// The error of x in ulps; for an infinite x 0 if the truth is within `room` ulps of the largest S.
 template <class S>
 double off(S x, const Decimal& truth, double room = 3) {
   const S most = std::numeric_limits<S>::max();
@@ -47,7 +47,7 @@ double off(S x, const Decimal& truth, double room = 3) {
   return oracle::ulps(x, Rational(truth));
 }
 
-/// Any size that S has.
+/// A number of any size that S has.
 template <class S>
 S wild(Random& random) {
   using Limits = std::numeric_limits<S>;

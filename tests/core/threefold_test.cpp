@@ -21,7 +21,7 @@ namespace {
 
 Rational rational(const Split& x) { return Rational(x.hi) + Rational(x.lo) + Rational(x.rest); }
 
-/// As predicates use it: by the size and the roundings that doubles found, with the grid.
+/// A number tracked as predicates do it: with the size and the roundings of its double, and the grid.
 struct Tracked {
   Bounded<double> quick;
   Split split;
@@ -60,7 +60,7 @@ Tracked expression(bench::Random& random, int depth, const Number& number) {
   }
 }
 
-/// How many signs were certain, how many of those 0, and the most of its bound that an error takes.
+/// How many signs were certain, how many of those were 0, and the largest ratio of an error to its bound.
 struct Seen {
   int certain = 0, zeros = 0;
   double worst = 0;
@@ -105,7 +105,7 @@ TEST_CASE("the error of a threefold expression stays within its bound", "[threef
   CHECK(of_close.certain > 3 * count / 4);
   CHECK(of_any.certain > 9 * count / 10);
   CHECK(of_wide.certain > count / 2);
-  CHECK(std::max({of_close.worst, of_tenths.worst, of_any.worst, of_wide.worst}) > 1e-4);  // the bound is no dream
+  CHECK(std::max({of_close.worst, of_tenths.worst, of_any.worst, of_wide.worst}) > 1e-4);  // the bound is not too loose
 }
 
 TEST_CASE("what two doubles leave is kept in the third", "[threefold]") {

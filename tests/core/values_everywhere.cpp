@@ -1,6 +1,6 @@
-// Verdicts and values of the core on any machine, without a library but Eigen: whether each value keeps its promise, by
-// exact arithmetic, and two sums of all bits, that of the verdicts and that of the values. values_everywhere.cmake
-// compares what several compilers make of it.
+// Verdicts and values of the core on any machine, with no library but Eigen. Checks each value's promise by exact
+// arithmetic, and prints two checksums of all bits, one of the verdicts and one of the values. values_everywhere.cmake
+// compares the results of several compilers.
 
 #include <isect/polygon.h>
 #include <isect/ray_aabb.h>

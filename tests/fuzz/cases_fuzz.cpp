@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// How a field looks, and how it changes when all lengths do: a length or a point does, a direction does not.
+/// How a field looks, and how it changes when all lengths are scaled: a length or a point does, a direction does not.
 enum class Form {
   point,
   direction,
@@ -173,7 +173,7 @@ Json result(const Json& request) {
   return Json::parse(answer.text)["result"];
 }
 
-/// What is no number of the real line: verdicts, relations, counts.
+/// The fields that are not real numbers: verdicts, relations, counts.
 Json verdicts(const Json& result) {
   Json kept = Json::object();
   for (const auto& [key, value] : result.items())

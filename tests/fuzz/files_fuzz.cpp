@@ -24,7 +24,7 @@ void check(const ShapeFile& shape, const std::string& bytes) {
 
 }  // namespace
 
-/// The first byte tells which reader takes the others.
+/// The first byte selects the reader of the others.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr const char* names[] = {"f.csv", "f.xyz", "f.obj", "f.stl", "f.ply", "f.off", "f.geojson", "f.wkt"};
   if (size == 0) return 0;

@@ -18,7 +18,7 @@ namespace {
 using namespace isect;
 using oracle::Rational;
 
-/// Coordinates from the input's bytes: small integers mostly, some of them an ulp or two off, some anything.
+/// Coordinates from the input's bytes: mostly small integers, some of them an ulp or two off, some arbitrary.
 class Source {
  public:
   Source(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}

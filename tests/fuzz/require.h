@@ -1,5 +1,5 @@
 #pragma once
-// What a fuzz target insists on: print and abort, so that the fuzzer keeps the input.
+// Requirements of a fuzz target: a failure prints and aborts, so that the fuzzer keeps the input.
 
 #include <cstdio>
 #include <cstdlib>

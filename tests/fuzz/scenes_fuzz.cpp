@@ -19,7 +19,7 @@ namespace {
 namespace scene = isect::program::scene;
 using scene::Json;
 
-/// How a field changes when all lengths do: lengths and points do, directions do not.
+/// How a field changes when all lengths are scaled: lengths and points do, directions do not.
 enum class Form { point, direction, length, offset, axes, points, rings, slabs, triangles };
 struct FieldSpec {
   const char* name;
@@ -139,7 +139,7 @@ Json grown(const Json& object, bool& exact) {
   return larger;
 }
 
-/// What is asked of [A, B]; empty where an object is none.
+/// The verdict on [A, B]; empty where an object is not valid.
 std::string verdict(const Json& a, const Json& b, bool turned) {
   try {
     const Json whole = {{"objects", {a, b}}};

@@ -69,7 +69,7 @@ bool truly_meet(const Box& box, const Frustum<double>& view) {
 
 Box around(const viz::Vec3& center, const viz::Vec3& half) { return {center - half, center + half}; }
 
-/// The planes that the core tests, each as the lesson names its step, and the line of pseudocode for what it finds.
+/// The planes that the core tests, each with the name of its step and the line of pseudocode for the result.
 template <class Event, class Shape>
 std::vector<std::pair<std::string, int>> tested(const Shape& shape, const Frustum<double>& view) {
   Record<Event> record;

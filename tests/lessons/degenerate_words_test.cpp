@@ -1,5 +1,5 @@
-// What lessons say of shapes that have shrunk to a point, a segment or nothing, of a tolerance or a speed of 0, and of
-// what is not a number: as true, and as good English, as of any other.
+// What lessons say about shapes that have shrunk to a point, a segment or nothing, about a tolerance or a speed of 0,
+// and about what is not a number, must be as true and as good English as elsewhere.
 
 #include <regex>
 

@@ -20,7 +20,7 @@ using namespace isect::viz;
 
 namespace {
 
-/// An `else` alone does nothing to step on.
+/// Whether a line is just an `else`, which does nothing and so has no step.
 bool is_else(const std::string& line) {
   const std::size_t first = line.find_first_not_of(' ');
   return first != std::string::npos && line.substr(first) == "else";
@@ -30,7 +30,7 @@ struct Page {
   ThemeName theme;
   int width, height;
 };
-/// Dark and grey have the lengths of screen and print, so they are tried at one size each.
+/// Dark and grey have the same sizes as screen and print, so they are tried at one page size each.
 constexpr Page pages[] = {{ThemeName::screen, 480, 360}, {ThemeName::screen, 960, 600}, {ThemeName::screen, 1920, 1080},
                           {ThemeName::print, 480, 360},  {ThemeName::print, 960, 600},  {ThemeName::print, 1920, 1080},
                           {ThemeName::dark, 960, 600},   {ThemeName::grey, 480, 360}};

@@ -13,7 +13,7 @@
 namespace font_table_test {
 using namespace isect;
 
-/// Of the boxes' edges, the farthest apart.
+/// The largest distance between corresponding edges of two boxes.
 double apart(const viz::TextBox& a, const viz::TextBox& b) {
   return std::max(
       {std::abs(a.left - b.left), std::abs(a.top - b.top), std::abs(a.right - b.right), std::abs(a.bottom - b.bottom)});

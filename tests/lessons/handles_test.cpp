@@ -52,7 +52,7 @@ class Distance {
     const double t = d.squaredNorm() > 0 ? std::clamp((p_ - a).dot(d) / d.squaredNorm(), 0.0, 1.0) : 0;
     return (p_ - a - t * d).norm();
   }
-  /// To the chain, or to the box of its points: a shape may be dragged by its middle.
+  /// The distance to the chain, or to the box of its points if it is closed: a shape may be dragged by its middle.
   double to(const std::vector<Vec3>& points, bool closed) const {
     if (points.empty()) return INFINITY;
     Vec3 lo = points.front(), hi = lo;

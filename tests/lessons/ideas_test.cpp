@@ -24,7 +24,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// "separating axes" of "separating axis"; what else has a plural takes an s.
+/// The plural of a term: "separating axes" of "separating axis"; any other term takes an s.
 std::string several(const std::string& term) {
   return term.ends_with("axis") ? term.substr(0, term.size() - 2) + "es" : term + "s";
 }

@@ -29,7 +29,7 @@ constexpr Page pages[] = {{ThemeName::screen, 960, 600},
                           {ThemeName::grey, 640, 360},
                           {ThemeName::screen, 640, 600}};
 
-/// The map as another machine may compute it: each number off by up to `rounding`.
+/// The map as another machine may compute it: each number is off by up to `rounding`.
 Chart rounded(Chart chart, double rounding) {
   std::minstd_rand random(7);
   std::uniform_real_distribution<double> off(-rounding, rounding);
@@ -42,7 +42,7 @@ Chart rounded(Chart chart, double rounding) {
   return chart;
 }
 
-/// A composed map, asked in its own units.
+/// A composed map in its own units.
 class Drawn {
  public:
   Drawn(const Lesson& lesson, const Parameters& setting, const Page& page, double rounding = 0)
@@ -85,7 +85,7 @@ class Drawn {
           return false;
     return true;
   }
-  /// The leader is drawn from beside the text to a point of the region.
+  /// Whether the leader is drawn from beside the text to a point of the region.
   bool leads(const PlacedLabel& label, int wanted) const {
     if (!label.leads_to || branch(*label.leads_to) != wanted) return false;
     return std::ranges::any_of(all<Stroke>(composed_.shapes), [&](const Stroke& stroke) {
@@ -98,7 +98,7 @@ class Drawn {
                                   (line[1] == *label.leads_to && off(line[0]) < theme_.sizes.label));
     });
   }
-  /// A line's or a point's name stands beside a marked setting on it.
+  /// Whether the name of a line or a point stands beside a marked setting on it.
   bool stands_beside(const PlacedLabel& label, int wanted) const {
     std::vector<Cases::Spot> spots = cases_.presets;
     if (cases_.here) spots.push_back(*cases_.here);
@@ -113,7 +113,7 @@ class Drawn {
       return spot.branch == wanted && off(p, label) < 1.5 * theme_.sizes.label && std::ranges::none_of(spots, nearer);
     });
   }
-  /// How far a drawn point is from a text.
+  /// The distance of a drawn point from a text.
   static double off(const Vec2& p, const PlacedLabel& label) {
     return std::hypot(std::max({label.box.left - p.x(), p.x() - label.box.right, 0.0}),
                       std::max({label.box.top - p.y(), p.y() - label.box.bottom, 0.0}));
@@ -122,7 +122,7 @@ class Drawn {
     const Vec2 share = (at - map_.lo).cwiseQuotient(map_.hi - map_.lo);
     return plane_.lo + Vec2(share.x(), 1 - share.y()).cwiseProduct(plane_.hi - plane_.lo);
   }
-  /// Texts that a marker covers.
+  /// The texts that a marker covers.
   std::vector<std::string> covered() const {
     std::vector<std::string> all;
     const auto look = [&](const Cases::Spot& spot, Mark mark) {
@@ -140,7 +140,7 @@ class Drawn {
   }
 
  private:
-  /// What title, formula and verdict leave of the page.
+  /// The height of the page that title, formula and verdict leave for the picture.
   static double height_of(const Walk& walk, const Page& page) {
     return page_layout(walk, page.theme, page.width, page.height).picture_height();
   }
@@ -167,7 +167,7 @@ std::vector<Leader> leaders(const std::vector<PlacedLabel>& labels) {
   return all;
 }
 
-/// Names that the leader of another one runs through or grazes, and leaders that cross.
+/// The names that another name's leader runs through or grazes, and leaders that cross.
 std::vector<std::string> crossed(const std::vector<PlacedLabel>& labels, double clear) {
   std::vector<std::string> all;
   const std::vector<Leader> lines = leaders(labels);

@@ -25,7 +25,7 @@ struct Definition {
   std::string letter, as;  ///< plain text, without squares
 };
 
-/// "l² ← l · l" and "t₁ ← ..." define nothing new of l, but t.
+/// The letters that a line defines: "l² ← l · l" does not define l, while "t₁ ← ..." defines t.
 std::vector<Definition> defined(const std::string& line) {
   static const std::regex wanted("(^|[ ;,:])([A-Za-z]|Δ|ε)(₁|₂|²)? ← ([^;:]*)");
   std::vector<Definition> all;
@@ -39,7 +39,7 @@ std::vector<Definition> defined(const std::string& line) {
   return all;
 }
 
-/// "**l** = **b** − **a**", "*s* = **l** · **d** = 3.5": what stands first, as text. Numbers define no letter.
+/// "**l** = **b** − **a**", "*s* = **l** · **d** = 3.5": a letter and its formula, as text. Numbers define no letter.
 std::vector<Definition> stated(const std::string& formula) {
   static const std::regex wanted("^([A-Za-z]|Δ|ε) = ([^=]*[A-Za-z][^=]*?) *(=.*)?$");
   std::smatch m;
@@ -100,7 +100,7 @@ TEST_CASE("a value or a label that is a letter is in the list of letters", "[eve
 }
 
 TEST_CASE("a method has one name, in its lesson and where it is measured", "[every lesson]") {
-  // What is measured beside the lesson's methods: of other number types, or of many points at once.
+  // Methods that are measured but are not the lesson's: of other number types, or of many points at once.
   const std::set<std::string> apart = {"batch"};
   for (const auto& [id, suite] : std::map<std::string, std::string>{{"ray-sphere", "ray-sphere"},
                                                                     {"sphere-sphere", "sphere-sphere"},

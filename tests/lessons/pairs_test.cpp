@@ -48,7 +48,7 @@ Capsule<double, 2> capsule(const Parameters& p, const std::string& of) {
 }
 Relation of_capsules(const Parameters& p) { return relate(capsule(p, "a"), capsule(p, "b")); }
 
-/// The relation of each preset, the exact one, which the last step's verdict has to name.
+/// The exact relation of each preset, which the last step's verdict must name.
 std::map<std::string, Relation> relations(const std::string& lesson, Relation (*exact)(const Parameters&)) {
   std::map<std::string, Relation> found;
   const Lesson& l = lesson_named(lessons::all_lessons(), lesson);

@@ -50,7 +50,7 @@ std::string answer(const Step& step) {
   return step.question->choices.at(static_cast<std::size_t>(step.question->answer));
 }
 
-/// What the question "How do they lie?" accepts.
+/// The choice that the question "How do they lie?" accepts.
 std::string in_choices(Relation r) {
   switch (r) {
     case Relation::a_inside_b:
@@ -67,7 +67,7 @@ std::string in_choices(Relation r) {
 
 bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
 
-/// What the end of the walk of two balls says, against rationals.
+/// Compares what the end of the walk of two balls says with rationals.
 void said_of_balls(const Walk& walk, const Step& last, const Parameters& p) {
   const auto setup = lessons::sphere_sphere_lesson::setup(p);
   const Sphere<double, 3> a = setup.tested(setup.a), b = setup.tested(setup.b);

@@ -33,10 +33,10 @@ int turn(const Point<double, 2>& a, const Point<double, 2>& b, const Point<doubl
 struct Truth {
   Location location = Location::out;
   int crossings = 0;
-  int closed = 0;  ///< edges with a point on the ray right of p, level ones left out
+  int closed = 0;  ///< edges with a point on the ray right of p, without horizontal ones
 };
 
-/// One edge after the other: those that a ray just above the point crosses, and those that hold the point.
+/// The truth edge by edge: which edges a ray just above the point crosses, and which hold the point.
 Truth truth_of(const Point<double, 2>& p, const Rings& rings) {
   Truth truth;
   bool on = false;
@@ -54,7 +54,7 @@ Truth truth_of(const Point<double, 2>& p, const Rings& rings) {
   return truth;
 }
 
-/// The corners that the setting moves, counted over all rings.
+/// Moves the corners that the setting moves, counted over all rings.
 void move(const Parameters& setting, Rings& rings) {
   int i = 0;
   for (Ring<double, 2>& ring : rings)
@@ -63,7 +63,7 @@ void move(const Parameters& setting, Rings& rings) {
         corner = std::get<Vec3>(moved->second).head<2>();
 }
 
-/// By turns in rationals: no two edges have more in common than the end where one leads on to the other.
+/// Whether no two edges have more in common than the end where one leads on to the other, by turns in rationals.
 bool is_simple(const Ring<double, 2>& ring) {
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -79,7 +79,7 @@ bool is_simple(const Ring<double, 2>& ring) {
   return true;
 }
 
-/// The polygon's area alone, as the lesson's first step fills it.
+/// The polygon's area alone, filled as in the lesson's first step.
 Picture area_of(const Scene& scene, const View& view) {
   Scene polygon;
   for (const Item& item : scene.items)  // the polygon comes first, before cells of what was prepared

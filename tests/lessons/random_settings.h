@@ -9,7 +9,7 @@
 
 namespace isect::tests {
 
-/// A number of the comfortable range; every other time a round one, on which equalities happen.
+/// A number of the slider's range, every other time rounded to a quarter, where equalities happen.
 inline double random_number(const viz::Parameter& p, bench::Random& random) {
   const double lo = std::max(p.lo, p.drag_lo), hi = std::min(p.hi, p.drag_hi), x = random.uniform(lo, hi);
   return random.one_in(2) ? x : std::clamp(std::round(4 * x) / 4, p.lo, p.hi);
@@ -21,8 +21,8 @@ inline viz::Setting random_setting(const viz::Parameter& p, bench::Random& rando
   return viz::Vec3(random_number(p, random), random_number(p, random), random_number(p, random));
 }
 
-/// Each parameter drawn anew or, one time in two, as in a preset; of what need not be there little is. What the lesson
-/// refuses is drawn again.
+/// A preset with each parameter drawn anew one time in two, and an optional one one time in twelve. A setting that the
+/// lesson refuses is drawn again.
 inline viz::Parameters random_setting(const viz::Lesson& lesson, bench::Random& random) {
   for (;;) {
     viz::Parameters setting =
@@ -39,8 +39,8 @@ inline viz::Parameters random_setting(const viz::Lesson& lesson, bench::Random& 
   }
 }
 
-/// Two neighbouring settings on the map between `from` and `to`, one on either side of a border; none if both ends have
-/// one branch.
+/// Two neighbouring settings on the map between `from` and `to`, one on either side of a border; nothing if both ends
+/// have the same branch.
 inline std::optional<std::pair<viz::Parameters, viz::Parameters>> beside_a_border(const viz::Lesson& lesson,
                                                                                   const viz::Parameters& setting,
                                                                                   viz::Vec2 from, viz::Vec2 to) {

@@ -35,14 +35,14 @@ double value(const Step& step, const std::string& name) {
   throw std::runtime_error("no value " + name);
 }
 
-/// Whether the text tells the number as shown, with its unit; its fifth digit may hang on the last bit.
+/// Whether the text has the number as it is shown, with its unit; its fifth digit may depend on the last bit.
 bool is_hit_at(const std::string& text, double t, const std::string& unit) {
   for (const double near : {t, t * (1 - 1e-14), t * (1 + 1e-14)})
     if (text == "hit at *t* = " + shown(near) + unit) return true;
   return false;
 }
 
-/// Presets, then random settings.
+/// Runs over the presets, then over random settings.
 template <class Look>
 void over_settings(const Lesson& l, int how_many, const Look& look) {
   bench::Random random(bench::stream(tests::seed(), (l.id + " in words").c_str()));
@@ -50,7 +50,7 @@ void over_settings(const Lesson& l, int how_many, const Look& look) {
   for (int i = 0; i < how_many; ++i) look(tests::random_setting(l, random));
 }
 
-/// What a step says of a line with so many roots.
+/// Checks what a step says about a line with this number of roots.
 void said_of_roots(const std::string& caption, int roots) {
   CHECK(holds(caption, "touches") == (roots == 1 && !holds(caption, "Rounding")));
   if (holds(caption, "nearer than *r*") || holds(caption, "meets the sphere twice")) CHECK(roots == 2);
@@ -60,7 +60,7 @@ void said_of_roots(const std::string& caption, int roots) {
   if (holds(caption, "shares two points")) CHECK(roots == 2);
 }
 
-/// `ahead`: the centre.
+/// Checks what the last step says about a miss. `ahead`: whether the centre is ahead.
 void said_of_misses(const Step& last, const oracle::RaySphere& truth, bool ahead) {
   const bool miss = !truth.surface && !truth.enter;
   CHECK(holds(last.verdict.text, "the line passes by") == (miss && truth.line_roots == 0));

@@ -39,7 +39,7 @@ bench::Row row(const std::string& method, double ns, const std::string& family, 
   return r;
 }
 
-/// Three methods on two families; the naive one errs `wrong` times on the hard one.
+/// Three methods on two families; the naive one is wrong `wrong` times on the hard one.
 bench::Report report(double exact_ns, long wrong) {
   bench::Report r;
   for (const char* family : {"ordinary", "touch"}) {
@@ -148,7 +148,7 @@ TEST_CASE("what the lesson says follows from the numbers", "[speed lesson]") {
 
   CHECK(Teller(cheap, "a-b").tell().steps.back().caption.find("costs no more than naive") != std::string::npos);
 
-  // Which families a cost is told of: the exact call takes four times as long as the naive one on the hard one alone.
+  // Which families' cost is mentioned: the exact call takes four times as long as naive on the hard one alone.
   bench::Report mixed = report(10, 100);
   for (bench::Row& r : mixed.rows)
     if (r.exact && r.hard) r.ns = r.median = 40;

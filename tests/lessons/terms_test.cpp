@@ -14,7 +14,7 @@ using namespace isect::tests;
 
 namespace {
 
-/// A word that is not the term, and the term.
+/// A word that should not be used, and the term to use instead.
 struct Replaced {
   std::regex word;
   const char* term;

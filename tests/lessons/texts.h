@@ -11,7 +11,7 @@
 
 namespace isect::tests {
 
-/// Markup. What it shares with other lessons is left out.
+/// The lesson's texts as markup, without those that it shares with other lessons.
 inline std::vector<std::string> texts(const viz::Lesson& lesson) {
   std::vector<std::string> all = {lesson.title, lesson.summary, lesson.opening};
   for (const viz::Parameter& p : lesson.parameters) all.insert(all.end(), {p.label, p.help});

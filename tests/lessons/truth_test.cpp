@@ -1,5 +1,5 @@
-// What every lesson says must hold on any setting: what its steps claim is held to what they show, to the branch that
-// was taken and to each other. Nothing here knows a lesson by name.
+// What every lesson says must hold on any setting: the claims of its steps are compared with what they show, with the
+// branch that was taken and with each other. Nothing here knows a lesson by name.
 
 #include <algorithm>
 #include <charconv>
@@ -33,7 +33,7 @@ std::vector<const Lesson*> those_asked_for() {
   return lessons;
 }
 
-/// What is wrong with a walk: each fault is told once a lesson, with the setting that shows it.
+/// The faults found in walks, each reported once per lesson with the setting that shows it.
 class Faults {
  public:
   explicit Faults(const Lesson& lesson) : lesson_(lesson) {}
@@ -69,7 +69,7 @@ class Faults {
     found_.emplace(what, told);
   }
 
-  /// The sign between two sides, as the numbers beside it have it.
+  /// The sign between two sides must agree with the numbers beside it.
   void comparison(const Comparison& c) {
     for (const Comparison& part : c.parts) comparison(part);
     if (!c.parts.empty()) return;
@@ -85,7 +85,7 @@ class Faults {
       }
   }
 
-  /// The card asks what its line asks: "x ≤ y" is no way to put "if x > y".
+  /// The card must ask what its line asks: for "if x > y" it can't be "x ≤ y".
   void asked_by_line(const Walk& walk) {
     if (!step_->comparison || step_->line < 0) return;
     const std::string line = walk.pseudocode[step_->line], card = plain(step_->comparison->text);
@@ -103,7 +103,7 @@ class Faults {
       fault("a comparison does not ask what its line asks", card + " beside " + line);
   }
 
-  /// "d² = l · l = 2.64": a name that stands among the values has the value given there.
+  /// "d² = l · l = 2.64": a name that is also among the values must have the value given there.
   void equations() {
     const std::string formula = plain(step_->formula);
     std::set<std::string> names;
@@ -120,14 +120,14 @@ class Faults {
     }
   }
 
-  /// "d = 2 < r + s = 3": what stands between the numbers of a chain is true of them.
+  /// "d = 2 < r + s = 3": the signs between the numbers of a chain must be true of them.
   void chains() {
     std::string chain = ascii(plain(step_->formula));
     std::replace(chain.begin(), chain.end(), ';', ',');
     std::istringstream parts(chain);
     for (std::string part; std::getline(parts, part, ',');) chain_of(part);
   }
-  /// "gap: 1 to 2": a stretch goes from its lower end to its upper one.
+  /// "gap: 1 to 2": a stretch must go from its lower end to its upper one.
   void stretches() {
     static const std::regex stretch("(-?[0-9.]+(e-?[0-9]+)?) to (-?[0-9.]+(e-?[0-9]+)?)");
     const std::string formula = ascii(plain(step_->formula));
@@ -222,7 +222,7 @@ class Faults {
       fault("the caption on the screen holds the answer", q.prompt + " → " + answer);
   }
 
-  /// What is asked of lines, and what is asked again.
+  /// Checks questions about lines, and questions that are asked again.
   void questions(const Walk& walk) {
     std::set<std::string> lines, asked;
     for (const std::string& line : walk.pseudocode) lines.insert(as_markup(unindented(line)));
@@ -253,8 +253,8 @@ class Faults {
       fault("something runs after a return", walk.pseudocode[line]);
   }
 
-  /// A line that returns MISS stands under no verdict that says hit, unless the caption says that rounding is to blame,
-  /// or that the note is; then an erratum corrects this line, or one on the way to it.
+  /// A line that returns MISS must not stand under a verdict that says hit, unless the caption blames rounding, or the
+  /// note; in the latter case an erratum must correct this line, or one on the way to it.
   void returned(const Walk& walk) {
     const int line = step_->line;
     if (!returns(walk, line)) return;
@@ -284,10 +284,10 @@ class Faults {
   std::map<std::string, std::string> found_;
 };
 
-/// A lesson over what was measured has few settings.
+/// How many settings to draw; a lesson about measurements has few.
 int how_many(const Lesson& lesson, int few) { return lesson.parameters.size() < 2 ? 10 : tests::cases(few, 10 * few); }
 
-/// Two settings on either side of a border of the map, between two places drawn at random.
+/// Checks two settings on either side of a border of the map, between two places drawn at random.
 void look_beside_a_border(const Lesson& lesson, const Parameters& start, bench::Random& random, Faults& faults) {
   const auto place = [&] {
     return Vec2(random.uniform(lesson.map->lo.x(), lesson.map->hi.x()),
@@ -309,7 +309,7 @@ void look_at_any_setting(const Lesson& lesson) {
   for (const auto& [what, where] : faults.found()) FAIL_CHECK(lesson.id << ": " << what << "\n  " << where);
 }
 
-/// Every `of`-th lesson, so that they run side by side.
+/// Looks at every `of`-th lesson, so that tests can run in parallel.
 void look_at_lessons(std::size_t first, std::size_t of) {
   const std::vector<const Lesson*> lessons = those_asked_for();
   for (std::size_t i = first; i < lessons.size(); i += of) look_at_any_setting(*lessons[i]);

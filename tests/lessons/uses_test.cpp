@@ -129,7 +129,7 @@ TEST_CASE("a polygon's lesson ends with the exact test's ring", "[clipping lesso
 
 namespace {
 
-/// What a picture shows of each volume but the frustum itself: the volume, and its role.
+/// How a picture shows each volume but the frustum itself: the volume, and its role.
 std::vector<std::pair<lessons::culling_lesson::Volume, Role>> volumes(const Scene& scene) {
   std::vector<std::pair<lessons::culling_lesson::Volume, Role>> all;
   for (const Item& item : scene.items) {

@@ -19,7 +19,7 @@ inline viz::Walk walk_of(const std::string& id, const std::string& preset) {
 }
 
 inline const std::string& text(const viz::Parameters& p, const char* name) { return std::get<std::string>(p.at(name)); }
-/// Of a flat lesson.
+/// The point of a flat lesson.
 inline Point<double, 2> point(const viz::Parameters& p) { return std::get<viz::Vec3>(p.at("p")).head<2>(); }
 
 /// The step of that name; null if the walk has none.
@@ -29,7 +29,7 @@ inline const viz::Step* find(const viz::Walk& walk, const std::string& slug) {
 }
 inline const viz::Step& ending(const viz::Walk& walk) { return walk.steps[static_cast<std::size_t>(outcome(walk))]; }
 
-/// A lesson's own step, counted from 0: one that tells its opening alone is passed over.
+/// A lesson's own step, counted from 0: a step that shows only the opening is skipped.
 inline const viz::Step& own_step(const viz::Walk& walk, std::size_t i) {
   return walk.steps.at(walk.steps.front().slug == viz::opening_slug ? i + 1 : i);
 }
@@ -44,7 +44,7 @@ inline bool says(const std::string& told, const std::string& words) { return tol
 /// The choice that a question accepts.
 inline std::string answer(const viz::Step& step) { return step.question->choices[step.question->answer]; }
 
-/// check(setting, walk) on so many random settings of a lesson.
+/// Calls check(setting, walk) on this many random settings of a lesson.
 template <class Check>
 void on_random_settings(const std::string& id, int how_many, const Check& check) {
   bench::Random random(bench::stream(seed(), id.c_str()));

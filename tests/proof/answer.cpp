@@ -24,10 +24,10 @@ Json number(double x) {
   return x;
 }
 Json negative(const Json& x) {
-  if (x.is_number()) return 0 - x.get<double>();  // of 0 no -0
+  if (x.is_number()) return 0 - x.get<double>();  // 0 must not become -0
   return x == "inf" ? "-inf" : "inf";
 }
-/// The border that nearest_border finds, or in its place any number.
+/// The border that nearest_border finds or, for Times::left_out, any number.
 Json border(Times times, const std::function<bool(const Rational&)>& holds) {
   return number(times == Times::nearest ? nearest_border(holds) : 0.5);
 }
@@ -42,7 +42,7 @@ const char* location(const Vec& p, const Thing& t) {
   return where < 0 ? "in" : where == 0 ? "on" : "out";
 }
 
-/// The points of a cloud by their places, as lists of their numbers.
+/// The points of a cloud by their location, as lists of their indices.
 Json located(const Thing& cloud, const Thing& other, bool has_inside) {
   Json result = has_inside ? Json{{"in", Json::array()}, {"on", Json::array()}, {"out", Json::array()}}
                            : Json{{"on", Json::array()}, {"out", Json::array()}};
@@ -70,7 +70,7 @@ Json of_point(const Posed& a, const Posed& b) {
 
 // Planes.
 
-/// The corners that an object is given by, each as often as it is named.
+/// The corners that define an object, each as often as it is named.
 Points corners_named(const Posed& x) {
   Points all;
   if (x.type() == "mesh") {
@@ -102,7 +102,7 @@ Json of_plane(const Posed& a, const Posed& b) {
 
 // What runs along a line.
 
-/// The part of a line up to t, or from t on.
+/// Whether the part of a line up to t, or from t on, meets the body.
 bool meets_until(Thing line, const Thing& body, const Rational& t) {
   if (line.range.lo && t < *line.range.lo) return false;
   if (!line.range.hi || t < *line.range.hi) line.range.hi = t;
@@ -208,7 +208,7 @@ std::string relation(const Thing& a, const Thing& b) {
                                 : "touch";
 }
 
-/// Both kinds of tangency of balls told apart.
+/// The relation of two balls, which distinguishes both kinds of tangency.
 std::string relation_of_balls(const Thing& a, const Thing& b) {
   const std::string r = relation(a, b);
   if (r == "touch") return "touch_outer";

@@ -55,7 +55,7 @@ class Drawing {
   }
   int dimension() const { return flat_ ? 2 : 3; }
 
-  /// A coordinate of the size that the family has.
+  /// The coordinate with the size of the family.
   double sized(double x) {
     switch (out_.family) {
       case Family::tenths:
@@ -188,7 +188,7 @@ class Drawing {
     }
     return {{"box", ""}, {"lo", list(lo)}, {"hi", list(hi)}};
   }
-  /// Three rows at right angles, or nearly.
+  /// Three axes at right angles, or nearly.
   std::array<Place, 3> axes() {
     std::array<Place, 3> u = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     const int kind = whole(0, flat_ ? 2 : 4);
@@ -213,7 +213,7 @@ class Drawing {
     const Place p = place(), q = out_.family == Family::flat && chance(0.3) ? p : place();
     return {{"capsule", ""}, {"p", list(p)}, {"q", list(q)}, {"r", extent()}};
   }
-  /// With a little axis at least.
+  /// A cylinder, with at least a short axis.
   Json cylinder() {
     const Place p = place();
     return {{"cylinder", ""}, {"p", list(p)}, {"q", list(other_than(p))}, {"r", extent()}};
@@ -246,7 +246,7 @@ class Drawing {
       sum += (p[i][0] - p[0][0]) * (p[i + 1][1] - p[0][1]) - (p[i][1] - p[0][1]) * (p[i + 1][0] - p[0][0]);
     return sum;
   }
-  /// Simple outlines on a small grid, concave ones and ones with corners on a side among them.
+  /// A simple outline on a small grid; some are concave, and some have corners on a side.
   Places outline() {
     static const std::vector<Places> all = {
         {{{0, 0, 0}}, {{2, 0, 0}}, {{2, 2, 0}}, {{0, 2, 0}}},
@@ -262,7 +262,7 @@ class Drawing {
     std::ranges::rotate(p, p.begin() + whole(0, static_cast<int>(p.size()) - 1));
     return p;
   }
-  /// Its x and y as sizes of the family, each value always the same; so it stays simple, if it does not collapse.
+  /// Replaces x and y by sizes of the family, equal values by equal ones; so it stays simple, if it does not collapse.
   Places resized(Places p) {
     for (int i = 0; i < 2; ++i) {
       const double shift = whole(-2, 2);
@@ -283,7 +283,7 @@ class Drawing {
     }
     return {{"polygon", ""}, {"points", list(p)}};
   }
-  /// In a plane beside two axes, or of whole numbers in any.
+  /// A polygon in a plane along two axes, or with whole numbers in any plane.
   Json polygon_in_space() {
     const bool exact = out_.family == Family::grid || out_.family == Family::nested || out_.family == Family::restated;
     if (exact && chance(0.6)) {
@@ -310,7 +310,7 @@ class Drawing {
       return {{"polygon", ""}, {"points", list(p)}};
     }
   }
-  /// In long double, which may say so of an outline that is simple, and of these grids misses none that is not.
+  /// Whether edges cross, in long double: it may say so of a simple outline, but on these grids misses none that cross.
   static bool edges_cross(const Places& p) {
     const auto turn = [](const Place& a, const Place& b, const Place& c) {
       const auto scaled = [](double x, double y) { return static_cast<long double>(x) - y; };
@@ -425,7 +425,7 @@ class Drawing {
     return {{"mesh", ""}, {"points", list(some(5))}, {"triangles", of}};
   }
 
-  // As many as where something begins.
+  // Objects with as many parts as where another way through the program begins.
 
   /// The corners of a convex outline with whole coordinates.
   Places convex_outline(int count) {
@@ -503,10 +503,10 @@ class Drawing {
     return kdop_of(normals, shift);
   }
 
-  // The same set as another type; null where there is none.
+  // The same set as an object of another type; null where there is none.
 
   static Place place_of(const Json& p) { return {p[0], p[1], p.size() > 2 ? p[2].get<double>() : 0}; }
-  /// A box around points of the plane, one unit or more.
+  /// A box around points of the plane, one unit larger on each side.
   static Places around(const Json& points) {
     Place lo = place_of(points[0]), hi = lo;
     for (const Json& p : points)
@@ -599,7 +599,7 @@ class Drawing {
     return {};
   }
 
-  /// Points of it that others may start from.
+  /// Collects points of the object that others may start from.
   void collect(const Json& o) {
     for (const auto& [key, value] : o.items()) {
       if (!value.is_array() || value.empty() || key == "dir" || key == "normal" || key == "normals" || key == "u" ||
@@ -643,7 +643,7 @@ class Drawing {
 }  // namespace
 
 Drawn draw(std::mt19937_64& random) {
-  // Those of many faces take a hundred times the others' time.
+  // Objects with many faces take a hundred times as long as the others.
   std::discrete_distribution<int> family = {4, 4, 4, 4, 2, 2, 2, 4, 4, 4, 1};
   Drawn out = {static_cast<Family>(family(random)), std::uniform_int_distribution<int>(0, 1)(random) == 0};
   Drawing(random, out).objects(std::uniform_int_distribution<int>(7, 12)(random));

@@ -33,7 +33,7 @@ struct Drawn {
   Json objects = Json::array();
 };
 
-/// An object's type is its first key; the names are capital letters.
+/// Draws a scene. An object's type is its first key; the names are capital letters.
 Drawn draw(std::mt19937_64&);
 
 }  // namespace isect::proof

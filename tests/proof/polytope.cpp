@@ -33,7 +33,7 @@ std::size_t farthest(const Points& points, const Vec& along) {
 
 namespace {
 
-/// Times the least common denominator: whole numbers, which are multiplied faster.
+/// The vector times its least common denominator: whole numbers, which are multiplied faster.
 Vec whole(const Vec& x) {
   mpz_class least = x[0].get_den();
   for (int i = 1; i < 3; ++i) mpz_lcm(least.get_mpz_t(), least.get_mpz_t(), x[i].get_den_mpz_t());
@@ -103,14 +103,14 @@ Nearest nearest(const Points& a, const Points& b) {
 
 namespace {
 
-/// Whether some y has n . y < 0 for all normals that are no equations, and n . y = 0 for the others: whether the
-/// largest s with n . y + s <= 0 and s <= 1 is positive. By the simplex method, with Bland's rule.
+/// Whether some y has n . y < 0 for all normals of inequalities, and n . y = 0 for those of equations: whether the
+/// largest s with n . y + s <= 0 and s <= 1 is positive. Uses the simplex method with Bland's rule.
 bool all_can_fall(const Faces& faces) {
   constexpr int columns = 4;  // y and s
   struct Row {
     std::array<Rational, columns> of;  ///< what is not in the basis
     Rational left;
-    int name;  ///< of what it gives the value of: below 4 free, else at least 0
+    int name;  ///< of the variable that it gives the value of: below 4 free, else at least 0
   };
   std::vector<Row> rows;
   const auto add = [&](const Vec& n, int s, int left) {
@@ -170,7 +170,7 @@ bool interiors_meet(const Faces& a, const Faces& b, const Vec& common) {
 
 namespace {
 
-/// A corner and up to three directions from it to others: what they span.
+/// The affine span of points: one of them and up to three directions to others.
 struct Span {
   Vec from;
   std::vector<Vec> along;
@@ -193,7 +193,7 @@ Face through(const Vec& normal, const Vec& point, bool equation = false) {
   return {normal, dot(normal, point), equation};
 }
 
-/// Takes the plane if all points lie on one side of it, its normal pointing away from them, and says which lie in it.
+/// Adds the plane as a face if all points lie on one side, its normal pointing away from them. Returns which lie in it.
 std::optional<std::vector<bool>> add_if_face(const Points& points, const Vec& normal, const Vec& point, Faces& faces) {
   Face face = through(normal, point);
   int side = 0;

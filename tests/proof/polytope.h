@@ -1,6 +1,6 @@
 #pragma once
 // Convex polytopes in rationals, by their corners and by their half-spaces: how far two are apart, and whether their
-// interiors meet. Nothing here is the core's: no filter, no determinant of half-spaces, no duality.
+// interiors meet. Nothing here is shared with the core: no filter, no determinant of half-spaces, no duality.
 //
 // A shape of the plane lies in z = 0.
 
@@ -28,7 +28,7 @@ struct Face {
   Rational offset;
   bool equation = false;
 
-  /// How far a point lies beyond it, in units of the normal.
+  /// How far a point lies beyond the plane, in units of the normal.
   Rational beyond(const Vec& x) const { return dot(normal, x) - offset; }
   bool holds(const Vec& x) const;
 };
@@ -36,15 +36,15 @@ using Faces = std::vector<Face>;
 
 bool holds(const Faces&, const Vec&);
 
-/// Its index: of those that are, the first.
+/// The index of the farthest point along a vector, the first one of several.
 std::size_t farthest(const Points&, const Vec& along);
 
 struct Nearest {
   Rational distance2;
   Vec point;  ///< of both, where the distance is 0
 };
-/// Of the hulls of two lists of points. Source: Wolfe, Finding the nearest point in a polytope, Mathematical
-/// Programming 11 (1976).
+/// The nearest points of the hulls of two lists of points. Source: Wolfe, Finding the nearest point in a polytope,
+/// Mathematical Programming 11 (1976).
 Nearest nearest(const Points& a, const Points& b);
 
 /// Whether the two have a common point that lies on no proper face of either: one interior to both, each within the

@@ -60,7 +60,7 @@ class Judge {
   }
 
  private:
-  /// The file with its numbers, ready to be asked.
+  /// A scene file with its numbers, ready for questions.
   struct Opened {
     scene::File file;
     scene::Setting setting;
@@ -78,7 +78,7 @@ class Judge {
     return faces;
   }
 
-  /// Without the objects that the program refuses, and says why.
+  /// The objects without those that the program refuses; it must say why.
   Json accepted(const Json& objects) {
     Json kept = Json::array();
     for (const Json& o : objects) {

@@ -34,7 +34,7 @@ Rational number(const Json& object, const char* field) { return rational(object[
 
 void close_faces(Thing& body) { body.faces = faces_of(body.points, body.flat); }
 
-/// c + sum s_i u_i with |s_i| <= e_i.
+/// Makes the box c + sum s_i u_i with |s_i| <= e_i.
 void add_box(Thing& body, const Vec& c, const std::vector<Vec>& axes, const std::vector<Rational>& half) {
   body.points = {c};
   for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -53,7 +53,7 @@ Vec normal_of(const Points& ring) {
   return normal;
 }
 
-/// Of a simple outline in space.
+/// Whether a simple outline in space is convex.
 bool is_convex(const Points& ring) {
   const Vec normal = normal_of(ring);
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -63,7 +63,7 @@ bool is_convex(const Points& ring) {
   return true;
 }
 
-/// Ears of a simple outline in space, by brute force.
+/// Cuts a simple outline in space into triangles by its ears, by brute force.
 std::vector<Points> ears(Points ring) {
   std::vector<Points> triangles;
   const Vec normal = normal_of(ring);
@@ -214,7 +214,7 @@ Relation of_ball_and_round(const Thing& ball, const Thing& round) {
       .relation();
 }
 
-/// A round solid (A) and a body without a radius.
+/// The relation of a round solid (A) to a body without a radius.
 Relation of_round_and_body(const Thing& round, const Thing& body) {
   oracle::Sides sides;
   for (const Face& f : body.faces) {
@@ -282,7 +282,7 @@ Rational distance2(const Points& a, const Points& b) { return nearest(a, b).dist
 
 Rational most_of(const Vec& x) { return std::max({Rational(abs(x[0])), Rational(abs(x[1])), Rational(abs(x[2]))}); }
 
-/// The corners of what is bounded.
+/// The corners of a bounded thing.
 Points corners(const Thing& t) {
   Points all = t.points;
   for (const auto* lists : {&t.rings, &t.triangles})  // some twice
@@ -290,7 +290,7 @@ Points corners(const Thing& t) {
   return all;
 }
 
-/// A part of it that has a common point with those of a bounded set iff the line has, and is as near to it.
+/// A part of the line that meets these points' hull iff the line does, and is as near to it.
 Points near(const Thing& line, const Points& other) {
   if (is_zero(line.points[1])) return {line.points[0]};
   Rational reach = 1;
@@ -303,7 +303,7 @@ Points near(const Thing& line, const Points& other) {
   return {at(line, lo), at(line, hi)};
 }
 
-/// The corners of what is convex; of a line, the ends of a part that is as near to the other.
+/// The corners of a convex thing; for a line, the ends of a part that is as near to the other.
 Points as_points(const Thing& t, const Points& other) { return t.kind == Kind::line ? near(t, other) : t.points; }
 
 bool near_enough(const Points& a, const Points& b, const Rational& radius) {
@@ -459,7 +459,7 @@ namespace {
 
 using Edges = std::vector<std::array<Vec, 2>>;
 
-/// Of the boundary of what has corners, in the plane.
+/// The edges of the boundary of a thing with corners, in the plane.
 Edges edges_of(const Thing& t) {
   Edges edges;
   any_edge(t.rings, [&](const Vec& a, const Vec& b) {
@@ -546,8 +546,8 @@ struct Overlay {
   }
 };
 
-/// A ball or a capsule beside a region: whether the region's border passes through its inside; if not, whether that
-/// lies in the region.
+/// A ball or a capsule beside a region: whether the region's border passes through its interior; if not, whether its
+/// interior lies in the region.
 struct BallInRegion {
   bool cut = false, holds = false;
 
@@ -570,7 +570,7 @@ struct BallInRegion {
   }
 };
 
-/// In the plane, what has no area as the segment that it is: its ends. A region only if it is one ring.
+/// The ends of the segment that a thing in the plane without an area is. A region only if it is one ring.
 std::optional<Points> thin(const Thing& t) {
   if (t.radius > 0 || !t.flat || (t.kind != Kind::body && t.kind != Kind::region) || t.rings.size() > 1) return {};
   const Points all = corners(t);
@@ -599,8 +599,8 @@ bool reaches_into(const Points& ends, const Thing& region) {
 
 bool is_region(const Thing& a, const Thing& b) { return a.kind == Kind::region || b.kind == Kind::region; }
 
-// A polygon in space that is not convex, beside what has no volume: in its plane as two sets of the plane, else along
-// the line of both planes.
+// A polygon in space that is not convex, beside a thing without a volume: two sets of its plane if both lie there, else
+// along the line of both planes.
 
 bool is_polygon_in_space(const Thing& t) { return t.kind == Kind::surface && t.type == "polygon"; }
 bool is_thin(const Thing& t) {
@@ -622,7 +622,7 @@ struct Plane {
   bool holds(const Thing& t) const {
     return std::ranges::all_of(corners(t), [&](const Vec& p) { return height(p) == 0; });
   }
-  /// Without the axis of a component of the normal that is not 0.
+  /// The point without a coordinate in which the normal is not 0.
   Vec seen(const Vec& p) const {
     const std::size_t i = normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2;
     return {p[(i + 1) % 3], p[(i + 2) % 3], 0};
@@ -648,8 +648,8 @@ bool is_within(const Vec& p, const Thing& t) {
   return std::ranges::all_of(t.faces, [&](const Face& f) { return f.holds(p) && (f.equation || f.beyond(p) != 0); });
 }
 
-/// Whether a point within both lies on a line: at one of the ends of what the line has of their edges and faces, or
-/// between two of those.
+/// Whether a point on a line is within both: it is tested at the ends of what the line has in common with their edges
+/// and faces, and between two of those.
 bool within_both(const Vec& from, const Vec& along, const Thing& a, const Thing& b) {
   std::vector<Rational> cuts;
   const auto cut = [&](const Vec& normal, const Rational& offset) {
@@ -673,7 +673,7 @@ bool within_both(const Vec& from, const Vec& along, const Thing& a, const Thing&
   return false;
 }
 
-/// `polygon` is one, the other may be.
+/// `polygon` must be a polygon in space; the other may be one.
 bool thin_interiors_meet(const Thing& polygon, const Thing& other) {
   const Plane plane(polygon);
   if (plane.holds(other)) return interiors_meet(plane.seen(polygon), plane.seen(other));
@@ -787,7 +787,7 @@ bool lies_in(const Thing& a, const Thing& b) {
 
 namespace {
 
-/// What two ranges have in common.
+/// The common part of two ranges.
 std::optional<Range> common(const Range& a, const Range& b) {
   Range both = a;
   if (b.lo && (!both.lo || *b.lo > *both.lo)) both.lo = b.lo;

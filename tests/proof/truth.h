@@ -13,12 +13,12 @@ namespace isect::proof {
 
 using Json = nlohmann::ordered_json;
 
-/// Of a part of a line: null where it has no end.
+/// The ends of a part of a line: null where it has none.
 struct Range {
   std::optional<Rational> lo, hi;
 };
 
-/// The set of an object. What it is of is given by `kind`; the rest is empty.
+/// An object as a set. `kind` says which members define it; the others are empty.
 struct Thing {
   enum class Kind {
     body,     ///< convex and bounded: what lies within `radius` of the hull of `points`
@@ -44,32 +44,32 @@ struct Thing {
   bool closed = false;  ///< of a surface
   oracle::RoundSolid solid = {};
 
-  /// `planes`: those of a frustum, which are what its numbers are rounded to.
+  /// `planes` are those of a frustum, to which its numbers are rounded.
   static Thing read(const Json& object, bool flat, const Faces& planes = {});
 };
 
 Rational rational(double);
 Vec vec(const Json&);
 
-/// Whether a test says how the two lie, and the truth is found in reasonable time: two round solids have none, nor has
-/// one with a capsule; a polytope of many faces is not judged beside one.
+/// Whether there is a test of how the two lie, and the truth is found in reasonable time. Two round solids have none,
+/// nor has one with a capsule; a polytope of many faces is not judged beside one.
 bool has_test(const Thing&, const Thing&);
 
-/// Whether a test says more of the two, in the plane, than that they meet: a polygon that has an area and a solid of
-/// half-spaces without one have none such.
+/// Whether the test of two things in the plane says more than that they meet: it does not for a polygon with an area
+/// and a solid of half-spaces without one.
 bool has_relation(const Thing&, const Thing&);
 
-/// -1 in the interior, 0 on the boundary, 1 outside. What has no inside has a boundary alone.
+/// -1 in the interior, 0 on the boundary, 1 outside. A thing without an interior consists of its boundary.
 int place(const Vec&, const Thing&);
 bool meet(const Thing&, const Thing&);
-/// Whether two sets have a common point interior to both, each within the line, plane or space that it spans: bodies;
-/// in the plane regions as well; a polygon in space and a body, or another one; a mesh and a body that has a volume.
+/// Whether some point is interior to both sets, each within the line, plane or space that it spans. They may be bodies;
+/// in the plane also regions; a polygon in space and a body, or another one; a mesh and a body that has a volume.
 bool interiors_meet(const Thing&, const Thing&);
-/// Whether the first lies in the second: of the same sets; or in a plane.
+/// Whether the first lies in the second, for the same sets, or in a plane.
 bool lies_in(const Thing&, const Thing&);
 /// How many triangles of the first have a point in the second.
 int triangles_met(const Thing& surface, const Thing&);
-/// The sides of a plane that something bounded has points on, or at: behind, on, before.
+/// On which sides of a plane a bounded thing has points: behind, on, before.
 std::array<bool, 3> sides(const Thing& plane, const Thing&);
 
 /// Two lines or parts of them.
@@ -80,20 +80,20 @@ struct Crossing {
 };
 Crossing crossing(const Thing&, const Thing&);
 
-/// The part of a line in something else: by t, nothing if they have no common point. For what is not round, nor has a
-/// radius; of what is
-/// not convex, only its beginning.
+/// The part of a line in another thing, by t; nothing if they have no common point. The other must not be round, nor
+/// have a radius. If the other is not
+/// convex, only the beginning of the part is right.
 std::optional<Range> part_in(const Thing& line, const Thing&);
 
 /// Whether a line touches a ball: the whole line, beyond its ends as well.
 bool tangent(const Thing& line, const Thing& ball);
 /// Whether a point lies on the outline of a triangle or a polygon in space.
 bool on_outline(const Vec&, const Thing&);
-/// Whether a line lies in the plane of such a one.
+/// Whether a line lies in the plane of a triangle or a polygon in space.
 bool in_plane_of(const Thing& line, const Thing&);
 /// The point at t.
 Vec at(const Thing& line, const Rational& t);
-/// 1 left of it, -1 right of it, 0 on it, in the plane.
+/// 1 left of the line, -1 right of it, 0 on it, in the plane.
 int side(const Vec&, const Thing& line);
 
 }  // namespace isect::proof

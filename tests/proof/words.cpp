@@ -18,7 +18,7 @@ using Kind = Thing::Kind;
 using Common = Crossing::Common;
 using Lines = Crossing::Lines;
 
-/// The verdict with X for the name that comes first and Y for the other.
+/// A verdict with X in place of the name that comes first and Y in place of the other.
 struct Sentence {
   std::string text;
   const Thing *x, *y;
@@ -140,7 +140,7 @@ const std::map<std::string, Says>& sentences() {
   return all;
 }
 
-/// What counts something.
+/// Whether a verdict with counts is true; nothing for other verdicts.
 std::optional<bool> counts(const Sentence& s) {
   const Thing &x = *s.x, &y = *s.y;
   int some = 0, of = 0, on = 0, end = 0;
@@ -180,7 +180,7 @@ Judged judge(const std::string& verdict, const Named& a, const Named& b) {
 
 namespace {
 
-/// So many doubles further.
+/// The double `steps` doubles beyond x.
 double stepped(double x, int steps) {
   for (int i = 0; i < std::abs(steps); ++i) x = std::nextafter(x, steps < 0 ? -HUGE_VAL : HUGE_VAL);
   return x;
@@ -209,7 +209,7 @@ bool changes_near(const Thing& line, const Thing& body, double t, bool enters) {
   return part(low, high) && !(enters ? part({}, stepped(low, -1)) : part(stepped(high, 1), {}));
 }
 
-/// Of a line and a ball or a capsule: where the line as a whole enters and leaves, and where the part that it is does.
+/// What is wrong for a line and a ball or capsule: where the whole line, and where its part, enters and leaves.
 std::string wrong_in_round(const Json& result, const Thing& line, const Thing& body) {
   Thing whole = line;
   whole.range = {};

@@ -14,14 +14,14 @@ struct Named {
 
 enum class Judged { right, wrong, undecided, unknown };
 
-/// `verdict`: in words, about two objects whose names are capital letters, in either order.
+/// `verdict` is in words, about two objects whose names are capital letters, in either order.
 Judged judge(const std::string& verdict, const Named& a, const Named& b);
 
-/// Whether the fields of the result say the same: which contains which, as the question names them, or as the query
-/// does that it is of; and whether each t is within 4 ulp of the true one. What is wrong, or empty.
+/// What is wrong in the fields of the result; empty if all is right. They must say which contains which, in the order
+/// of the question or of its query, and each t must be within 4 ulp of the true one.
 std::string wrong_in_result(const Json& result, bool of_query, const Named& a, const Named& b);
 
-/// All that the judge knows of two objects, to be printed.
+/// All that the judge knows about two objects, for printing.
 std::string truth_of(const Named& a, const Named& b);
 
 }  // namespace isect::proof

@@ -19,7 +19,7 @@ using isect::test::Contains;
 
 namespace {
 
-/// `colours` of them in stripes, the last one over half of the picture.
+/// A picture with `colours` colours in stripes, the last one over half of it.
 Picture stripes(int width, int height, int colours, int shift = 0) {
   Picture p{width, height, {}};
   for (int i = 0; i < width * height; ++i) {
@@ -42,7 +42,7 @@ int read_bytes(GifFileType* file, GifByteType* to, int count) {
   return static_cast<int>(n);
 }
 
-/// As giflib decodes them.
+/// The frames as giflib decodes them.
 std::vector<Picture> frames_of(const std::string& gif) {
   Bytes bytes{gif};
   int error = 0;
@@ -137,7 +137,7 @@ TEST_CASE("an animated PNG has a frame a picture, numbered through, and opens as
   CHECK(numbered >= 5);
 }
 
-// An ffmpeg of our own: what it is told and given, in an MP4's own atoms.
+// A stand-in for ffmpeg: it writes its arguments and its input into atoms of an MP4.
 constexpr const char* stand_in = R"(#!/bin/sh
 for word; do
   case $before in -metadata) case $word in comment=*) comment=${word#comment=} ;; esac ;; -video_size) size=$word ;; esac
@@ -151,7 +151,7 @@ n=$((16 + ${#comment}))
   printf '%s' "$comment"; echo "; $size $count"; } >"$word"
 )";
 
-/// With that one first in the PATH, or with no other program.
+/// Puts the stand-in first in the PATH, or leaves the PATH without any program.
 class WithFfmpeg {
  public:
   explicit WithFfmpeg(bool there) : before_(std::getenv("PATH")) {

@@ -63,7 +63,7 @@ std::ptrdiff_t findings(const Scene& scene) {
   });
 }
 
-/// At every step that has a question, of all lessons with all presets: ask(walk, its number). It is never the first.
+/// Calls ask(walk, index) at each step with a question, of all lessons and presets. It is never the first step.
 template <class Ask>
 void at_each_question(const Ask& ask) {
   for (const Lesson* lesson : lessons::all_lessons())
@@ -128,7 +128,7 @@ TEST_CASE("while a question is open, all on show is of its own step, or was give
 
 namespace {
 
-/// As readers see it: "−1.121 · 10⁸" is no number here, which no question has.
+/// A number as readers see it: "−1.121 · 10⁸" is not one here, as no question has such.
 std::optional<double> number_in(std::string text) {
   for (std::size_t at; (at = text.find("−")) != text.npos;) text.replace(at, 3, "-");
   for (std::size_t at; (at = text.find("\u2009")) != text.npos;) text.erase(at, 3);
@@ -141,7 +141,7 @@ std::optional<double> number_in(std::string text) {
   }
 }
 
-/// With "5.5 · 10⁻³" as 0.0055.
+/// The text with powers of ten written out: "5.5 · 10⁻³" becomes 0.0055.
 std::string without_powers(std::string text) {
   static const std::vector<std::string> raised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   static const std::regex power("([0-9.]+)[^0-9a-z]{0,4}·[^0-9a-z]{0,4}10((⁻|⁰|¹|²|³|⁴|⁵|⁶|⁷|⁸|⁹)+)");
@@ -178,11 +178,11 @@ std::vector<double> numbers_in(const std::string& text) {
   return all;
 }
 
-/// What a reader has to answer with: the prompt's numbers, and the values on show by their plain names.
+/// The numbers that a reader can answer from: the prompt's, and the values on show by their plain names.
 struct OnShow {
   std::vector<double> told;
   std::map<std::string, double> values;
-  std::string code;  ///< beside it
+  std::string code;  ///< the pseudocode beside it
   double operator()(const std::string& name) const { return values.at(name); }
 };
 
@@ -192,7 +192,7 @@ double distance(double x, double y, double px, double py, double qx, double qy) 
   return std::hypot(px + t * dx - x, py + t * dy - y);
 }
 
-/// How a reader computes the answers that are numbers with digits behind the point, by how their prompts go.
+/// How a reader computes answers with digits behind the point, by a part of the prompt.
 const std::vector<std::pair<std::string, double (*)(const OnShow&)>>& ways() {
   static const std::vector<std::pair<std::string, double (*)(const OnShow&)>> all = {
       {"What is r_b",
@@ -278,7 +278,7 @@ std::array<double, 4> plane_in(std::string text) {
 
 using Numbers = std::vector<double>;
 
-/// Of a box from n[0..2] to n[3..5], over a plane: 0: all of it on the inner side; 1: beyond; 2: neither.
+/// How a box from n[0..2] to n[3..5] lies to a plane: 0: all of it on the inner side; 1: beyond; 2: neither.
 int against(const Numbers& n, const std::array<double, 4>& plane) {
   double least = plane[3], greatest = plane[3];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -307,13 +307,13 @@ bool ray_meets(const Numbers& n, std::size_t at) {
   return from <= to;
 }
 
-/// The number of the choice that reads so.
+/// The index of the choice with this text.
 int choice(const Question& q, const std::string& text) {
   const auto found = std::ranges::find_if(q.choices, [&](const std::string& markup) { return plain(markup) == text; });
   return static_cast<int>(found - q.choices.begin());
 }
 
-/// The least of all "t of ...": of which; those told last come last.
+/// The name with the least "t of ..."; those later in `order` lose ties.
 std::string nearest(const OnShow& o, const std::vector<std::string>& order, const std::string& none) {
   std::string best = none;
   double least = INFINITY;
@@ -427,7 +427,7 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
   return all;
 }
 
-/// What the parameters and the objects tell, which every page gives in words, with what was told on the way.
+/// Questions answered by the parameters and objects, which every page gives in words, and by what was said on the way.
 const std::vector<std::string>& from_what_is_given() {
   static const std::vector<std::string> all = {"which set is a subset",
                                                "which points do they share",
@@ -470,7 +470,7 @@ const std::vector<std::string>& from_what_is_given() {
   return all;
 }
 
-/// Rules, counts of parts, and guesses at what has been measured: no number of the setting decides.
+/// Questions on rules, counts of parts, and guesses at measurements: no number of the setting decides them.
 const std::vector<std::string>& from_what_is_known() {
   static const std::vector<std::string> all = {"of the six relations remain",
                                                "how far may r be",

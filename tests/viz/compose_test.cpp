@@ -129,7 +129,7 @@ Solid box(const Vec3& middle, double half, Role role) {
   return solid(isect::Aabb<double, 3>{middle - Vec3::Constant(half), middle + Vec3::Constant(half)}, role);
 }
 
-/// One of every kind, of radius 1 at most.
+/// One content of every kind, of radius 1 at most.
 std::vector<std::vector<Item>> contents(const Vec3& at) {
   const auto from = [&](double x, double y, double z) -> Vec3 { return at + Vec3(x, y, z); };
   return {{Ball{at, 0.9, Role::first}},

@@ -1,5 +1,5 @@
 #pragma once
-// What tests ask of flat shapes.
+// Helpers of tests that look at flat shapes.
 
 #include <vector>
 

@@ -18,7 +18,7 @@ void add(Facets& facets, const Vec2& a, const Vec2& b, const Vec2& c) {
   facets.colours.push_back(hex(static_cast<unsigned>(facets.colours.size())));
 }
 
-/// The last of them in this order that holds p; -1: none.
+/// The last facet in this order that holds p; -1: none.
 int seen(const Facets& facets, const std::vector<int>& order, const Vec2& p) {
   int last = -1;
   for (const int i : order)

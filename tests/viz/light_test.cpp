@@ -1,4 +1,4 @@
-// One name, one light: where a name occurs, what is told of it, and how it is lit in the window.
+// Where a name occurs, what is said about it, and how it is lit in the window: the same name is lit everywhere.
 
 #include <set>
 
@@ -24,7 +24,7 @@ Place haines() {
   return place;
 }
 
-/// So many places are lit for a name.
+/// The number of places that are lit for a name.
 int lit(const WindowDriver& window, const std::string& key) {
   int count = 0;
   while (window.has("lit " + key + " " + std::to_string(count + 1))) ++count;
@@ -42,7 +42,7 @@ bool find_name(WindowDriver& window, const Rect& area, const std::string& key) {
   return false;
 }
 
-/// In which parts of the window a name is lit.
+/// The parts of the window in which a name is lit.
 std::set<std::string> parts(const WindowDriver& window, const std::string& key) {
   std::set<std::string> all;
   for (int i = 1; i <= lit(window, key); ++i) {

@@ -89,7 +89,7 @@ TEST_CASE("what is no SVG is refused in words", "[metadata]") {
   }
 }
 
-/// As Inkscape 1.2, SVGO 2 to 4 and scour 0.38 save a figure of ours, all of them asked to remove what they can.
+/// The SVGs are as Inkscape 1.2, SVGO 2 to 4 and scour 0.38 saved one of isect's figures, removing what they can.
 TEST_CASE("metadata is found again in an SVG that another program has saved", "[metadata]") {
   const Metadata metadata = {{"lesson", "ray-sphere"}, {"parameters", R"({"origin":[-4,0.5,0]})"}};
   const std::string json = R"({"lesson":"ray-sphere","parameters":"{\"origin\":[-4,0.5,0]}"})";

@@ -1,5 +1,5 @@
 #pragma once
-// What tests ask of a picture.
+// Helpers of tests that look at pictures.
 
 #include <algorithm>
 #include <cstdlib>

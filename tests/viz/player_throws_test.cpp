@@ -16,7 +16,7 @@ using namespace isect::viz;
 
 namespace {
 
-/// The sample lesson, whose functions throw once as many calls as this are over; negative: never.
+/// The functions of the sample lesson throw after this many calls; negative: never.
 int calls_left = -1;
 
 void call() {
@@ -51,7 +51,7 @@ Lesson failing(Lesson lesson) {
 }
 const Lesson disc = failing(sample::lesson()), ball = failing(sample::other_lesson());
 
-/// All that can be seen of a player, also by taking back all that it remembers.
+/// The visible state of a player, including that found by undoing all that it remembers.
 struct Seen {
   std::string place;
   unsigned revision;
@@ -76,7 +76,7 @@ Seen seen(Player player) {
   return s;
 }
 
-/// In the middle of things: much to undo, a step answered, another one asked about, a view of the reader's own.
+/// A player in the middle of work: much to undo, a step answered, another one asked, a view of the reader's own.
 Player busy() {
   Player player({&disc, &ball});
   for (int i = 0; i < 101; ++i) player.load(disc.presets[i % 2]);  // one more than is kept
@@ -130,7 +130,7 @@ const std::vector<Action> actions = {
     {"take back", [](Player& p) { p.undo(); }},
 };
 
-/// Lets the action fail at the k-th chance that `left` counts, for ever later chances, until it succeeds. How often
+/// Lets the action fail at the k-th chance that `left` counts, for increasing k, until it succeeds. Returns how often
 /// it failed.
 template <class Count>
 int fail_everywhere(const Action& action, Count& left, const std::function<Count(Count)>& next) {

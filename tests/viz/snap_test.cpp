@@ -18,7 +18,7 @@ namespace {
 
 double number(const Player& player, const std::string& name) { return std::get<double>(player.parameters().at(name)); }
 
-/// Until a search has ended.
+/// Waits until a search has ended.
 void rest(WindowDriver& window) {
   for (int i = 0; i < 1000 && window.ui.rest() == 0; ++i) window.frames();
 }
@@ -40,7 +40,7 @@ void drag_with_shift(WindowDriver& window, const std::string& handle, float dx, 
 /// How often the slow lesson was asked for its steps.
 int asked = 0;
 
-/// One step, which tells whether x is at least a third, and x as its handle.
+/// A walk of one step, which says whether x is at least a third, and has x as its handle.
 Walk walk_at(double x) {
   Walk walk;
   Step step;

@@ -200,7 +200,7 @@ Drawing drawn(const Scene& scene, const View& view = straight) {
   return {640, 400, style.background, std::move(composed.shapes), std::move(composed.objects)};
 }
 
-/// What is told of the drawings of the three steps when the second one is another.
+/// The reported changes of the drawings of three steps if the second one is another.
 Lines told_of(const Drawing& was, const Drawing& is) {
   const Parameters p = at(0.5);
   const auto with = [&](const Drawing& second) {

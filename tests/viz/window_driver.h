@@ -24,7 +24,7 @@ inline Place place_at(const std::string& lesson, const std::string& preset) {
   return place;
 }
 
-/// For tests of where things stand: drawing the scene takes most of a frame, and placing its names much of the rest.
+/// Options for tests of the layout: drawing the scene takes most of a frame, and placing its names much of the rest.
 inline const WindowOptions layout_only = {.reduced_motion = true, .draw_scene = false, .place_names = false};
 inline const WindowOptions names_only = {.reduced_motion = true, .draw_scene = false};
 
@@ -100,7 +100,7 @@ class WindowDriver {
     frames();
   }
 
-  /// A key that types nothing, or with Ctrl, or with Shift.
+  /// Presses a key that types nothing, or one with Ctrl or Shift.
   void key(key::Code code, bool with_control = false, bool with_shift = false) {
     modifiers(with_control, with_shift);
     press(code, true);
@@ -161,7 +161,7 @@ class WindowDriver {
   float scale_;
 };
 
-/// Has each question of each lesson's first preset asked, and calls `then` with it.
+/// Opens each question of each lesson's first preset, and calls `then` with it.
 template <class Then>
 void ask_all(WindowDriver& window, const std::vector<const Lesson*>& lessons, const Then& then) {
   for (const Lesson* lesson : lessons) {

@@ -35,11 +35,11 @@ std::array<int, 3> bytes(const Colour& c) {
   return {byte(c.r), byte(c.g), byte(c.b)};
 }
 
-/// Of two panes the second one's widgets have the first one's names, after this.
+/// With two panes, the second one's widgets have the names of the first one's after this prefix.
 const std::string side = "other ";
 std::string within_pane(const std::string& name) { return name.starts_with(side) ? name.substr(side.size()) : name; }
 
-/// What a person aims at or reads; the rest are areas that hold such things, or lie over others for a while.
+/// Whether a name is of a widget that a person aims at or reads; other areas hold such, or lie over others for a while.
 bool is_widget(const std::string& full_name) {
   const std::string name = within_pane(full_name);
   static const std::set<std::string> areas = {
@@ -88,7 +88,7 @@ Rect visible(const WindowDriver& window, const std::string& full_name, Rect r) {
   return r;
 }
 
-/// Whether it lies under the card that asks where the lesson's panel has no room.
+/// Whether it lies under the card of the question, which appears where the lesson's panel has no room.
 bool covered(const WindowDriver& window, const std::string& name, const Rect& r) {
   if (!window.has("question over scene") || name.starts_with("choice ")) return false;
   return meet(r, window.rect("question over scene"));

@@ -35,7 +35,7 @@ using namespace isect::viz;
 
 namespace {
 
-/// Seconds of the processor that a frame may take; the sanitizers make it several times slower.
+/// The processor time in seconds that a frame may take; the sanitizers make it several times slower.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr double most_a_frame = 120;
 #else
@@ -43,7 +43,7 @@ constexpr double most_a_frame = 15;
 #endif
 constexpr int actions_a_round = 150;
 
-/// Scenes that lessons walk through, or refuse to where a corner is dragged too far.
+/// Scenes that lessons walk through, or refuse if a corner is dragged too far.
 constexpr const char* walked[] = {
     R"({"objects": [{"point": "p", "at": [0, 0]}, {"polygon": "P", "points": [[-2, -2], [2, -2], [2, 2], [-2, 2]]}],
         "ask": [{"walk": ["p", "P"], "lesson": "convex-polygon"}]})",
@@ -54,7 +54,7 @@ constexpr const char* walked[] = {
                     {"obb": "B", "center": [3, 0, 0], "u": [1, 0, 0], "v": [0, 1, 0], "w": [0, 0, 1], "half": [1, 0.5, 1]}],
         "ask": [{"walk": ["r", "S"]}, {"walk": ["A", "B"]}, ["A", "B"], ["r", "A"]]})"};
 
-/// What is typed and pasted.
+/// Texts that are typed and pasted.
 const std::vector<std::string> junk = {"1,5",
                                        "1e-3",
                                        "2*pi",
@@ -182,7 +182,7 @@ class Drive {
     if (told_.size() > 40) told_.pop_front();
   }
 
-  /// No frame keeps a reader waiting: an action is a few frames.
+  /// Times an action, which is a few frames: no frame may keep a reader waiting.
   template <class Action>
   void timed(const Action& action) {
     const double begun = processor_seconds();
@@ -267,7 +267,7 @@ class Drive {
     if (chance(0.2)) window_->wheel(between(-5, 5));
   }
 
-  /// Mostly a handle, mostly not far; other keys go on meanwhile.
+  /// Drags mostly a handle, and mostly not far; other keys go on meanwhile.
   void drag() {
     const bool other = chance(0.1);
     std::optional<std::string> name = chance(0.85) ? widget(other ? "other handle " : "handle ") : widget();
@@ -297,7 +297,7 @@ class Drive {
     settle();
   }
 
-  /// A while, as a search for a border takes.
+  /// Waits for some frames, as a search for a border takes.
   void settle() { window_->frames(1 + below(12)); }
 
   void type_a_number() {

@@ -110,7 +110,7 @@ class Measurement {
     row(lesson.id, steps, drags, snaps);
   }
 
-  /// Turned or shifted, and picked, on the last step that is a picture.
+  /// Measures turning or shifting, and picking, on the last step that is a picture.
   void measure_large(const Lesson& lesson) {
     std::vector<Frame> opened, turns, picks;
     window_.player().open(lesson);
