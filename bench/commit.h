@@ -1,5 +1,5 @@
 #pragma once
-// Which commit the programs that measure were built of: bench/commit.cmake asks git each time that one is built.
+// The commit from which the measuring programs were built: bench/commit.cmake asks git whenever one is built.
 
 namespace isect::bench {
 

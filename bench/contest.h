@@ -33,7 +33,7 @@
 
 namespace isect::bench {
 
-/// What is true of one case.
+/// The truth about one case.
 struct Truth {
   int verdict = 0;                    ///< 0 no, 1 yes; or a sign, or a location as an int
   std::optional<oracle::Real> value;  ///< t or a distance
@@ -61,7 +61,7 @@ struct CaseFamily {
   long most_cases = std::numeric_limits<long>::max();
 };
 
-/// What a method said: a verdict, and a value or a side where it has one.
+/// The answer of a method: a verdict, and a value or a side where it has one.
 struct Said {
   int verdict = 0;
   std::optional<double> value = {};

@@ -1,6 +1,6 @@
 #pragma once
 // Which part of a line lies in a convex set, in rationals: no quadratic and no root. Whether the line has entered by a
-// given t is told by that t and by one at which it is inside.
+// given t follows from that t and from one at which it is inside.
 
 #include <bit>
 #include <cstdint>

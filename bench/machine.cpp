@@ -17,7 +17,7 @@
 namespace isect::bench {
 namespace {
 
-/// What a line "name : value" of the first processor says; empty if there is none.
+/// The value of the line "name : value" of the first processor; empty if there is none.
 std::string told(const std::string& cpuinfo, const std::string& name) {
   std::istringstream lines(cpuinfo);
   for (std::string line; std::getline(lines, line) && !line.empty();)

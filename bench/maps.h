@@ -1,6 +1,6 @@
 #pragma once
-// Where naive verdicts go wrong: 256 x 256 floating-point neighbours of a point, each asked of a naive method and of
-// the exact one. No measurement: the same pictures on every machine.
+// Where naive verdicts go wrong: 256 x 256 floating-point neighbours of a point, each tested by a naive method and by
+// the exact one. Nothing is measured: the pictures are the same on every machine.
 
 #include "bench/plots.h"
 

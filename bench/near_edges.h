@@ -1,6 +1,6 @@
 #pragma once
-// Points on and beside the edges of random polygons, and how often each method is wrong about them. No measurement:
-// the same numbers on every machine.
+// Points on and beside the edges of random polygons, and how often each method is wrong about them. Nothing is timed:
+// the numbers are the same on every machine.
 //
 // Source of the experiment: S. Schirra, How reliable are practical point-in-polygon strategies? (ESA 2008), whose
 // queries lie near and on edges, and who counts false positives and false negatives apart.
@@ -18,8 +18,8 @@ namespace isect::bench::near_edges {
 inline constexpr std::array<int, 7> steps = {0, 1, 2, 4, 8, 16, 32};
 
 /// A point of one of the rows. Whether it is inside is known from the edge beside it, by the exact sign of a
-/// determinant. A point on an edge counts as the half-open rule of the naive methods has it: inside on a left edge,
-/// outside on a right one.
+/// determinant. A point on an edge counts as in the half-open rule of the naive methods: inside on a left edge, outside
+/// on a right one.
 struct Query {
   int row;
   const Ring<double, 2>& ring;

@@ -247,7 +247,7 @@ inline Ring<double, 2> outline(Source s) {
   return ring;
 }
 inline Polygon<double, 2> drawn(Source s, const Polygon<double, 2>*) { return {{outline(s)}}; }
-/// In one plane but for rounding: along a coordinate plane, or slanted.
+/// A polygon in one plane but for rounding: along a coordinate plane, or slanted.
 inline Polygon<double, 3> drawn(Source s, const Polygon<double, 3>*) {
   const double slope = s.numbers == Numbers::ordinary ? s.random.uniform(-1, 1) : s.random.integer(-1, 1);
   const double height = s.vector()[0];

@@ -1,6 +1,6 @@
 #pragma once
-// A suite of several pairs of shapes, each in a few lines: how people write the test in doubles, how the core is asked,
-// and what is true. All pairs have the same families of cases.
+// A suite of several pairs of shapes, each in a few lines: the usual test in doubles, the call of the core, and the
+// truth. All pairs have the same families of cases.
 
 #include <string>
 #include <utility>

@@ -143,7 +143,7 @@ Plotted error_plot(const Report& report, const std::string& test, const std::str
   const std::vector<const Row*> seen = of_families(rows, families);
   const Legend legend(rows);
   double most = 4;
-  const double cap = scalar == "float" ? 32 : 64;  // beyond this nothing of a value is left
+  const double cap = scalar == "float" ? 32 : 64;  // beyond this no digit of a value is right
   for (const Row* r : seen)
     if (r->ulps) most = std::max(most, bits(r->ulps->p99));
   std::vector<viz::Panel> all = panels(rows, families, legend, true, [](const Row& r) -> std::optional<viz::Spot> {

@@ -9,7 +9,7 @@
 
 namespace isect::bench {
 
-/// A chart, the name of its file, and what is said of it.
+/// A chart, the name of its file, and its texts.
 struct Plotted {
   std::string name;     ///< "ray-sphere-double-error": lower case, digits, '-'
   std::string caption;  ///< plain sentences
@@ -31,7 +31,7 @@ Plotted distribution_plot(const Report&, const std::string& test, const std::str
 Plotted growth_plot(const Report&, const std::string& test, const std::string& unit);
 /// The exact call's time divided by that of each library's fastest way, a row a test and library.
 Plotted ratio_plot(const Report&);
-/// What starting, drawing and rendering take, divided by what they may take.
+/// The times of starting, drawing and rendering, divided by their limits.
 Plotted duty_plot(const Report&);
 
 /// All that the report has data for, test by test.

@@ -22,7 +22,7 @@ enum class Numbers {
 };
 inline constexpr Numbers all_numbers[] = {Numbers::ordinary, Numbers::grid, Numbers::nudged, Numbers::decimal,
                                           Numbers::distant,  Numbers::wide, Numbers::tiny,   Numbers::huge};
-/// With the ends of the range: sums and differences of two such numbers may be no number of S.
+/// All families and the ends of the range: sums and differences of two such numbers may not be numbers of S.
 inline constexpr Numbers all_numbers_and_ends[] = {Numbers::ordinary, Numbers::grid,    Numbers::nudged,
                                                    Numbers::decimal,  Numbers::distant, Numbers::wide,
                                                    Numbers::tiny,     Numbers::huge,    Numbers::ends};

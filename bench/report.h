@@ -85,8 +85,8 @@ struct Target {
     ratio,   ///< ours / theirs: medians of the ordinary family, in one run
     growth,  ///< the same at `n` elements
     time,    ///< ours in ns, at `n` elements
-    wrong,   ///< wrong verdicts of ours, all families together
-    ulps,    ///< greatest error of ours, all families together
+    wrong,   ///< wrong verdicts of isect, all families together
+    ulps,    ///< greatest error of isect, all families together
     hard,    ///< ours / naive where that is greatest: over all hard families, in double and float
     touch    ///< ours where shapes touch exactly, as of integers or tenths, / ours on the ordinary family; likewise
   };

@@ -122,7 +122,7 @@ std::string exceptions(const Findings& d) {
   return text;
 }
 
-/// What to choose; nothing where what is faster met no hard case.
+/// What to choose; empty if the faster methods met no hard case.
 std::string advice(const Measured& m, const std::string& test, const Findings& d) {
   const std::optional<Choice> c = choice(m, test);
   if (!c || c->why == Choice::not_judged) return {};
@@ -206,7 +206,7 @@ struct Verdicts {
 /// The columns that the table has beside the times: those for which the test has numbers.
 struct Columns {
   bool latency = false, values = false, sides = false;
-  const Row* best = nullptr;  ///< the rival of ours that ratios are given to, beside the standard method
+  const Row* best = nullptr;  ///< isect's method to which ratios are given, beside the standard method
 
   explicit Columns(const Measured& m, const std::string& test, const Findings& d) {
     for (const Row* r : d.rows) {

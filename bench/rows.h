@@ -39,7 +39,7 @@ bool faster(const Row& a, const Row& b, double noise);
 const Row* standard_of(const std::vector<const Row*>&);
 const Row* exact_of(const std::vector<const Row*>&);
 
-/// What the plots show of an error in ulps: log2(1 + it), at most 64.
+/// The measure of an error in ulps that plots show: log2(1 + ulps), at most 64.
 double bits(double ulps);
 /// "near-tangent" as words: "near tangent"; "point-in-polygon" stays.
 std::string words(std::string family);

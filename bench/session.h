@@ -17,7 +17,7 @@ struct Effort {
   double seconds = 0.06;  ///< aimed at for all passes of one method
   bool all_sizes = true;  ///< growth up to a million
   static Effort quick() { return {1 << 16, 1 << 10, 2, 7, 0.008, false}; }
-  /// Nothing is timed, and only what promises to be exact is judged.
+  /// Times nothing, and judges only what promises to be exact.
   static Effort verdicts() { return {1 << 16, 1 << 16, 0, 0, 0, false}; }
   bool timed() const { return most_passes > 0; }
 };

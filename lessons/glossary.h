@@ -15,7 +15,7 @@ struct Term {
 /// The terms in alphabetical order.
 const std::vector<Term>& glossary();
 
-/// What a letter stands for, in whatever lesson: bold for points and vectors, italic for numbers.
+/// The meaning of a letter in all lessons: bold for points and vectors, italic for numbers.
 struct Letter {
   std::string name;                     ///< plain text
   std::string meaning;                  ///< markup

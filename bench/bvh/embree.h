@@ -1,5 +1,5 @@
 #pragma once
-// A mesh as Embree has it. Embree works in float, with a test of ray and triangle that is not exact, and with as many
+// A mesh in Embree's form. Embree works in float, with a test of ray and triangle that is not exact, and with as many
 // lanes as the machine has; ours is compiled for any x86-64 and exact in double. Single-threaded, as ours.
 
 #include <embree3/rtcore.h>

@@ -135,7 +135,7 @@ Capsules<S, 3> crossing(Random& random) {
   return c;
 }
 
-/// Where squares overflow or vanish.
+/// Pairs in which squares overflow or vanish.
 template <class S>
 Capsules<S, 3> scale(Random& random) {
   Capsules<S, 3> c = ordinary<S>(random);

@@ -1,5 +1,5 @@
 #pragma once
-// Capsules by FCL, which follows Ericson, and tells the distance of their surfaces.
+// Capsules by FCL, which follows Ericson, and computes the distance of their surfaces.
 
 #ifdef ISECT_HAS_FCL
 #include <fcl/narrowphase/detail/primitive_shape_algorithm/capsule_capsule.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Which t of a line a half-space or a box keeps, in rationals: by the heights at two places and a division.
+// Which t of a line a half-space or a box keeps, in rationals: computed from the heights at two places by a division.
 
 #include <algorithm>
 #include <optional>
@@ -13,7 +13,7 @@ struct Kept {
   std::optional<Rational> lo, hi;
 };
 
-/// Where a height that is `at_0` at t = 0 and `at_1` at t = 1 is not negative, in a range.
+/// The part of a range where a height that is `at_0` at t = 0 and `at_1` at t = 1 is not negative.
 template <class S>
 std::optional<Kept> kept_above(const Interval<S>& range, const Rational& at_0, const Rational& at_1) {
   if (!(range.lo <= range.hi)) return {};

@@ -52,7 +52,7 @@ Polygons<S> sliver_triangles() {
   return all;
 }
 
-/// Within 2 ulp of the edge from the last vertex to the first, where the fan of wedges begins and ends.
+/// A point within 2 ulp of the edge from the last vertex to the first, where the fan of wedges begins and ends.
 template <class S>
 Point<S, 2> near_closing_edge(Random& random, const Ring<S, 2>& ring) {
   return polygon_families::near_edge(random, Ring<S, 2>{ring.back(), ring[0]});

@@ -78,7 +78,7 @@ ConvexPolygons<S> near_touch(Random& random) {
   const auto b = make_convex(convex_hull(Ring<S, 2>{corner, first, second}));
   return b ? ConvexPolygons<S>{a, *b} : near_touch<S>(random);
 }
-/// Where products overflow or vanish.
+/// Pairs in which products overflow or vanish.
 template <class S>
 ConvexPolygons<S> scale(Random& random) {
   ConvexPolygons<S> c = near_touch<S>(random);

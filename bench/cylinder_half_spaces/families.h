@@ -131,7 +131,7 @@ void scale(int exponent, SolidAndKdop<S, Solid>& c) {
   for (Interval<S>& slab : c.b.slabs) bench::scale(exponent, slab.lo, slab.hi);
 }
 
-/// Where squares overflow or vanish.
+/// Pairs in which squares overflow or vanish.
 template <class S, template <class> class Solid>
 SolidAndKdop<S, Solid<S>> scaled(Random& random) {
   auto c = random.one_in(2) ? exact_touch<S, Solid>(random) : near_touch<S, Solid, Patch::rim>(random);

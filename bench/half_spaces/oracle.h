@@ -179,7 +179,7 @@ inline Relation relation(const Capsule<double, 3>& capsule, const Sides& solid) 
   return 0 < t && t < 1 && holds_within(solid, s.at(t)) ? Relation::overlapping : Relation::touching;
 }
 
-/// What is left of the triangle, clipped by one side after the other.
+/// The part of the triangle that is left, clipped by one side after the other.
 inline std::vector<Place> clipped(const Triangle<double, 3>& triangle, const Sides& solid) {
   std::vector<Place> left;
   for (const auto& v : triangle.vertices) left.push_back(rational(v));

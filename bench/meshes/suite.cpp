@@ -107,7 +107,7 @@ void convex_solids(Session& session, const char* test) {
 bool naively_in(const P& p, const Cylinder<double>& c) { return point_cylinder::projected(p, c); }
 bool naively_in(const P& p, const Cone<double>& c) { return point_cone::by_height(p, c); }
 
-/// By points: a corner of the mesh in the other, the axis through a triangle, an end of it in the solid.
+/// Decides by points: a corner of the mesh in the other, the axis through a triangle, an end of it in the solid.
 template <class Solid>
 void round_solids(Session& session, const char* test) {
   const auto naively = [](const Star& s, const Solid& x) {

@@ -155,8 +155,8 @@ bool meet_by_projection(const Obb<S, N>& a, const Obb<S, N>& b) {
   return true;
 }
 
-/// By the vertices of the common part: points of the frame of A where N of the 4 N faces meet. Without one the boxes
-/// are apart; their middle is interior to both, if any point is. No separating axis is used.
+/// Decides by the vertices of the common part: points of the frame of A where N of the 4 N faces meet. Without any the
+/// boxes are apart; their mean is interior to both, if any point is. No separating axis is used.
 template <int N>
 Relation by_vertices(const Exactly<N>& a, const Exactly<N>& b) {
   if (!exists(a) || !exists(b)) return Relation::disjoint;

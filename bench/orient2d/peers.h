@@ -11,7 +11,7 @@
 namespace isect::bench::peers {
 
 #ifdef ISECT_HAS_CGAL
-/// By one of CGAL's kernels.
+/// Enters the orientation of one of CGAL's kernels.
 template <class Kernel, class S>
 Entrant<OrientCase<S>>& cgal_orientation(Contest<S, OrientCase<S>>& contest, const char* name) {
   using Corner = typename Kernel::Point_2;

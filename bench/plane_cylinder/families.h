@@ -10,7 +10,7 @@ using PlaneAndSolid = Pair<Plane<S, 3>, Solid>;
 
 namespace plane_and_solid {
 
-/// Through a point, but for rounding and a few ulp.
+/// A plane through a point, but for rounding and a few ulp.
 template <class S>
 Plane<S, 3> through(Random& random, const Point<double, 3>& at, const Vector<double, 3>& normal) {
   const Vector<S, 3> n = normal.template cast<S>();
@@ -42,7 +42,7 @@ PlaneAndSolid<S, Solid<S>> exact_touch(Random& random) {
   return c;
 }
 
-/// Where squares overflow or vanish.
+/// Pairs in which squares overflow or vanish.
 template <class S, template <class> class Solid>
 PlaneAndSolid<S, Solid<S>> scale(Random& random) {
   PlaneAndSolid<S, Solid<S>> c = near_tangent<S, Solid, Patch::rim>(random);

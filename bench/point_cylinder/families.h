@@ -16,7 +16,7 @@ PointAndSolid<S, Solid<S>> ordinary(Random& random) {
   return {point, ordinary_solid<Solid<S>>(random)};
 }
 
-/// On the surface but for rounding and a few ulp.
+/// A point on the surface but for rounding and a few ulp.
 template <class S, template <class> class Solid, Patch patch>
 PointAndSolid<S, Solid<S>> near_surface(Random& random) {
   const Solid<S> solid = ordinary_solid<Solid<S>>(random);
@@ -25,7 +25,7 @@ PointAndSolid<S, Solid<S>> near_surface(Random& random) {
   return {point, solid};
 }
 
-/// Integers: on the surface.
+/// Integers: a point on the surface.
 template <class S, template <class> class Solid>
 PointAndSolid<S, Solid<S>> exact_touch(Random& random) {
   const auto whole = whole_solid<Solid<double>>(random, all_patches[random.below(3)]);
@@ -35,7 +35,7 @@ PointAndSolid<S, Solid<S>> exact_touch(Random& random) {
   return c;
 }
 
-/// Where squares overflow or vanish.
+/// Pairs in which squares overflow or vanish.
 template <class S, template <class> class Solid>
 PointAndSolid<S, Solid<S>> scale(Random& random) {
   PointAndSolid<S, Solid<S>> c = near_surface<S, Solid, Patch::side>(random);

@@ -1,5 +1,5 @@
 #pragma once
-// GEOS and CGAL asked where a point lies in a prepared polygon.
+// Point location in a prepared polygon by GEOS and CGAL.
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -21,7 +21,7 @@ std::string full_precision(const Points<S, N>& c) {
 
 namespace point_point_families {
 
-/// Equal, every other time.
+/// Pairs of points that are equal every other time.
 template <class S>
 Points<S, 3> ordinary(Random& random) {
   Points<S, 3> c = {random.in_box<3>(1).cast<S>(), random.in_box<3>(1).cast<S>()};
@@ -63,7 +63,7 @@ Points<S, 3> near_tolerance(Random& random) {
   return c;
 }
 
-/// Where squares overflow or vanish.
+/// Pairs in which squares overflow or vanish.
 template <class S>
 Points<S, 3> scale(Random& random) {
   Points<S, 3> c = ordinary<S>(random);

@@ -21,8 +21,8 @@ oracle::Rational distance2(const Case<S>& c) {
   return oracle::dot(f, f);
 }
 
-/// With a fixed tolerance, as it is written to be on the safe side of rounding: points that differ are called the
-/// same.
+/// A fixed tolerance, which many use to be on the safe side of rounding, is also entered: it calls points that differ
+/// the same.
 template <class S>
 void same(Session& session, const NamedDraw<Case<S>>& drawn) {
   Contest<S, Case<S>> contest(session, family_of<S, Case<S>>("point-point", drawn, [](const Case<S>& c) -> Truth {

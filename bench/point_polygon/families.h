@@ -122,7 +122,7 @@ Ring<S, 2> degenerate(Random& random, int n) {
   return ring;
 }
 
-/// Crosses itself.
+/// A ring that crosses itself.
 template <class S>
 Ring<S, 2> bow_tie(Random& random, int n) {
   Ring<S, 2> ring;
@@ -134,7 +134,7 @@ template <class S>
 Point<S, 2> anywhere(Random& random, const Ring<S, 2>&) {
   return random.in_box<2>(1).template cast<S>();
 }
-/// On an edge but for rounding, and up to 2 ulp beside that.
+/// A point on an edge but for rounding, and up to 2 ulp beside that.
 template <class S>
 Point<S, 2> near_edge(Random& random, const Ring<S, 2>& ring) {
   const std::size_t i = static_cast<std::size_t>(random.below(static_cast<int>(ring.size())));
@@ -148,7 +148,7 @@ template <class S>
 Point<S, 2> on_vertex(Random& random, const Ring<S, 2>& ring) {
   return ring[random.below(static_cast<int>(ring.size()))];
 }
-/// At the height of a vertex and so of horizontal edges: on one, or in line with several.
+/// A point at the height of a vertex and so of horizontal edges: on one, or in line with several.
 template <class S>
 Point<S, 2> at_height(Random& random, const Ring<S, 2>& ring) {
   const Point<S, 2> v = on_vertex(random, ring);

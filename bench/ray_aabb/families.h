@@ -31,7 +31,7 @@ S zero(Random& random) {
   return random.one_in(2) ? S(0) : -S(0);
 }
 
-/// Towards a point of an edge, fixed on 2 axes, or towards a corner, fixed on 3.
+/// A ray towards a point of an edge, fixed on 2 axes, or towards a corner, fixed on 3.
 template <class S, int fixed>
 RayAndBox<S> aimed(Random& random) {
   RayAndBox<S> c = ordinary<S>(random);
@@ -45,8 +45,8 @@ RayAndBox<S> aimed(Random& random) {
   return c;
 }
 
-/// Along a face or an edge, or an ulp beside it: 1 or 2 components are 0, and those coordinates of the origin lie on
-/// planes of the box.
+/// A ray along a face or an edge, or an ulp beside it: 1 or 2 components are 0, and those coordinates of the origin lie
+/// on planes of the box.
 template <class S>
 RayAndBox<S> along_slab(Random& random) {
   RayAndBox<S> c = ordinary<S>(random);

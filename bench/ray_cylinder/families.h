@@ -17,7 +17,7 @@ RayAndSolid<S, Solid<S>> ordinary(Random& random) {
   return {ray, ordinary_solid<Solid<S>>(random)};
 }
 
-/// Through a place of the surface, in a plane that touches the solid there: but for rounding.
+/// A ray through a place of the surface, in a plane that touches the solid there, but for rounding.
 template <class S>
 Ray<S, 3> tangent(Random& random, const Spot& spot) {
   const Vector<double, 3> across = spot.normal.cross(random.heading<3>()).normalized();
@@ -31,7 +31,7 @@ RayAndSolid<S, Solid<S>> near_tangent(Random& random) {
   return {tangent<S>(random, spot(random, cast<double>(solid), patch)), solid};
 }
 
-/// Along the side, but for rounding: of a cone along a line of it, where its quadratic polynomial is nearly linear.
+/// A ray along the side, but for rounding; on a cone along a line of it, where the quadratic is nearly linear.
 template <class S, template <class> class Solid>
 RayAndSolid<S, Solid<S>> along_side(Random& random) {
   Solid<double> wide = ordinary_solid<Solid<double>>(random);
@@ -43,7 +43,7 @@ RayAndSolid<S, Solid<S>> along_side(Random& random) {
   return {ray, cast<S>(wide)};
 }
 
-/// Integers: in a plane that touches the solid, through the point of touch.
+/// Integers: a ray in a plane that touches the solid, through the point of touch.
 template <class S, template <class> class Solid>
 RayAndSolid<S, Solid<S>> exact_touch(Random& random) {
   const auto whole = whole_solid<Solid<double>>(random, all_patches[random.below(3)]);
@@ -56,7 +56,7 @@ RayAndSolid<S, Solid<S>> exact_touch(Random& random) {
   return c;
 }
 
-/// From far away.
+/// A near tangent from far away.
 template <class S, template <class> class Solid>
 RayAndSolid<S, Solid<S>> far(Random& random) {
   RayAndSolid<S, Solid<S>> c = near_tangent<S, Solid, Patch::side>(random);
@@ -64,7 +64,7 @@ RayAndSolid<S, Solid<S>> far(Random& random) {
   return c;
 }
 
-/// Where squares overflow or vanish.
+/// Pairs in which squares overflow or vanish.
 template <class S, template <class> class Solid>
 RayAndSolid<S, Solid<S>> scale(Random& random) {
   RayAndSolid<S, Solid<S>> c = ordinary<S, Solid>(random);

@@ -43,14 +43,14 @@ RayAndObb<S> towards(const Wide& c, const Point<double, 3>& target) {
   return result;
 }
 
-/// At a point of an edge, fixed on 2 axes, or at a corner, fixed on 3.
+/// A ray aimed at a point of an edge, fixed on 2 axes, or at a corner, fixed on 3.
 template <class S, int fixed>
 RayAndObb<S> aimed(Random& random) {
   const Wide c = some_pair(random);
   return towards<S>(c, on(random, c.b, fixed));
 }
 
-/// In the plane of a face but for rounding, towards a point of it.
+/// A ray in the plane of a face but for rounding, towards a point of it.
 template <class S>
 RayAndObb<S> along_face(Random& random) {
   Wide c = some_pair(random);
@@ -65,7 +65,7 @@ RayAndObb<S> along_face(Random& random) {
   return towards<S>(c, in_plane(1));
 }
 
-/// From a face outwards, inwards or along it, but for rounding.
+/// A ray from a face outwards, inwards or along it, but for rounding.
 template <class S>
 RayAndObb<S> on_surface(Random& random) {
   Wide c = some_pair(random);

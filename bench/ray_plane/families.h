@@ -87,7 +87,7 @@ RayPlaneCase<S> near_parallel(Random& random) {
   return c;
 }
 
-/// Where products overflow or vanish.
+/// Pairs in which products overflow or vanish.
 template <class S>
 RayPlaneCase<S> scale(Random& random) {
   constexpr int most = std::numeric_limits<S>::max_exponent;

@@ -53,7 +53,7 @@ RayAndRing<S> ordinary(Random& random) {
   return {from_to<S>(from, to.cast<S>()), ring};
 }
 
-/// At a point of an edge, or at a vertex.
+/// A point of an edge, or a vertex.
 template <class S>
 Point<S, 3> on_outline(Random& random, const Ring<S, 3>& ring, bool vertex) {
   const std::size_t i = static_cast<std::size_t>(random.below(static_cast<int>(ring.size())));

@@ -18,8 +18,8 @@ struct RayPolygon {
 
 using P2 = Coordinates<2>;
 
-/// On an edge by a parameter; else by counting the edges whose crossing with the line y = p.y, a quotient, is right
-/// of p.
+/// The location: on an edge by a parameter; else by counting the edges whose crossing with the line y = p.y, a
+/// quotient, is right of p.
 inline Location locate(const P2& p, const std::vector<P2>& ring) {
   bool inside = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -64,7 +64,7 @@ inline Coordinates<3> newell(const std::vector<Coordinates<3>>& v) {
   return n;
 }
 
-/// By Newell's plane, and the outline without the coordinate of its largest component. For finite shapes.
+/// Uses Newell's plane, and the outline without the coordinate of its largest component. For finite shapes.
 template <class S>
 RayPolygon ray_polygon(const Coordinates<3>& o, const Coordinates<3>& d, const Interval<S>& range,
                        const Ring<S, 3>& ring) {

@@ -93,7 +93,7 @@ void compete(Session& session, const char* name) {
                        full_precision<S>, residual<S>});
 }
 
-/// Ordinary rays, of which so many in a hundred hit: a miss is told by a sign, a hit costs a root.
+/// Ordinary rays, of which this percentage hit: a sign shows a miss, a hit costs a root.
 template <class S>
 void compete(Session& session, int hits) {
   const auto draw = [hits, any = ray_sphere_family<S, 3>("ordinary").draw](Random& random) -> Case<S> {
@@ -107,7 +107,7 @@ void compete(Session& session, int hits) {
                        "ordinary", "", false, draw, truth<S>, full_precision<S>, residual<S>});
 }
 
-/// Ordinary rays, of which so many in a hundred hit: yes or no alone.
+/// Ordinary rays, of which this percentage hit: yes or no alone.
 template <class S>
 void yes_or_no(Session& session, int hits) {
   const auto draw = [hits, any = ray_sphere_family<S, 3>("ordinary").draw](Random& random) -> Case<S> {

@@ -94,7 +94,7 @@ void triangles(Session& session) {
           by_axes, [](const Three& x, const Body& b) { return intersects(x, b.core); }, truly);
 }
 
-/// By the sign of each plane: outside it, and within it.
+/// Decides by each plane: the shape is outside if it is beyond one, and inside if it is within all.
 template <class Shape, class Beyond, class Within>
 Culling culled(const Shape& shape, const Frustum<double>& f, const Beyond& beyond, const Within& within) {
   Culling result = Culling::inside;

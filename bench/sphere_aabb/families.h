@@ -76,7 +76,7 @@ BallAndBox<S, 3> exact_touch(Random& random) {
   return c;
 }
 
-/// Where squares overflow or vanish.
+/// Pairs in which squares overflow or vanish.
 template <class S>
 BallAndBox<S, 3> scale(Random& random) {
   BallAndBox<S, 3> c = ordinary<S>(random);

@@ -94,7 +94,7 @@ BallAndCapsule<S, 3> exact_touch(Random& random) {
   return c;
 }
 
-/// Where squares overflow or vanish.
+/// Pairs in which squares overflow or vanish.
 template <class S>
 BallAndCapsule<S, 3> scale(Random& random) {
   BallAndCapsule<S, 3> c = ordinary<S>(random);

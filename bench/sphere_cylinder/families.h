@@ -70,7 +70,7 @@ BallAndSolid<S, Solid<S>> exact_touch(Random& random) {
   return c;
 }
 
-/// Where squares overflow or vanish.
+/// Pairs in which squares overflow or vanish.
 template <class S, template <class> class Solid>
 BallAndSolid<S, Solid<S>> scale(Random& random) {
   BallAndSolid<S, Solid<S>> c = near_touch<S, Solid, Patch::side>(random);

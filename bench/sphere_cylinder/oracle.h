@@ -1,6 +1,6 @@
 #pragma once
 // How a ball and a cylinder or a cone lie: by distances in the half-plane through the axis and the ball's center, in
-// which the solid is a quadrilateral, in so many digits that what is not 0 is told from 0.
+// which the solid is a quadrilateral, with enough digits to distinguish what is not 0 from 0.
 //
 // How many: the inputs are whole multiples of a power of two that are at most 2^b. What a distance is compared with s
 // by is, times |d| and the length of the side, a sum of two roots and a whole number, all of polynomials of degree six:
@@ -20,7 +20,7 @@ namespace isect::oracle {
 
 class BallAndRoundSolid {
  public:
-  /// Both exist.
+  /// Both shapes must exist.
   template <class S>
   BallAndRoundSolid(const Sphere<S, 3>& ball, const RoundSolid& solid)
       : inside_(solid.locate(rational(ball.center)) != Location::out) {

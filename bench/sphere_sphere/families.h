@@ -65,7 +65,7 @@ Balls<S, 3> decimal(Random& random) {
   return c;
 }
 
-/// Around the origin, with radii within a few ulp and centers that are off by what squares lose.
+/// Balls around the origin, with radii within an ulp, and centers that are off by what squares lose.
 template <class S>
 Balls<S, 3> concentric(Random& random) {
   constexpr double least = std::numeric_limits<S>::min_exponent10;
@@ -75,7 +75,7 @@ Balls<S, 3> concentric(Random& random) {
   return c;
 }
 
-/// Where squares overflow or vanish.
+/// Pairs in which squares overflow or vanish.
 template <class S>
 Balls<S, 3> scale(Random& random) {
   Balls<S, 3> c = ordinary<S>(random);

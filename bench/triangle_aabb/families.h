@@ -121,7 +121,7 @@ TriangleAndBox<S> needle(Random& random) {
   return rounded<S>(random, c);
 }
 
-/// All of it 1e8 (1e4 in float) away from the frame's origin.
+/// Triangle and box both 1e8 (1e4 in float) away from the frame's origin.
 template <class S>
 TriangleAndBox<S> far(Random& random) {
   Wide c = some_touch(random);
@@ -131,7 +131,7 @@ TriangleAndBox<S> far(Random& random) {
   return rounded<S>(random, c);
 }
 
-/// Where squares overflow or vanish.
+/// Pairs in which squares overflow or vanish.
 template <class S>
 TriangleAndBox<S> scale(Random& random) {
   TriangleAndBox<S> c = rounded<S>(random, some_touch(random));

@@ -24,7 +24,7 @@ viz::Scene picture(const Setup&, int axis, bool settled);
 const viz::CaseMap& cases();
 /// Whether the boxes meet, by each method. (cases.cpp)
 std::vector<viz::Opinion> opinions(const viz::Parameters&);
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 /// (telling.cpp)

@@ -110,7 +110,7 @@ class Teller {
     script_.settle(verdict_kind(s_.truth), words(s_.truth, "the boxes"));
     Step& step = script_.add("relation", "How they lie", disjoint_ ? 2 : 3, end_caption(), end_formula());
     step.scene = picture(s_, -1, true);
-    if (!disjoint_) step.question = relation_question(s_.truth, "the two boxes", because());  // else it has been told
+    if (!disjoint_) step.question = relation_question(s_.truth, "the two boxes", because());  // else it is known
   }
 
   std::string because() const {

@@ -45,7 +45,7 @@ std::vector<Measured> measured_kdops(const Hull3<double>&);
 /// Sphere, AABB, OBB, k-DOP, hull.
 std::vector<Measured> measured(const Fitted&, const Measured& kdop);
 
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

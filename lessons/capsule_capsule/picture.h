@@ -41,7 +41,7 @@ std::vector<viz::Opinion> opinions(const viz::Parameters&);
 /// Why they lie as they do, and what follows. (relation.cpp)
 std::string because(const Setup&);
 std::string end_caption(const Setup&);
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 /// (telling.cpp)

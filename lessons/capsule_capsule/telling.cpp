@@ -206,7 +206,7 @@ class Teller {
   const Setup s_;
   Script script_;
   Shown shown_;
-  std::vector<End> ends_;  ///< not told yet
+  std::vector<End> ends_;  ///< not shown in a step yet
   bool crossed_ = false;
   double least_ = std::numeric_limits<double>::infinity();
 };

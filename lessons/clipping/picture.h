@@ -12,7 +12,7 @@ inline Box box_of_lesson() { return {{-2, -1.25}, {2, 1.25}}; }
 /// Whether the segment lies on the line of one of the box's sides.
 bool runs_along_a_side(const Segment<double, 2>&, const Box&);
 const viz::CaseMap& cases();  ///< of a segment
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

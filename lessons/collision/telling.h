@@ -17,7 +17,7 @@ viz::Walk hierarchy(const Boxes&, const Frame& = {});
 /// moves to the right at this speed, for a second and a half.
 viz::Walk tunnelling(const viz::Vec3& p, double speed);
 
-/// What is told before the first step, after the last one, and where the note errs. (closing.cpp)
+/// The text before the first step, the card after the last one, and the note's errors. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 const std::vector<viz::Erratum>& errata();

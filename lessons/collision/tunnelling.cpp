@@ -150,7 +150,7 @@ class Flight {
                    : "A box around the whole path, rounded outwards, meets the wall: they may collide.");
     step.decides = true;
     // 2: that it is so on a slanted path
-    if (!rests())  // else the first test has told it
+    if (!rests())  // else the first test has shown it
       step.question = Question{"The discrete times are over. What does a box around the whole path show?",
                                {"they never meet", "they meet, though not when", "nothing for certain"},
                                !may   ? 0

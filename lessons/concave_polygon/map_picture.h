@@ -38,11 +38,11 @@ struct Asked {
 /// The questions asked, one below the other; the last one is the one of this step.
 void add_path(viz::Scene&, const Frame&, const TrapezoidMap&, const std::vector<Asked>&);
 
-/// The map while it grows: with these edges inserted, the last one `fresh`; -1: none.
+/// The map while it grows, with these edges inserted, the last one `fresh`; -1: none.
 viz::Scene grown(const Setup&, const TrapezoidMap&, const std::vector<int>& inserted, int fresh);
-/// During a search, with what can be reached from the node `next`; -1: none.
+/// The map during a search, with what can be reached from the node `next`; -1: none.
 viz::Scene searched(const Setup&, const TrapezoidMap&, const std::vector<Asked>&, int next);
-/// With the trapezoid found; -1: on an edge.
+/// The map with the trapezoid found; -1: on an edge.
 viz::Scene found(const Setup&, const TrapezoidMap&, const std::vector<Asked>&, int reached);
 
 }  // namespace isect::lessons::concave_polygon_lesson

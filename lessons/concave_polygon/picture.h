@@ -74,7 +74,7 @@ void add_point(viz::Scene&, const Setup&, bool on = false);
 
 std::string alt_text(const Setup&, const std::string& prepared);
 
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

@@ -130,7 +130,7 @@ Hierarchy make_hierarchy(const Ring<double, 2>& ring, const Aabb<double, 2>& box
   Outline inner;
   for (int v = 0; v < n; ++v) inner.push_back(v);
   Clipper(h.vertices).clip(inner, true, finest.triangles);
-  // Between box and polygon: from the lowest vertex, which the slit to a lower corner of the box cannot leave inwards.
+  // The part between box and polygon. A slit joins a lower corner of the box to the lowest vertex, so it stays outside.
   const int lowest = static_cast<int>(
       std::ranges::min_element(ring, {}, [](const Point<double, 2>& v) { return v.y(); }) - ring.begin());
   Outline outer = {n, n + 1, n + 2, n + 3, n};

@@ -30,7 +30,7 @@ struct Hierarchy {
 /// Builds the hierarchy of a simple polygon, counter-clockwise, in the interior of a box.
 Hierarchy make_hierarchy(const Ring<double, 2>& ring, const Aabb<double, 2>& box);
 
-/// On each level, from the coarsest to the finest, the triangle that holds the point; nothing outside of the box.
+/// The triangle that holds the point on each level, from the coarsest to the finest; nothing outside of the box.
 std::vector<int> descend(const Hierarchy&, const Point<double, 2>&);
 
 }  // namespace isect::lessons::concave_polygon_lesson

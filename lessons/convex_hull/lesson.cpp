@@ -1,4 +1,4 @@
-// Convex hull (N05): built point by point, then held against the other volumes: none is tighter and convex.
+// Convex hull (N05): built point by point, then compared with the other volumes: no convex one is tighter.
 //
 // The steps stand in convex_hull/telling, the picture in convex_hull/picture.
 

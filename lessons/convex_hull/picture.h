@@ -30,7 +30,7 @@ double area(const Ring<double, 2>& convex);
 viz::Walk tell(const Ring<double, 2>& points);  // telling.cpp
 /// The points of a setting; the last one can be dragged. (lesson.cpp)
 Ring<double, 2> points_of(const viz::Parameters&);
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

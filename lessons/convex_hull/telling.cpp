@@ -196,7 +196,7 @@ class Teller {
                  same        ? "It contains the hull, and leaves no void beside it."
                  : area_ > 0 ? fmt::format("It contains the hull, and is {} times as large.", shown(m.area / area_))
                              : "It contains the hull, which has no area here."};
-    if (what == Bounding::ball) {  // told once: what contains the hull is never smaller
+    if (what == Bounding::ball) {  // offered once: a set that contains the hull is never smaller
       step.question->choices.insert(step.question->choices.begin(), "smaller");
       ++step.question->answer;
     }

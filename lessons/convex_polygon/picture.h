@@ -42,7 +42,7 @@ inline constexpr int most_rays = 64;
 viz::Scene picture(const Setup&, const Shown&);
 std::string alt_text(const Setup&);
 
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

@@ -81,7 +81,7 @@ class Closed : Teller {
     step.decides = e.holds;
   }
 
-  /// What becomes of the other edge at the end that lies on the ray.
+  /// A sentence on what the other edge at the end on the ray does.
   std::string other_edge(const EdgeOf& e) const {
     const int n = static_cast<int>(setup_.polygon.rings[e.ring].size());
     const bool first = ends(setup_, e)[0].y() == setup_.p.y();

@@ -13,7 +13,7 @@ viz::Walk half_open(const Setup&);
 /// Each edge with a point at that height counts, its ends included: the note's sentence, read plainly.
 viz::Walk closed(const Setup&);
 
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 const std::vector<viz::Erratum>& errata();

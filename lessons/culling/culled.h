@@ -1,5 +1,5 @@
 #pragma once
-// Boxes under a hierarchy against a frustum: which nodes are asked, and what is drawn.
+// Boxes under a hierarchy against a frustum: which nodes are tested, and what is drawn.
 
 #include <isect/bvh.h>
 #include "lessons/culling/picture.h"

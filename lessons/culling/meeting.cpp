@@ -18,7 +18,7 @@ struct Corner {
 template <class W>
 using Outline = std::vector<Corner<W>>;
 
-/// Over n.x + d = 0, in any unit.
+/// The height of a corner over n.x + d = 0, in any unit.
 template <class W>
 W height(const Plane<double, 3>& plane, const Corner<W>& c) {
   const auto n = [&](int axis) { return W(plane.normal[axis]) * c.x[axis]; };

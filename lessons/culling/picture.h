@@ -16,7 +16,7 @@ viz::Walk whole_scene(const Frustum<double>&, const viz::Vec3& eye);
 viz::Walk hierarchy(const Frustum<double>&, const viz::Vec3& eye);
 
 const viz::CaseMap& cases();  ///< of one box
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

@@ -19,7 +19,7 @@ bool misses_all(const Parameters& p) {
   return !intersects(Ray<double, 2>{o.head<2>(), d.head<2>()}, tree.node(0).box);
 }
 
-/// Both objects are apart already at their roots.
+/// Whether both objects are apart already at their roots.
 bool one_test(const Parameters& p) {
   const Tree a(scattered(std::get<Vec3>(p.at("p")))), b(cluster(std::get<Vec3>(p.at("q"))));
   bvh_pairs::Counts counts;

@@ -1,4 +1,4 @@
-// Bounding volume hierarchies (N09): built, asked by a ray, asked for pairs, and counted as they grow.
+// Bounding volume hierarchies (N09): built, queried by a ray and for pairs, and their cost counted as they grow.
 //
 // Each walk stands in a file of its own in hierarchy/, the pictures in hierarchy/tree.
 

@@ -18,7 +18,7 @@ Boxes cluster(const viz::Vec3& middle);  ///< six, for a second object
 /// Leaves hold up to three boxes, as a node's test costs twice a box's here: small trees that are clear when drawn.
 inline constexpr BvhOptions options = {.largest_leaf = 3, .visit = 2};
 
-/// Where a tree is drawn, beside its boxes, and how long the lesson's unit is there.
+/// The place of a drawn tree beside its boxes, and the length of the lesson's unit there.
 struct TreePlace {
   viz::Vec2 lo = {1.25, -1.5}, hi = {5, 1.625};
   double unit = 1;
@@ -64,7 +64,7 @@ inline std::vector<viz::Item> branches(const Tree& tree, const Drawn& drawn) {
   return branches(tree, drawn, tree.place.lo, tree.place.hi);
 }
 
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

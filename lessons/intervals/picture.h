@@ -20,7 +20,7 @@ viz::Scene picture(const Setup&, const std::optional<viz::Vec2>& looked_at, bool
 const viz::CaseMap& cases();
 /// Whether the intervals meet, by each method. (cases.cpp)
 std::vector<viz::Opinion> opinions(const viz::Parameters&);
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 /// (telling.cpp)

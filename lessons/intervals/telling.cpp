@@ -55,7 +55,7 @@ class Teller {
     Step& step = script_.add("relation", "How they relate", line_, end_caption(), end_formula());
     step.scene = picture(s_, {}, true);
     if (line_ == 4 && !points(s_))
-      step.question = relation_question(s_.truth, they(s_), because());  // else it has been told
+      step.question = relation_question(s_.truth, they(s_), because());  // else the answer is known
     return std::move(script_.walk());
   }
 
@@ -72,7 +72,7 @@ class Teller {
                              low + " = " + digits(lo, hi) + (e.holds ? " > " : " ≤ ") + digits(hi, lo) + " = " + high);
     step.scene = picture(s_, Vec2(lo, hi), false);
     Script::decide(step, {low + " > " + high, lo, hi, e.holds, e.holds ? "DISJOINT" : "no gap on this side"});
-    // OVERLAP after one comparison: that one side tells all.
+    // OVERLAP after one comparison: that one side decides all.
     step.question = Question{fmt::format("{} is compared with {}. What does the note's test conclude?", low, high),
                              {"DISJOINT", "OVERLAP", "nothing yet"},
                              e.holds ? 0
@@ -99,7 +99,7 @@ class Teller {
            "So the larger lower end is at most the smaller upper end: a common number.";
   }
 
-  /// Which of them has its ends exchanged.
+  /// A sentence on which of the intervals has its ends exchanged.
   std::string reversed() const {
     if (empty(s_.a) && empty(s_.b)) return "Both intervals end before they begin: they are empty.";
     return fmt::format("Yet {} ends before it begins: it is empty.", empty(s_.a) ? "a" : "b");

@@ -33,7 +33,7 @@ viz::Scene picture(const Setup&, Focus, const std::optional<obb_obb::Axis>& = {}
 /// The map of distance against turn: which axis separates first. (cases.cpp)
 const viz::CaseMap& cases();
 
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

@@ -35,7 +35,7 @@ viz::Scene picture(const Pointed&, const Known&);
 viz::Scene seen(const Pointed&, const Known&);  ///< as the eye sees it, what is picked highlighted
 
 viz::Walk tell(const viz::Vec3& pointer);  // telling.cpp
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

@@ -33,7 +33,7 @@ struct Said {
 };
 std::vector<Said> said(const Setup&);
 
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

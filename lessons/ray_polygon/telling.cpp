@@ -188,7 +188,7 @@ class Teller {
            (in_notch() ? ", in the notch: a test of the convex hull would hit." : ".");
   }
 
-  /// Within the polygon's hull, though not in the polygon.
+  /// Whether the point lies in the polygon's hull, but not in the polygon.
   bool in_notch() const {
     const Flat flat = flattened(s_, point_, chosen_);
     return locate(flat.point, convex_hull(flat.ring)) == Location::in;

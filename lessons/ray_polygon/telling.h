@@ -8,7 +8,7 @@ namespace isect::lessons::ray_polygon_lesson {
 /// "the ray hits the polygon at *t* = 2"
 std::string verdict_text(const RayPolygon<double>&);
 viz::Walk tell(const Setup&);
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

@@ -233,7 +233,7 @@ class HainesTeller : Teller {
         fmt::format("**p** = ({}, {}, {})", shown(e.p.x().value), shown(e.p.y().value), shown(e.p.z().value)));
   }
 
-  /// What is lost where the difference of *s* and *q* is small against them.
+  /// A sentence on the digits lost where the difference of *s* and *q* is small against them.
   std::string cancellation(double t) const {
     const std::string exactly = line_roots() == 2 ? lost_digits(t, setup_.truth.roots.lo) : "";
     if (exactly.empty() || !(std::abs(t) < 1e-3 * s_)) return {};

@@ -136,7 +136,7 @@ class Painter {
     add(Label{c, "*r*", Role::text, rim});
   }
 
-  /// Entry, exit, double root or outside the range: the marker tells.
+  /// The marker of a root: entry, exit, double root or outside the range.
   Mark mark_of(int root) const {
     const bool in_range = s_.ray.range.contains(t_[root]);
     if (!in_range) return Mark::excluded;

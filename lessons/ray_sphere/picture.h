@@ -49,7 +49,7 @@ std::string alt_text(const Setup&);
 const viz::CaseMap& cases();
 /// First hits to five digits, in the walk's own unit: lengths, or lengths of the direction as given. (cases.cpp)
 std::vector<viz::Opinion> opinions(const viz::Parameters&);
-/// What is told before the first step, after the last one, and where the note errs. (closing.cpp)
+/// The text before the first step, the card after the last one, and the note's errors. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 const std::vector<viz::Erratum>& errata();

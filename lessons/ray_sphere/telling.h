@@ -40,7 +40,7 @@ class Teller {
   std::string astray() const;
   /// A sentence if fewer digits are right than are shown: " Exactly it is ...".
   static std::string lost_digits(double found, double truth);
-  /// What the line has in common with the sphere, where the computed sign says otherwise.
+  /// A sentence on what the line shares with the sphere, if the computed sign says otherwise.
   std::string astray_line() const;
   void settle(viz::Verdict::Kind);
 
@@ -53,11 +53,11 @@ class Teller {
 int digits_right(double found, double truth);
 /// "How many points does the line share with the sphere?"
 viz::Question roots_question(const Setup&);
-/// "Which is the first hit?" with the names of the two roots; not asked of a double root.
+/// "Which is the first hit?" with the names of the two roots; nothing for a double root.
 std::optional<viz::Question> first_hit_question(const Setup&, const std::vector<std::string>& roots);
 std::string verdict_text(const Setup&);
 std::string miss_caption(const Setup&);
-/// What the solid ball adds to the answer for its surface.
+/// A sentence on what the solid ball adds to the answer for its surface.
 std::string solid_caption(const Setup&);
 
 }  // namespace isect::lessons::ray_sphere_lesson

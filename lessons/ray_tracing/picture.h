@@ -28,7 +28,7 @@ viz::Scene picture(const OnePixel&, const Shown&, const Image&);  ///< as the ey
 viz::Walk tell(const OnePixel&);  // telling.cpp
 /// What the parameters say. (lesson.cpp)
 OnePixel setup(const viz::Parameters&);
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

@@ -26,7 +26,7 @@ struct Work {
 
 inline constexpr double ambient = 0.2;  ///< the share of full brightness that reaches every point
 
-/// Where a shadow ray starts: with the object that it starts on left out, or on its surface as rounded.
+/// Where a shadow ray starts: at the object, which is left out, or on the object's surface as rounded.
 enum class ShadowRay { leaves_own_out, naive };
 
 Traced trace(const viewing::World&, const viewing::Ray3&, const viz::Vec3& lamp, Work&,

@@ -40,7 +40,7 @@ bool tunnels(const viz::Vec3& p, const viz::Vec3& velocity);
 /// Why the line's hit counts, or does not. (verdict.cpp)
 std::string verdict_caption(const Setup&);
 
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

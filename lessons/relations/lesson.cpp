@@ -1,4 +1,4 @@
-// How two sets can lie (N02): six relations, told from each other by three questions; and what a yes or no loses.
+// How two sets can lie (N02): six relations, distinguished by three questions; and what a yes or no loses.
 //
 // The shapes stand in relations/pair, their pictures in relations/picture, pages of many in relations/pages, the three
 // questions in relations/telling.

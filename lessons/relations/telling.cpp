@@ -20,7 +20,7 @@ namespace {
 
 enum class Focus { none, containment, settled };
 
-/// Whether a ball that lies in the other also touches its surface, asked exactly.
+/// Whether a ball that lies in the other also touches its surface; exact.
 bool touches_from_inside(const Pair& pair) {
   const auto *a = std::get_if<Sphere<double, 3>>(&pair.a), *b = std::get_if<Sphere<double, 3>>(&pair.b);
   const bool inside = pair.truth == Relation::a_inside_b || pair.truth == Relation::b_inside_a;
@@ -97,7 +97,7 @@ class Teller {
     return scene;
   }
 
-  /// The next step tells how they lie.
+  /// Sets the verdict, which the next step shows.
   void settle() { script_.settle(verdict_kind(pair_.truth), words(pair_.truth, they_)); }
 
   void yes_or_no() {

@@ -1,5 +1,5 @@
 #pragma once
-// The walk that tells how two sets lie by three questions, and the map of all its cases.
+// The walk that finds by three questions how two sets lie, and the map of all its cases.
 
 #include "lessons/relations/picture.h"
 
@@ -12,7 +12,7 @@ const Kind* kind_of(const viz::Parameters&);
 viz::Walk questions(Kind, const Pose&);
 const viz::CaseMap& cases();
 
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

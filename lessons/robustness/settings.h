@@ -46,7 +46,7 @@ Fault fault(const Setting&, int truth, int answer);
 /// `look` is the neighbour that the question is about, in steps to the right and up. (telling.cpp)
 viz::Walk tell(const std::string& scalar, const Setting&, const std::array<int, 2>& look);
 
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

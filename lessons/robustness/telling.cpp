@@ -149,7 +149,7 @@ class Teller {
     crosshair(step);
     axes(step);
     double y = bottom + side - 0.4;
-    // In the cells' own colours; once it is told what is wrong, with the number of cells.
+    // Keys in the cells' own colours, with the number of cells in the step that says what is wrong.
     const auto key = [&](Role ink, const std::string& text) {
       const auto cells = std::ranges::count(picture.cells, ink, &Cell::role);
       const Vec3 corner = {left + side + 0.45, y + 0.16, 0};

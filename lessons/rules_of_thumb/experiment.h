@@ -41,7 +41,7 @@ Experiment robust(const Flat& p);        // rule 8
 viz::Walk tell(const Experiment&, const Flat& p);
 viz::Walk measure();  // rule 7
 
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

@@ -47,7 +47,7 @@ class Script {
 
   /// Runs `run(record)` with every operation counted, and hands each event to `say`, with the counters as they stood.
   /// Steps added after that have the counters of the whole run.
-  /// The algorithm runs to its end before the first event is told.
+  /// The algorithm runs to its end before the first event is handed over.
   template <class Event, class Run, class Say>
   void tell(const Run& run, const Say& say) {
     CountingRecord<Event> record;

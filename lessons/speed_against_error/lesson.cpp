@@ -1,7 +1,7 @@
 // Speed against error: the measured plots, read one step at a time (N10, rules 7 and 8).
 //
 // The numbers are those of bench/results.json, so that every run of the lesson says the same; `isect bench` makes new
-// ones. What is said of them is computed in speed_against_error/telling.
+// ones. The sentences about them are computed in speed_against_error/telling.
 
 #include "lessons/course.h"
 #include "lessons/shared/parameters.h"

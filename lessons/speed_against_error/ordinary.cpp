@@ -47,7 +47,7 @@ void Teller::methods() {
   const Rows rows = of(ordinary_);
   const Row* fastest = *std::ranges::min_element(rows, {}, &Row::ns);
   const auto as_fast = std::ranges::count_if(rows, [&](const Row* r) { return !differ(r->ns, fastest->ns); });
-  const bool exact_alone = as_fast == 1 && fastest->exact;  // then its time has been told
+  const bool exact_alone = as_fast == 1 && fastest->exact;  // then the step has already named its time
   const std::string speed =
       as_fast == 1
           ? fmt::format("The fastest is {}, at {} ns.{}", name_of(*fastest), shown(fastest->ns), exact_alone ? "" : " ")

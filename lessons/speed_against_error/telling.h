@@ -67,7 +67,7 @@ class Teller {
   Script script_;
 };
 
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

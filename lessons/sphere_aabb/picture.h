@@ -32,7 +32,7 @@ viz::Scene picture(const Setup&, const Shown&);
 /// The map over the plane of the centre, whose *z* is kept. (cases.cpp)
 const viz::CaseMap& cases();
 
-/// What is told before the first step, and after the last one. (closing.cpp)
+/// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
 

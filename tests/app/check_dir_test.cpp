@@ -1,4 +1,4 @@
-// Presets of one's own under regression: `check --dir`.
+// Regression of a user's own presets: `check --dir`.
 
 #include "tests/app/accepted.h"
 

@@ -128,7 +128,7 @@ TEST_CASE("baselines of a preset or lesson that is gone are left over", "[check]
         viz::png(viz::read_png(picture), {{"lesson", "no-lesson"}, {"file", "no-lesson/x/01-a"}}));
   write(shell.work() / "snapshots/README.md", "no baseline");
   const Ran one = shell(check);
-  CHECK(one.status == 0);  // one preset was asked for, and that one is whole
+  CHECK(one.status == 0);  // one preset was selected, and that one is whole
   const auto result = nlohmann::json::parse(shell("isect check --json").out);
   std::vector<std::string> files;
   for (const auto& f : result["failures"])

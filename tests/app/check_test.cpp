@@ -1,4 +1,4 @@
-// Snapshot regression as a maintainer meets it: what is noticed, and how it is told.
+// Snapshot regression as a maintainer meets it: what is noticed, and how it is reported.
 
 #include "tests/app/accepted.h"
 

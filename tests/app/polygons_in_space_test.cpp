@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// What the first question of a scene is answered.
+/// The answer to the first question of a scene.
 Json answer(const Shell& shell, const std::string& objects, const std::string& ask = R"("all pairs")") {
   write(shell.work() / "s.json", R"({"objects": [)" + objects + R"(], "ask": )" + ask + "}");
   const auto ran = shell("isect scene s.json --json");

@@ -35,7 +35,7 @@ const std::vector<Cases>& all_cases() {
   return all;
 }
 
-/// What in the result contradicts the truth.
+/// The part of the result that contradicts the truth.
 std::string contradiction(const SceneJson& truth, const SceneJson& result) {
   for (const auto& [key, value] : truth.items()) {
     if (!result.contains(key)) return key + " is missing";

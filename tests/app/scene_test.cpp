@@ -1,4 +1,4 @@
-// Scene files: every type and every pair, answers as the oracle's, and what is wrong told by line and field.
+// Scene files: every type and every pair, answers equal to the oracle's, and errors reported by line and field.
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -536,7 +536,7 @@ TEST_CASE("the parts of a scene's objects bear their names, in figures and in wo
   CHECK_THAT(svg, !Contains("id=\"solid-second") && !Contains("id=\"region-second"));
   const Ran words = shell("isect explain s.json");
   CHECK_THAT(words.out, Contains("oriented box B") && Contains("r₁ and A: r₁ misses A"));
-  CHECK_THAT(words.out, !Contains("segment"));  // the capsule is told by its numbers
+  CHECK_THAT(words.out, !Contains("segment"));  // the capsule is described by its numbers
 }
 
 TEST_CASE("a missing file of a mesh is told with the scene's name", "[scene]") {

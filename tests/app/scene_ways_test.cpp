@@ -28,7 +28,7 @@ using isect::viz::Vec3;
 
 namespace {
 
-/// A scene's objects, asked by name.
+/// A scene's objects, whose questions name them.
 class Scene {
  public:
   explicit Scene(const Json& objects) : file_(read_scene(Json{{"objects", objects}}.dump(), ".")) {}

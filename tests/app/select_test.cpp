@@ -454,7 +454,7 @@ TEST_CASE("a setting that a parameter's help forbids is refused at every door", 
   // Only all settings together must keep it.
   CHECK(shell("isect explain obb-obb --set a_u=0,1,0 --set a_v=1,0,0 --step 1").status == 0);
   CHECK(shell("isect explain rays --set made=motion --set d=0,0,0 --step 1").status == 0);  // a velocity may be 0
-  // A length is no 0 because its square is none of a double's
+  // A length is not 0 because its square underflows
   for (const char* tiny :
        {"ray-sphere --set direction=1e-200,0,0", "ray-sphere --set direction=5e-324,0,0",
         "ray-polygon --set d=0,0,-1e-200", "rays --set d=0,1e-200,0", "obb-obb --set a_u=1e-200,0,0"}) {

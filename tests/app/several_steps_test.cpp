@@ -67,7 +67,7 @@ TEST_CASE("a strip goes up to the verdict, unless other steps are asked for", "[
   CHECK(shell(strip + " --step 2-verdict").status == 2);
   CHECK(shell(strip + " --step 2,verdict").out == stem + "02+05.svg\n");
   CHECK_THAT(shell(strip + " --columns 4").err, Contains("wider"));
-  // In a scene the card of all answers is what a strip goes without.
+  // A strip of a scene goes without the card of all answers.
   write(shell.work() / "s.json", R"({"objects": [{"polygon": "A", "points": [[0, 0], [4, 0], [0, 4]]},
                                                  {"point": "P", "at": [1, 1]}, {"point": "Q", "at": [3, 3]}],
                                      "ask": [["P", "A"], ["Q", "A"]]})");

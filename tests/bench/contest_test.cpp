@@ -70,7 +70,7 @@ TEST_CASE("a method that always says yes is wrong wherever the truth is no, and 
   CHECK((no.false_no == 500 - small && no.false_yes == 0));
   CHECK(yes.first_wrong == text("x", std::find_if(cases.begin(), cases.end(), below)->x));
   CHECK(no.first_wrong == text("x", std::find_if_not(cases.begin(), cases.end(), below)->x));
-  CHECK_FALSE(yes.ulps);  // it told no value
+  CHECK_FALSE(yes.ulps);  // it gave no value
 }
 
 TEST_CASE("for verdicts alone nothing is timed, and only what promises to be exact is judged", "[contest]") {

@@ -57,7 +57,7 @@ TEST_CASE("places are put in order as the numbers they are made of", "[first_pla
   const auto whole = [&](int lo, int hi) { return static_cast<double>(std::uniform_int_distribution(lo, hi)(random)); };
   int equal = 0, less = 0;
   for (int k = 0; k < 20000; ++k) {
-    // (n + s sqrt(q)) / d, told apart in long doubles where they differ: by more than 1e-9 for numbers so small
+    // (n + s sqrt(q)) / d, compared in long doubles where they differ: by more than 1e-9 for numbers so small
     const auto drawn = [&] {
       const int side = static_cast<int>(whole(-1, 1));
       return Place{whole(-6, 6), whole(1, 6), side, side == 0 ? Exact(0.0) : Exact(whole(0, 12))};

@@ -1,4 +1,4 @@
-// Tighter balls and boxes hold every point; the smallest ball has a test of its own, smallest_sphere_test.cpp.
+// Tighter balls and boxes hold every point; the smallest ball has its own test, smallest_sphere_test.cpp.
 
 #include <isect/fit_tight.h>
 
@@ -190,7 +190,7 @@ TEMPLATE_TEST_CASE_SIG("a tight box of points that are hard to fit holds them an
       REQUIRE(holds_all(tight, points));
       // they are compared in doubles
       REQUIRE(exact_volume(tight) <= exact_volume(principal) * oracle::Rational(1 + 0x1p-49));
-      if constexpr (N == 3) {  // as the hull tells it
+      if constexpr (N == 3) {  // as the hull shows
         const Hull3<S> hull = convex_hull(points);
         const Obb<S, 3> of_hull = fit_obb_tight(hull);
         REQUIRE(holds_all(of_hull, points));

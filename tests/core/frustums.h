@@ -6,7 +6,7 @@
 
 namespace isect::tests {
 
-/// From the origin along +z: |x| <= z, |y| <= z, 1 <= z <= 8.
+/// The pyramid from the origin along +z: |x| <= z, |y| <= z, 1 <= z <= 8.
 template <class S>
 Frustum<S> pyramid() {
   const auto plane = [](double x, double y, double z, double d) {

@@ -41,7 +41,7 @@ TriangleMesh<S> soup(bench::Random& random, bench::Numbers numbers) {
   return mesh;
 }
 
-/// From anywhere, or aimed at a vertex, an edge's middle or a triangle's.
+/// A ray from anywhere, or aimed at a vertex, or at the middle of an edge or a triangle.
 template <class S>
 Ray<S, 3> aimed(bench::Random& random, const TriangleMesh<S>& mesh, bench::Numbers numbers) {
   Ray<S, 3> ray = bench::ray<S, 3>(random, numbers);

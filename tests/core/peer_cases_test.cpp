@@ -1,5 +1,5 @@
 // Rays and spheres of the project's own cases and of public test suites judge the core, and the oracle of the other
-// tests too. The files of the former are held to what their generator writes.
+// tests too. The files of the former are compared with what their generator writes.
 
 #include "tests/peer_cases.h"
 

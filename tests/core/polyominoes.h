@@ -46,7 +46,7 @@ inline Squares random_squares(bench::Random& random, int n) {
   }
 }
 
-/// Where (x, y) lies.
+/// The location of (x, y).
 inline Location locate(double x, double y, const Squares& squares) {
   int around = 0, held = 0;
   for (int i = -1; i <= static_cast<int>(x) + 1; ++i)
@@ -80,7 +80,7 @@ struct Frame {
   Vector<double, 3> at(double x, double y, double z = 0) const {
     return unit * (origin + x * axes[0] + y * axes[1] + z * axes[2]);
   }
-  /// From lo to hi along the axes.
+  /// The box from lo to hi along the axes.
   HalfSpaces box(const std::array<double, 3>& lo, const std::array<double, 3>& hi) const {
     const bool left = axes[0].cross(axes[1]).dot(axes[2]) < 0;
     HalfSpaces solid;

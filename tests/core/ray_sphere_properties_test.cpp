@@ -29,7 +29,7 @@ void for_all(const Check& check) {
   }
 }
 
-/// Both within the promise of the same true value.
+/// Whether both can be within the promise of the same true value.
 template <class S>
 bool near(S x, S y) {
   if (x == y) return true;

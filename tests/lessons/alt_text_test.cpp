@@ -30,7 +30,7 @@ TEST_CASE("alt text names what is drawn and from which numbers, the formula and 
       INFO(lesson->id << ", " << step.slug << ":\n" << alt);
       CHECK_THAT(alt, StartsWith(lesson->title + ": "));
       CHECK_THAT(alt, Contains(plain(step.caption)));
-      if (i < outcome(walk)) CHECK_THAT(alt, !Contains(plain(walk.alt)));  // which tells how it ends
+      if (i < outcome(walk)) CHECK_THAT(alt, !Contains(plain(walk.alt)));  // which says how it ends
       for (const Parameter& p : lesson->parameters)
         if (preset.parameters.contains(p.name)) CHECK_THAT(alt, Contains(p.label.empty() ? p.name : plain(p.label)));
       if (!step.formula.empty()) CHECK_THAT(alt, Contains("Formula: " + plain(step.formula)));

@@ -152,7 +152,7 @@ TEST_CASE("the radius that is asked for is the box's own, without what the test 
   aligned.emplace_back("b_half", "1,0,1");
   const Walk flat = with("obb-obb", "edges", aligned), plain_one = walk_of("obb-obb", "edges");
   const Step &of_flat = *find(flat, "normals-a"), &of_plain = *find(plain_one, "normals-a");
-  CHECK(value(of_flat, "*r*_b") > 0);  // as the test has it
+  CHECK(value(of_flat, "*r*_b") > 0);  // as the test computes it
   CHECK(answer(of_flat) == "0");
   CHECK_THAT(plain(of_flat.question->prompt), Contains("What is r_b, before ε is added?"));
   CHECK(answer(of_plain) == shown(value(of_plain, "*r*_b")));

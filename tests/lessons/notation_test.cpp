@@ -1,4 +1,4 @@
-// One notation: a letter means the same in all lessons, and the list of letters tells what.
+// One notation: a letter means the same in all lessons, and the list of letters says what.
 
 #include <fmt/format.h>
 

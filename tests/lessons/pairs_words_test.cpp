@@ -32,7 +32,7 @@ namespace {
 double number(const Parameters& p, const char* name) { return std::get<double>(p.at(name)); }
 Vec3 vector(const Parameters& p, const char* name) { return std::get<Vec3>(p.at(name)); }
 
-/// Runs `check(walk, last, setting)` on random settings of a lesson; `last` is the step that tells the outcome.
+/// Runs `check(walk, last, setting)` on random settings of a lesson; `last` is the step that shows the outcome.
 template <class Check>
 void on_random_settings(const std::string& id, int few, const Check& check) {
   const Lesson& lesson = lesson_named(lessons::all_lessons(), id);

@@ -52,7 +52,7 @@ TEST_CASE("what the lesson of points says is true of any points, units and toler
   for (int i = 0; i < tests::cases(1000, 10000); ++i) {
     INFO("seed " << tests::seed() << ", case " << i);
     Parameters p = tests::random_setting(lesson, random);
-    if (random.one_in(8)) p["q"] = p["p"];  // no square of theirs leaves the range
+    if (random.one_in(8)) p["q"] = p["p"];  // their squares stay within the range
     const lessons::points_lesson::Setup s(p);
     const Walk walk = lesson.walk(p);
     const Step& last = walk.steps[outcome(walk)];

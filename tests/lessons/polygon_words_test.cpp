@@ -212,7 +212,7 @@ TEST_CASE("the fan rejects, accepts and counts its orientations as said", "[word
     CHECK(last.verdict.kind == kind_of(truth));
     CHECK(says(walk.pseudocode[last.line], "OUT") == (truth == Location::out));
     CHECK(says(last.caption, "exactly zero") == (truth == Location::on));
-    for (const Step& step : walk.steps) {  // the side of a ray, as its title and its caption have it
+    for (const Step& step : walk.steps) {  // the side of a ray, as its title and its caption say
       if (!step.slug.starts_with("bisect-")) continue;
       const int mid = std::stoi(step.title.substr(step.title.find("_{") + 2));
       const bool after = step.title.find("after") != std::string::npos;

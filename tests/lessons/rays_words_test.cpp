@@ -176,7 +176,7 @@ TEST_CASE("a return of Haines' test tells what its own condition has found, wher
     if (last.line == 4 || last.line == 7) {
       CHECK(walk.pseudocode[last.line] == "    return REJECT");
       CHECK(last.verdict.kind == Verdict::Kind::no);
-      // The condition above it has just been told, with its answer.
+      // The condition above it has just been decided.
       const Step& before = walk.steps[static_cast<std::size_t>(outcome(walk)) - 1];
       CHECK(before.line == last.line - 1);
     }

@@ -41,7 +41,7 @@ void over_settings(const Lesson& l, int how_many, const Look& look) {
 
 const Aabb<double, 2> box = {{-2, -1.25}, {2, 1.25}};
 
-/// By separating axes: x, y and the segment's normal.
+/// Decides by separating axes: x, y and the segment's normal.
 bool meets_box(const Point<double, 2>& p, const Point<double, 2>& q) {
   for (int i = 0; i < 2; ++i)
     if (std::max(p[i], q[i]) < box.lo[i] || std::min(p[i], q[i]) > box.hi[i]) return false;

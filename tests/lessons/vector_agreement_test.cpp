@@ -1,4 +1,4 @@
-// PNG and SVG of one figure, the SVG rasterised by a program that knows nothing of ours: librsvg.
+// PNG and SVG of one figure, the SVG rasterised by a program that shares no code with isect: librsvg.
 
 #include <cstdlib>
 #include <filesystem>

@@ -477,7 +477,7 @@ Edges edges_of(const Thing& t) {
   return edges;
 }
 
-/// Where edges cut the edge from p to q, ends included, from 0 to 1.
+/// The places, from 0 to 1, where edges cut the edge from p to q, ends included.
 std::vector<Rational> cuts_of(const Vec& p, const Vec& q, const Edges& all) {
   const Vec d = q - p;
   std::vector<Rational> cuts = {0, 1};

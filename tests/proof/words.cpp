@@ -234,7 +234,7 @@ std::string wrong_in_result(const Json& result, bool of_query, const Named& a, c
     return t.kind == Kind::body || t.kind == Kind::region || t.kind == Kind::round;
   };
   const bool bodies = bounded(a.thing) && bounded(b.thing) &&
-                      (!of_query || a.thing.type == b.thing.type);  // else a query has an order of its own
+                      (!of_query || a.thing.type == b.thing.type);  // else a query has its own order
   const auto says = [&](Relation r) { return bodies && relation.ends_with(query::name(r)); };
   if (says(Relation::b_inside_a) && !contains(a.thing, b.thing)) return "relation " + relation;
   if (says(Relation::a_inside_b) && !contains(b.thing, a.thing)) return "relation " + relation;

@@ -72,7 +72,7 @@ TEST_CASE("dragging over the map moves scene and setting, and the verdict stays 
   const Rect plane = window.rect("map plane"), marker = window.rect("map setting");
   const std::string verdict = window.player().step().verdict.text;
 
-  // To the lower right: far apart and small.
+  // The drag goes to the lower right: far apart and small.
   window.move(marker.middle_x(), marker.middle_y());
   window.button(true);
   for (int i = 1; i <= 8; ++i) {

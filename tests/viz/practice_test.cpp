@@ -54,7 +54,7 @@ struct Shows {
 };
 bool stands_on(const Item& item, const Vec3& p) { return std::visit(Shows{p, 1e-6 * (1 + p.norm())}, item); }
 
-/// What the first exercise asks for.
+/// Solves the first exercise.
 void find_it(Player& player) {
   for (const auto& [name, text] : spheres().closing->exercises.front().by) {
     Parameters setting = player.parameters();

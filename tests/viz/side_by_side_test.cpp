@@ -37,7 +37,7 @@ TEST_CASE("the setting follows the pointer on the map of cases, and one undo tak
   const auto branch = [&] { return window.player().lesson().map->branch(window.player().parameters()); };
   const int overlapping = branch();
 
-  // From the region of overlap, at a distance of 1.5, to that of disjoint balls, at 2.5 and a small radius.
+  // Drags from the region of overlap, at a distance of 1.5, to that of disjoint balls, at 2.5 and a small radius.
   const Rect scene = window.rect("scene");
   const Cases& cases = std::get<Cases>(window.player().step().scene.chart->kind);
   const Theme look = palette(ThemeName::dark).theme;

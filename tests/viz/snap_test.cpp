@@ -387,7 +387,7 @@ TEST_CASE("a search goes around settings that the lesson refuses, whether they a
   const auto border = find_border(refusing(), way, 0, 1, 1);
   REQUIRE(border);
   CHECK(std::abs(3 * std::get<double>(border->setting.at("x")) - 1) < 1e-15);
-  const Way beyond = [&](double share) { return at(0.5 + 4 * share); };  // all that is told is one case
+  const Way beyond = [&](double share) { return at(0.5 + 4 * share); };  // all that is not refused is one case
   CHECK_FALSE(find_border(refusing(), beyond, 0, 1, 1, {{0.3, at(1.7)}, {0.6, at(2.9)}}));
 }
 

@@ -281,7 +281,7 @@ TEST_CASE("a scene that was changed and not saved is left at the second time onl
     window.key(key::q, true);
     CHECK_FALSE(window.ui.wants_to_close());
     CHECK(window.ui.message().find("not saved") != std::string::npos);
-    window.drag("handle c", 30, 30);  // another change is told again
+    window.drag("handle c", 30, 30);  // another change is reported again
     window.key(key::q, true);
     CHECK_FALSE(window.ui.wants_to_close());
     window.key(key::q, true);
@@ -448,7 +448,7 @@ TEST_CASE("a spoilt file of settings is set aside, and none that was set aside b
   };
   remove_all();
   CHECK(set_spoilt_settings_aside("").empty());
-  CHECK(set_spoilt_settings_aside(file).empty());  // there is none
+  CHECK(set_spoilt_settings_aside(file).empty());  // no such file
   write_settings(file, {});
   CHECK(set_spoilt_settings_aside(file).empty());
   CHECK(std::filesystem::exists(file));

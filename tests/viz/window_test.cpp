@@ -114,7 +114,7 @@ TEST_CASE("what has very much to draw is sketched while it is dragged, and drawn
     window.move(r.middle_x() + 30, r.middle_y() + 7);
     const Picture held = window.picture();
     window.button(false);
-    window.move(5, r.bottom - 5);  // where nothing tells what lies under the pointer
+    window.move(5, r.bottom - 5);  // where no text says what lies under the pointer
     return compare(held, window.picture()).over_8;
   };
   for (const Item& much : {Item(mesh), Item(outline(10'000))}) {

@@ -1,4 +1,4 @@
-// The session behind a live page: what is asked of it and what comes of that.
+// The session behind a live page: requests and their results.
 
 #include "web/scenes.h"
 
@@ -76,7 +76,7 @@ TEST_CASE("a dragged handle changes its value alone, and the verdict is the exac
     INFO(words);
     CHECK((words.find("verdict yes") != words.npos) == truth);
     CHECK(frame.at("values").at("a") == before.at("a"));
-    CHECK_FALSE(frame.contains("algorithm"));  // what stays is not told again
+    CHECK_FALSE(frame.contains("algorithm"));  // what stays is not sent again
   }
   CHECK(met > 0);
   CHECK(met < 12);
