@@ -86,7 +86,7 @@ std::vector<Ray<S, 3>> rays_inwards(int count) {
   return all;
 }
 
-/// Random points in a ball, or on a sphere but for rounding.
+/// Random points in a ball, or on a sphere up to rounding.
 inline std::vector<Point<double, 3>> cloud(int n, bool ball) {
   Random random(1);
   std::vector<Point<double, 3>> points;
@@ -96,7 +96,7 @@ inline std::vector<Point<double, 3>> cloud(int n, bool ball) {
   }
   return points;
 }
-/// Random points in a disc, or on a circle but for rounding.
+/// Random points in a disc, or on a circle up to rounding.
 inline Ring<double, 2> disc(int n, bool circle) {
   Random random(stream(1, "scattered"));
   Ring<double, 2> points;

@@ -1,5 +1,5 @@
 #pragma once
-// Triangles in doubles as people write it: nearest points by regions, crossings by Möller and Trumbore.
+// Triangles in naive code with doubles: nearest points by regions, crossings by Möller and Trumbore.
 
 #include <algorithm>
 

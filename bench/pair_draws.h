@@ -41,7 +41,7 @@ struct Source {
   }
 };
 
-/// A convex solid as its planes bound it, normal.x + d >= 0: as people keep it, with its corners, and in the core's
+/// A convex solid as its planes bound it, normal.x + d >= 0: in the usual form, with its corners, and in the core's
 /// form.
 struct Body {
   std::vector<Plane<double, 3>> planes;
@@ -247,7 +247,7 @@ inline Ring<double, 2> outline(Source s) {
   return ring;
 }
 inline Polygon<double, 2> drawn(Source s, const Polygon<double, 2>*) { return {{outline(s)}}; }
-/// A polygon in one plane but for rounding: along a coordinate plane, or slanted.
+/// A polygon in one plane up to rounding: along a coordinate plane, or slanted.
 inline Polygon<double, 3> drawn(Source s, const Polygon<double, 3>*) {
   const double slope = s.numbers == Numbers::ordinary ? s.random.uniform(-1, 1) : s.random.integer(-1, 1);
   const double height = s.vector()[0];

@@ -1,5 +1,5 @@
 #pragma once
-// What the suites of two shapes share: how a family is told and how the exact call enters.
+// What the suites of two shapes share: how a family is described and how the exact call enters.
 
 #include "bench/full_precision.h"
 #include "bench/named_draw.h"

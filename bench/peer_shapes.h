@@ -74,7 +74,7 @@ template <class K, class S>
 typename K::Segment_2 cgal(const Segment<S, 2>& s) {
   return {cgal<K>(s.p), cgal<K>(s.q)};
 }
-/// CGAL keeps the squared radius: rounded, but for EPECK.
+/// CGAL keeps the squared radius: rounded, except in EPECK.
 template <class K, class S>
 typename K::Sphere_3 cgal(const Sphere<S, 3>& ball) {
   const typename K::FT r = double(ball.radius);

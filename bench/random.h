@@ -39,7 +39,7 @@ class Random {
     for (int i = 0; i < N; ++i) v[i] = uniform(-half, half);
     return v;
   }
-  /// Uniform on the unit sphere, but for rounding.
+  /// Uniform on the unit sphere, up to rounding.
   template <int N>
   Vector<double, N> heading() {
     for (;;) {

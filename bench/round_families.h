@@ -1,5 +1,5 @@
 #pragma once
-// Places on the surface of a cylinder or a cone, for whatever is to touch it there: of an ordinary one, but for
+// Places on the surface of a cylinder or a cone, for whatever is to touch it there: of an ordinary one, up to
 // rounding; of one made of integers, exactly.
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
-// Two convex solids in doubles as people write it: an axis among the normals of faces, and what is at right angles to
-// an edge of each, along which they do not overlap (Gottschalk, 1996).
+// Two convex solids in naive code with doubles: an axis among the normals of faces, and what is at right angles to an
+// edge of each, along which they do not overlap (Gottschalk, 1996).
 
 #include <array>
 #include <limits>

@@ -80,7 +80,7 @@ inline List bullet(const Boxes& boxes) {
 #endif
 
 #ifdef ISECT_HAS_FCL
-/// FCL's objects are shapes with poses: boxes of the same bounds but for rounding.
+/// FCL's objects are shapes with poses: boxes of the same bounds up to rounding.
 inline List fcl_tree(const Boxes& boxes) {
   using Object = fcl::CollisionObject<float>;
   std::vector<std::unique_ptr<Object>> objects;

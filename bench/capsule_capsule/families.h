@@ -23,7 +23,7 @@ double distance(Capsule<double, N> a, Capsule<double, N> b) {
   return std::ldexp((closest.on_a - closest.on_b).norm(), exponent);
 }
 
-/// A radius of a with which, but for rounding, the capsules touch, or a contains b, or a fits into b.
+/// A radius of a with which, up to rounding, the capsules touch, or a contains b, or a fits into b.
 template <class S, int N>
 S critical_radius(Random& random, const Capsule<S, N>& a, const Capsule<S, N>& b, Way way = Way::any) {
   const Capsule<double, N> x = cast<double>(a), y = cast<double>(b);
@@ -81,7 +81,7 @@ template <class S>
 Capsules<S, 3> nearly_parallel(Random& random) {
   return passing<S>(random, std::abs(random.magnitude(generators::wide<S> ? -9 : -4, -2)));
 }
-/// The second direction is the first one, but for the rounding of four ends.
+/// The second direction is the first one, up to the rounding of four ends.
 template <class S>
 Capsules<S, 3> parallel(Random& random) {
   return passing<S>(random, 0);

@@ -28,7 +28,7 @@ Polygons<S> ellipse(int n, double height) {
   }
   return {make_convex(convex_hull(ring)).value()};
 }
-/// A half disc that begins and ends with its diameter, whose direction and place are no round numbers.
+/// A half disc that begins and ends with its diameter, whose direction and place are not round numbers.
 template <class S>
 Polygons<S> half_disc(int n) {
   Ring<S, 2> ring;

@@ -17,7 +17,7 @@ using ConvexPolygons = Pair<ConvexPolygon<S>, ConvexPolygon<S>>;
 
 namespace convex_polygon_families {
 
-/// The hull of a few points, some of them vertices of `other`, on its edges but for rounding, or inside it. Nothing if
+/// The hull of a few points, some of them vertices of `other`, on its edges up to rounding, or inside it. Nothing if
 /// it has no area.
 template <class S>
 std::optional<ConvexPolygon<S>> of_any_numbers(Random& random, Numbers numbers, const Ring<S, 2>& other) {
@@ -61,7 +61,7 @@ ConvexPolygons<S> ordinary(Random& random) {
   const ConvexPolygon<S> first = round<S>(random, a);
   return {first, round<S>(random, b)};
 }
-/// A corner of the second at an edge of the first, but for rounding and a few ulp.
+/// A corner of the second at an edge of the first, up to rounding and a few ulp.
 template <class S>
 ConvexPolygons<S> near_touch(Random& random) {
   const ConvexPolygon<S> a = round<S>(random, {0, 0});

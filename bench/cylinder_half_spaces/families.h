@@ -33,7 +33,7 @@ void add_slab(Random& random, Kdop<S, 3>& kdop, const Vec& normal, const Point<d
 }
 
 /// A k-DOP with a face, an edge or a corner at `at`, as `faces` is 1, 2 or 3, and all of it on the side to which the
-/// normal points. The normal and both tangents are orthogonal; with integers all is exact but for `ulps`.
+/// normal points. The normal and both tangents are orthogonal; with integers all is exact up to `ulps`.
 template <class S>
 Kdop<S, 3> resting(Random& random, const Point<double, 3>& at, const Vec& normal, const Vec& tangent, const Vec& second,
                    int faces, int ulps) {
@@ -75,7 +75,7 @@ SolidAndKdop<S, Solid<S>> near_touch(Random& random) {
   return {solid, resting<S>(random, spot(random, cast<double>(solid), patch), random.uniform(0.1, 2), 2)};
 }
 
-/// Slabs that hold the solid but for rounding, all of it or a part.
+/// Slabs that hold the solid up to rounding, all of it or a part.
 template <class S, template <class> class Solid>
 SolidAndKdop<S, Solid<S>> near_fit(Random& random) {
   SolidAndKdop<S, Solid<S>> c = {ordinary_solid<Solid<S>>(random), {}};
@@ -91,7 +91,7 @@ SolidAndKdop<S, Solid<S>> near_fit(Random& random) {
   return c;
 }
 
-/// Integers: in touch from outside with a face, an edge or a corner; one time in four but for an ulp.
+/// Integers: in touch from outside with a face, an edge or a corner; one time in four nearly, to an ulp.
 template <class S, template <class> class Solid>
 SolidAndKdop<S, Solid<S>> exact_touch(Random& random) {
   const auto whole = whole_solid<Solid<double>>(random, all_patches[random.below(3)]);
@@ -161,7 +161,7 @@ SolidAndKdop<S, Solid<S>> invalid(Random& random) {
 }
 
 /// A box along the coordinate axes, cut at times by a plane with a normal of small integers, or one that rests on a
-/// place of the surface, but for rounding.
+/// place of the surface, up to rounding.
 template <class S, template <class> class Solid>
 SolidAndKdop<S, Solid<S>> of_any_numbers(Random& random, Numbers numbers) {
   SolidAndKdop<S, Solid<S>> c = {solid<Solid<S>>(random, numbers), {}};

@@ -1,4 +1,4 @@
-// Rays and segments against solids, triangles and each other: whether they meet, as people write it and exactly.
+// Rays and segments against solids, triangles and each other: whether they meet, by naive code and exactly.
 
 #include <isect/line_line.h>
 #include <isect/line_triangle.h>

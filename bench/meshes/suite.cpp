@@ -1,5 +1,5 @@
 // Solids that closed meshes bound, against balls, capsules, boxes, hulls, half-spaces, cylinders, cones and each other:
-// whether they meet, as people write it (any triangle that meets it, or a point inside) and exactly.
+// whether they meet, by naive code (any triangle that meets it, or a point inside) and exactly.
 
 #include <isect/mesh_convex.h>
 #include <isect/mesh_mesh.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Pairs of oriented boxes that are hard to tell apart: in touch, but for rounding, along a direction that is known.
+// Pairs of oriented boxes that are hard to tell apart: in touch, up to rounding, along a direction that is known.
 
 #include <array>
 

@@ -46,7 +46,7 @@ OrientCase<S> kettner_c(Random& random) {
   return kettner<S>(random, {S(0.5), S(0.5)}, {S(8.8000000000000007), S(8.8000000000000007)}, {S(12.1), S(12.1)});
 }
 
-/// The third point on the line of the others but for rounding, and up to 2 ulp beside that.
+/// The third point on the line of the others up to rounding, and up to 2 ulp beside that.
 template <class S>
 OrientCase<S> near_collinear(Random& random) {
   OrientCase<S> t = ordinary<S>(random);

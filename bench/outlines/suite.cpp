@@ -1,5 +1,5 @@
 // Rays and segments against polygons in the plane and in space, balls, capsules and half-spaces against those in the
-// plane, and segments against each other: whether they meet, as people write it and exactly.
+// plane, and segments against each other: whether they meet, by naive code and exactly.
 
 #include <algorithm>
 

@@ -10,7 +10,7 @@ using PlaneAndSolid = Pair<Plane<S, 3>, Solid>;
 
 namespace plane_and_solid {
 
-/// A plane through a point, but for rounding and a few ulp.
+/// A plane through a point, up to rounding and a few ulp.
 template <class S>
 Plane<S, 3> through(Random& random, const Point<double, 3>& at, const Vector<double, 3>& normal) {
   const Vector<S, 3> n = normal.template cast<S>();
@@ -67,7 +67,7 @@ PlaneAndSolid<S, Solid<S>> invalid(Random& random) {
   return c;
 }
 
-/// Any plane and solid: along a coordinate axis, along the solid's, or touching the surface at times, but for rounding.
+/// Any plane and solid: along a coordinate axis, along the solid's, or touching the surface at times, up to rounding.
 template <class S, template <class> class Solid>
 PlaneAndSolid<S, Solid<S>> of_any_numbers(Random& random, Numbers numbers) {
   const Vector<S, 3> normal = vector<S, 3>(random, random.one_in(2) ? Numbers::grid : numbers);

@@ -1,4 +1,4 @@
-// A plane against balls, boxes, solids and segments: whether they meet, as people write it and exactly.
+// A plane against balls, boxes, solids and segments: whether they meet, by naive code and exactly.
 
 #include <isect/half_spaces.h>
 #include <isect/plane_aabb.h>

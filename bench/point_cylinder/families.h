@@ -16,7 +16,7 @@ PointAndSolid<S, Solid<S>> ordinary(Random& random) {
   return {point, ordinary_solid<Solid<S>>(random)};
 }
 
-/// A point on the surface but for rounding and a few ulp.
+/// A point on the surface up to rounding and a few ulp.
 template <class S, template <class> class Solid, Patch patch>
 PointAndSolid<S, Solid<S>> near_surface(Random& random) {
   const Solid<S> solid = ordinary_solid<Solid<S>>(random);
@@ -54,7 +54,7 @@ PointAndSolid<S, Solid<S>> invalid(Random& random) {
   return c;
 }
 
-/// Any point and solid; the point is on the surface at times, but for rounding and an ulp.
+/// Any point and solid; the point is on the surface at times, up to rounding and an ulp.
 template <class S, template <class> class Solid>
 PointAndSolid<S, Solid<S>> of_any_numbers(Random& random, Numbers numbers) {
   PointAndSolid<S, Solid<S>> c = {vector<S, 3>(random, numbers), solid<Solid<S>>(random, numbers)};

@@ -134,7 +134,7 @@ template <class S>
 Point<S, 2> anywhere(Random& random, const Ring<S, 2>&) {
   return random.in_box<2>(1).template cast<S>();
 }
-/// A point on an edge but for rounding, and up to 2 ulp beside that.
+/// A point on an edge up to rounding, and up to 2 ulp beside that.
 template <class S>
 Point<S, 2> near_edge(Random& random, const Ring<S, 2>& ring) {
   const std::size_t i = static_cast<std::size_t>(random.below(static_cast<int>(ring.size())));

@@ -1,4 +1,4 @@
-// A point in shapes: whether it lies within, on the boundary or outside, as people write it and exactly.
+// A point in shapes: whether it lies within, on the boundary or outside, by naive code and exactly.
 
 #include <isect/point_aabb.h>
 #include <isect/point_capsule.h>

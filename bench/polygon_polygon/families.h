@@ -140,7 +140,7 @@ inline PolygonPair<double> spirals(Random& random) {
   if (random.one_in(2)) c.b.rings = {box(-1, -1, random.integer(0, 3), random.integer(0, 3))};
   return c;
 }
-/// Triangles as thin as doubles can say, along one line.
+/// Triangles as thin as doubles can represent, along one line.
 inline PolygonPair<double> slivers(Random& random) {
   PolygonPair<double> c;
   for (Polygon<double, 2>* p : {&c.a, &c.b}) {

@@ -1,5 +1,5 @@
-// Polygons in space, cut into triangles, against points, lines, triangles, solids and each other: whether they meet, as
-// people write it (any triangle that meets it) and exactly.
+// Polygons in space, cut into triangles, against points, lines, triangles, solids and each other: whether they meet, by
+// naive code (any triangle that meets it) and exactly.
 
 #include <isect/polygon_in_space.h>
 
@@ -26,7 +26,7 @@ bool any_triangle(const Outline& polygon, const Meets& meets) {
   return false;
 }
 
-// Whether a triangle meets the other shape, as people write it; and in rationals.
+// Whether a triangle meets the other shape, by naive code; and in rationals.
 
 bool naively(const Three& x, const Sphere<double, 3>& b) { return naive::meet(b, x); }
 bool naively(const Three& x, const Capsule<double, 3>& c) { return naive::meet(c, x); }

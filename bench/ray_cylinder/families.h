@@ -17,7 +17,7 @@ RayAndSolid<S, Solid<S>> ordinary(Random& random) {
   return {ray, ordinary_solid<Solid<S>>(random)};
 }
 
-/// A ray through a place of the surface, in a plane that touches the solid there, but for rounding.
+/// A ray through a place of the surface, in a plane that touches the solid there, up to rounding.
 template <class S>
 Ray<S, 3> tangent(Random& random, const Spot& spot) {
   const Vector<double, 3> across = spot.normal.cross(random.heading<3>()).normalized();
@@ -31,7 +31,7 @@ RayAndSolid<S, Solid<S>> near_tangent(Random& random) {
   return {tangent<S>(random, spot(random, cast<double>(solid), patch)), solid};
 }
 
-/// A ray along the side, but for rounding; on a cone along a line of it, where the quadratic is nearly linear.
+/// A ray along the side, up to rounding; on a cone along a line of it, where the quadratic is nearly linear.
 template <class S, template <class> class Solid>
 RayAndSolid<S, Solid<S>> along_side(Random& random) {
   Solid<double> wide = ordinary_solid<Solid<double>>(random);
@@ -91,7 +91,7 @@ RayAndSolid<S, Solid<S>> invalid(Random& random) {
 }
 
 /// Any ray and solid: along its axis or from a point of that at times, or through a place of the surface, in a plane
-/// that touches it, but for rounding.
+/// that touches it, up to rounding.
 template <class S, template <class> class Solid>
 RayAndSolid<S, Solid<S>> of_any_numbers(Random& random, Numbers numbers) {
   RayAndSolid<S, Solid<S>> c = {ray<S, 3>(random, numbers), solid<Solid<S>>(random, numbers)};

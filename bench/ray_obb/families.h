@@ -35,7 +35,7 @@ inline Point<double, 3> on(Random& random, const Obb<double, 3>& box, int fixed)
   return box.center + box.axes * along.cwiseProduct(box.half);
 }
 
-/// Rounds, and aims the ray at `target` as well as S can say it.
+/// Rounds, and aims the ray at `target` as nearly as S can represent it.
 template <class S>
 RayAndObb<S> towards(const Wide& c, const Point<double, 3>& target) {
   RayAndObb<S> result = {cast<S>(c.a), cast<S>(c.b)};
@@ -50,7 +50,7 @@ RayAndObb<S> aimed(Random& random) {
   return towards<S>(c, on(random, c.b, fixed));
 }
 
-/// A ray in the plane of a face but for rounding, towards a point of it.
+/// A ray in the plane of a face up to rounding, towards a point of it.
 template <class S>
 RayAndObb<S> along_face(Random& random) {
   Wide c = some_pair(random);
@@ -65,7 +65,7 @@ RayAndObb<S> along_face(Random& random) {
   return towards<S>(c, in_plane(1));
 }
 
-/// A ray from a face outwards, inwards or along it, but for rounding.
+/// A ray from a face outwards, inwards or along it, up to rounding.
 template <class S>
 RayAndObb<S> on_surface(Random& random) {
   Wide c = some_pair(random);

@@ -1,5 +1,5 @@
 #pragma once
-// Rays and planes that are hard to tell apart; each plane also by a point, on it exactly where S can say so.
+// Rays and planes that are hard to tell apart; each plane also by a point, exactly on it where S can represent that.
 
 #include <array>
 
@@ -70,7 +70,7 @@ RayPlaneCase<S> origin_on_plane(Random& random) {
   return c;
 }
 
-/// Directions of tenths that lie in the plane, but for rounding: it decides whether they meet, and where.
+/// Directions of tenths that lie in the plane, up to rounding: it decides whether they meet, and where.
 template <class S>
 RayPlaneCase<S> near_parallel(Random& random) {
   RayPlaneCase<S> c = whole<S>(random, 10);

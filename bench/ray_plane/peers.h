@@ -1,5 +1,5 @@
 #pragma once
-// Rays and planes by CGAL, yes or no, and by Eigen with t. But for EPECK CGAL's ray goes through origin + direction,
+// Rays and planes by CGAL, yes or no, and by Eigen with t. Except in EPECK CGAL's ray goes through origin + direction,
 // rounded, and so another way than ours.
 
 #include <Eigen/Geometry>

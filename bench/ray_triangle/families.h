@@ -33,7 +33,7 @@ RayAndTriangle<S> ordinary(Random& random) {
   return {ray, ordinary_triangle<S>(random)};
 }
 
-/// The ray through `target`, as well as S can say it.
+/// The ray through `target`, as nearly as S can represent it.
 template <class S>
 void aim(Ray<S, 3>& ray, const Point<S, 3>& target) {
   ray.direction = target - ray.origin;

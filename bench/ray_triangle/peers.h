@@ -1,5 +1,5 @@
 #pragma once
-// Whether a ray meets a triangle, by CGAL: it finds no t. But for EPECK its ray goes through origin + direction,
+// Whether a ray meets a triangle, by CGAL: it finds no t. Except in EPECK its ray goes through origin + direction,
 // rounded, and so another way than ours. Embree meets triangles of a scene that is built before: one each would
 // measure the scene.
 

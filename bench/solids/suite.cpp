@@ -1,5 +1,5 @@
-// Convex solids as half-spaces bound them: against each other, points, balls, capsules and triangles, as people write
-// it and exactly; and what a view volume has of balls and boxes.
+// Convex solids as half-spaces bound them: against each other, points, balls, capsules and triangles, by naive code and
+// exactly; and what a view volume has of balls and boxes.
 
 #include <isect/aabb_frustum.h>
 #include <isect/capsule_half_spaces.h>

@@ -13,7 +13,7 @@ namespace isect::bench {
 template <class S, int N>
 using BallAndBox = Pair<Sphere<S, N>, Aabb<S, N>>;
 
-/// A radius that makes the ball touch the box, or contain it, or fit into it, but for rounding.
+/// A radius that makes the ball touch the box, or contain it, or fit into it, up to rounding.
 template <class S, int N>
 S critical_radius(Random& random, const Point<S, N>& center, const Aabb<S, N>& box, Way way = Way::any) {
   const Vector<double, N> c = center.template cast<double>(), lo = box.lo.template cast<double>(),

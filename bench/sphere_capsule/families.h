@@ -34,7 +34,7 @@ double distance(Point<double, N> c, Capsule<double, N> segment) {
   return std::ldexp((c - std::get<sphere_capsule::Foot<double, N>>(record.events.front()).at).norm(), exponent);
 }
 
-/// A radius that makes the ball touch the capsule, but for rounding, or fit into it, or contain it.
+/// A radius that makes the ball touch the capsule, up to rounding, or fit into it, or contain it.
 template <class S, int N>
 S critical_radius(Random& random, const Point<S, N>& center, const Capsule<S, N>& capsule, Way way = Way::any) {
   const Point<double, N> c = center.template cast<double>();

@@ -16,7 +16,7 @@ BallAndSolid<S, Solid<S>> ordinary(Random& random) {
   return {ball, ordinary_solid<Solid<S>>(random)};
 }
 
-/// A radius that makes the ball touch the solid, hold it, or fit in, but for rounding.
+/// A radius that makes the ball touch the solid, hold it, or fit in, up to rounding.
 template <class Solid>
 double critical_radius(const Point<double, 3>& center, Solid solid, Way way) {
   const auto [p, q, narrow] = axis_of(solid);
@@ -44,7 +44,7 @@ BallAndSolid<S, Solid<S>> near_touch(Random& random) {
   return c;
 }
 
-/// Balls that hold the solid, or fit in, but for rounding.
+/// Balls that hold the solid, or fit in, up to rounding.
 template <class S, template <class> class Solid, Way way>
 BallAndSolid<S, Solid<S>> near_fit(Random& random) {
   BallAndSolid<S, Solid<S>> c = {{}, ordinary_solid<Solid<S>>(random)};

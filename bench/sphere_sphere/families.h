@@ -15,7 +15,7 @@ using Balls = Pair<Sphere<S, N>, Sphere<S, N>>;
 
 enum class Touch { outside, inside, either };
 
-/// A second ball that touches the first one, but for rounding and `most` ulps: from outside, from inside, or around
+/// A second ball that touches the first one, up to rounding and `most` ulps: from outside, from inside, or around
 /// it.
 template <class S, int N>
 Sphere<S, N> neighbour(Random& random, const Sphere<S, N>& a, Touch touch = Touch::either, int most = 2) {

@@ -1,5 +1,5 @@
 #pragma once
-// Triangles and boxes that are hard to tell apart: in touch, but for rounding, in a plane that parts them.
+// Triangles and boxes that are hard to tell apart: in touch, up to rounding, in a plane that parts them.
 
 #include <Eigen/Geometry>
 #include <array>

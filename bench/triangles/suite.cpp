@@ -1,4 +1,4 @@
-// Triangles against balls, capsules and each other: whether they meet, as people write it and exactly.
+// Triangles against balls, capsules and each other: whether they meet, by naive code and exactly.
 
 #include <isect/sphere_triangle.h>
 #include <isect/triangle_half_spaces.h>

@@ -58,7 +58,7 @@ Items corners(const Aabb<double, 3>& box) {
 Vec3 farthest(const TriangleMesh<double>& mesh, const Sphere<double, 3>& ball) {
   const Vec3 forward = View(camera, 1, 1).forward();
   Vec3 best = ball.center;
-  float longest = -1;  // a float, so that lengths equal but for rounding compare equal
+  float longest = -1;  // a float, so that lengths equal up to rounding compare equal
   for (const Vec3& p : mesh.vertices) {
     const Vec3 d = p - ball.center;
     const auto seen = static_cast<float>(d.cross(forward).norm());

@@ -16,7 +16,7 @@ viz::Item below(const std::vector<viz::Item>&, const std::string& text);
 
 // A volume's own numbers, drawn on it.
 std::vector<viz::Item> corners(const Aabb<double, 3>&);
-/// The vertex farthest from the centre. Among those equally far but for rounding, the one whose radius looks longest.
+/// The vertex farthest from the centre. Among those equally far up to rounding, the one whose radius looks longest.
 viz::Vec3 farthest(const TriangleMesh<double>&, const Sphere<double, 3>& ball);
 std::vector<viz::Item> radius(const Sphere<double, 3>&, const viz::Vec3& farthest);
 std::vector<viz::Item> axes(const Obb<double, 3>&);

@@ -31,9 +31,9 @@ class Teller {
   /// Whether two times differ by more than the noise of the machine that took them.
   bool differ(double a, double b) const;
   /// The method of isect that is least often wrong on hard cases, among those that are not the exact one, right on all
-  /// ordinary cases and, but for noise, as fast there as the fastest.
+  /// ordinary cases and, up to noise, as fast there as the fastest.
   const bench::Row& rival() const;
-  /// The methods among which rival() chooses: as fast as this one but for noise.
+  /// The methods among which rival() chooses: as fast as this one up to noise.
   Rows as_fast_as(const bench::Row&) const;
   /// The share of a method's verdicts on hard cases that are wrong.
   double wrong_when_hard(const bench::Row& method) const;

@@ -119,7 +119,7 @@ class Teller {
     Script::decide(step,
                    {"*d*^2 < *r*^2", d2, r2, near, near ? "the note returns OVERLAP" : "the note returns DISJOINT"});
     step.question = relation_question(s_.truth, "the ball and the box", because());
-    if (s_.ball.radius > 0) step.question->choices.pop_back();  // a ball is no box
+    if (s_.ball.radius > 0) step.question->choices.pop_back();  // a ball is not a box
     step.question->given = {{"*d*^2", d2, "area", Role::highlight}, {"*r*^2", r2, "area", Role::first}};
     shown_.settled = false;
   }

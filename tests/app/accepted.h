@@ -60,7 +60,7 @@ inline std::map<std::string, std::string> all_in(const fs::path& folder) {
   return files;
 }
 
-/// The command with which a report says that all is accepted.
+/// The command that accepts all changes, as a report gives it.
 inline std::string accept_command(const std::string& report) {
   const std::size_t line = report.find("to accept "), begin = report.find(": ", line) + 2;
   REQUIRE(line != std::string::npos);

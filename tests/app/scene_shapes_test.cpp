@@ -45,7 +45,7 @@ std::string refused(const Shell& shell, const std::string& objects, const std::s
   return r.err;
 }
 
-/// A tetrahedron of volume 4/3, its corners at (0,0,0), (2,0,0), (0,2,0), (0,0,2); one coordinate is no float.
+/// A tetrahedron of volume 4/3, its corners at (0,0,0), (2,0,0), (0,2,0), (0,0,2); one coordinate is not a float.
 constexpr const char* tetrahedron_obj =
     "# comment\nv 0 0 0\nv 2 0 0\nv 0 2 0.1\nv 0 0 2\nvn 0 0 1\nf 1/1/1 3//1 2\nf 1 2 4\nf 1 4 3\nf -3 -2 -1\n";
 
@@ -223,7 +223,7 @@ TEST_CASE("meshes come from OBJ, STL and PLY, clouds from CSV, with the numbers 
     CHECK(all[1]["volumes"][0]["result"]["vertices"].size() == 4);  // corners are shared
     std::set<double> heights;
     for (const Json& p : all[1]["volumes"][0]["result"]["vertices"]) heights.insert(p[2].get<double>());
-    CHECK(heights == std::set<double>{0, file == "t.obj" ? 0.1 : 0.5, 2});  // 0.1 is no float
+    CHECK(heights == std::set<double>{0, file == "t.obj" ? 0.1 : 0.5, 2});  // 0.1 is not a float
     CHECK(all[1]["volumes"][0]["fitted"] == "hull");
   }
   write(shell.work() / "in/p.csv", "x;y\n# a comment\n0,0;0\n1;0\n\n0.1; 1e-1\n");
@@ -601,7 +601,7 @@ TEST_CASE("a point lies beside a line or a plane, on it, or beyond its end", "[s
     return verdict(shell, R"({"point": "p", "at": )" + x + "}, " + other);
   };
   const std::string segment = R"({"segment": "s", "from": [0,0], "to": [0.3,0.9]})";
-  CHECK(at("[0.1,0.3]", segment) == "p lies right of s");  // 0.9 is no three times 0.3
+  CHECK(at("[0.1,0.3]", segment) == "p lies right of s");  // 0.9 is not three times 0.3
   CHECK(at("[0.15,0.45]", segment) == "p lies on s");
   CHECK(at("[0.6,1.8]", segment) == "p lies in line with s, beyond its end");
   CHECK(at("[1,0]", segment) == "p lies right of s");
@@ -631,7 +631,7 @@ TEST_CASE("corners lie beside a plane, in it or on both sides", "[scene]") {
   CHECK(told("-1", R"({"polygon": "T", "points": [[0,0,1],[1,0,1],[0,1,1]]})") == "T lies in w");
   CHECK(told("-0.5", R"({"hull": "T", "points": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]})") == "w cuts T");
   CHECK(told("-0.5", R"({"cloud": "T", "points": [[0,0,0],[1,0,1]]})") == "T has points on both sides of w");
-  // a vertex that no triangle has is no corner
+  // a vertex that no triangle has is not a corner
   const std::string mesh = R"({"mesh": "T", "points": [[0,0,0],[1,0,0],[0,1,0],[0,0,9]], "triangles": [[0,1,2]]})";
   CHECK(told("0", mesh) == "T lies in w");
   CHECK(told("-1", mesh) == "T lies beside w, on the side that its normal leaves");

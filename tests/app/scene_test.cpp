@@ -436,7 +436,7 @@ TEST_CASE("numbers that read alike are told apart in a walk", "[scene]") {
   };
   CHECK_THAT(told("2.0000000000000004"), Contains("d = 2.0000000000000004 > r_a + r_b = 2"));
   CHECK_THAT(told("2"), Contains("d = 2 = r_a + r_b = 2"));
-  // the true sum of these radii is no double, and the distance is the one that it is rounded to
+  // the true sum of these radii is not a double, and the distance is the one that it is rounded to
   write(shell.work() / "h.json", R"({"objects": [{"sphere": "A", "center": [0, 0, 0], "radius": 1},
       {"sphere": "B", "center": [1, 0, 0], "radius": 1e-30}], "ask": [{"walk": ["A", "B"]}]})");
   CHECK_THAT(shell("isect explain h.json").out, Contains("d < r_a + r_b, rounded to 1 and 1"));

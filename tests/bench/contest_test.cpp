@@ -127,7 +127,7 @@ TEST_CASE("where a test has sides, calling a point on and telling the wrong side
     return only_row([&](auto& contest) { contest.enter("one", answer); }, places);
   };
   const Row on = located([](const Case&) { return Location::on; }), yes = located([](const Case&) { return true; });
-  CHECK((on.wrong() == 500 && on.sides->called_on == 500));  // "on" is no "in", though both say yes
+  CHECK((on.wrong() == 500 && on.sides->called_on == 500));  // "on" is not "in", though both say yes
   CHECK((yes.wrong() < 300 && yes.sides->called_on == 0 && yes.sides->wrong_side == yes.wrong()));
   CHECK(located([](const Case& c) { return c.x < 0.5 ? Location::in : Location::out; }).wrong() == 0);
 }

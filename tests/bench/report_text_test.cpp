@@ -456,7 +456,7 @@ TEST_CASE("of times whose intervals overlap none is called less or more", "[repo
   const Row a = timed({}, 10), near = timed({}, 10.15), far = timed({}, 10.5);
   CHECK_FALSE(faster(a, near, 0));
   CHECK(faster(a, far, 0.02));
-  CHECK_FALSE(faster(a, far, 0.06));  // apart, but for what the machine adds
+  CHECK_FALSE(faster(a, far, 0.06));  // apart, but only by what the machine adds
   CHECK_FALSE(faster(far, a, 0));
 }
 

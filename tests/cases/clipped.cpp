@@ -89,7 +89,7 @@ Case polygons(const ConvexPolygon<S>& a, const ConvexPolygon<S>& b) {
   return {{{"a", json<S, 2>(a.vertices)}, {"b", json<S, 2>(b.vertices)}}, related(oracle::relation(a, b)), is_f32<S>};
 }
 
-/// A plane through x, but for rounding and an ulp.
+/// A plane through x, up to rounding and an ulp.
 template <class S, int N>
 Plane<S, N> plane_near(Random& random, Numbers numbers, const Point<S, N>& x) {
   const Vector<S, N> normal = bench::vector<S, N>(random, random.one_in(2) ? Numbers::grid : numbers);
@@ -172,7 +172,7 @@ CaseFile segment_box() {
   by_numbers(file, 3, [&]<class S>(Random& random, Numbers numbers) -> std::optional<Case> {
     const Aabb<S, 3> box = box_of<S, 3>(random, numbers);
     Segment<S, 3> s = {bench::vector<S, 3>(random, numbers), bench::vector<S, 3>(random, numbers)};
-    if (random.one_in(2)) {  // through an edge, but for rounding
+    if (random.one_in(2)) {  // through an edge, up to rounding
       Point<S, 3> edge = box.lo + static_cast<S>(random.unit()) * (box.hi - box.lo);
       for (int k = 0, free = random.below(3); k < 3; ++k)
         if (k != free) edge[k] = random.one_in(2) ? box.lo[k] : box.hi[k];

@@ -63,7 +63,7 @@ Case triangle_and_box(const Triangle<S, N>& triangle, const Aabb<S, N>& box) {
           is_f32<S>};
 }
 
-/// A triangle in a plane that touches the box at a corner, or with an edge that touches one of the box's, but for
+/// A triangle in a plane that touches the box at a corner, or with an edge that touches one of the box's, up to
 /// rounding.
 template <class S>
 Case almost_touching(Random& random, bool edges) {

@@ -35,7 +35,7 @@ Case plane_and_box(const Plane<S, N>& plane, const Aabb<S, N>& box) {
   return {both(fields(plane), fields(box)), related(relation), is_f32<S>};
 }
 
-/// A plane through x, but for rounding and a few ulp.
+/// A plane through x, up to rounding and a few ulp.
 template <class S, int N>
 Plane<S, N> plane_through(Random& random, Numbers numbers, const Point<double, N>& x) {
   const Numbers of_normal = random.one_in(2) ? Numbers::grid : numbers;

@@ -123,7 +123,7 @@ TEMPLATE_TEST_CASE("box and frustum: culling is that of rational arithmetic", "[
         box.lo[2] += S(5), box.hi[2] += S(5);
       }
       if (random.one_in(3)) {
-        Plane<S, 3>& plane = f.planes[random.below(6)];  // moved so that it touches a corner, but for rounding
+        Plane<S, 3>& plane = f.planes[random.below(6)];  // moved so that it touches a corner, up to rounding
         const Point<S, 3>& corner = random.one_in(2) ? box.lo : box.hi;
         const double d = -plane.normal.template cast<double>().dot(corner.template cast<double>());
         plane.d = bench::moved(static_cast<S>(d), random.integer(-1, 1));

@@ -357,7 +357,7 @@ TEST_CASE("in the plane, what is convex lies within a polygon, in a hole of it, 
     return Kdop<double, 2>{{{3, 1}, {-1, 3}},
                            {{3 * x + y - half, 3 * x + y + half}, {3 * y - x - half, 3 * y - x + half}}};
   };
-  for (const double half : {0.0, 0.25, 1.0}) {  // its corners are no doubles
+  for (const double half : {0.0, 0.25, 1.0}) {  // its corners are not doubles
     CHECK(ask(frame, kdop(1.5, 1.5, half)).meet);
     CHECK(!ask(frame, kdop(4.5, 4.5, half)).meet);
     CHECK(!ask(kdop(-2, 4, half), frame).meet);

@@ -39,7 +39,7 @@ Rational truth(const Ring<S, 2>& r) {
   return sum / 2;
 }
 
-/// A ring of any shape, nearly plane, on a line but for rounding, a needle, or there and back.
+/// A ring of any shape, nearly plane, on a line up to rounding, a needle, or there and back.
 template <class S, int N>
 Ring<S, N> random_ring(bench::Random& random, Numbers numbers) {
   const Point<S, N> o = bench::vector<S, N>(random, numbers), a = bench::vector<S, N>(random, numbers),

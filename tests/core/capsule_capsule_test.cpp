@@ -220,7 +220,7 @@ TEMPLATE_TEST_CASE_SIG("two capsules: relations are those of rational arithmetic
       }
       if (random.one_in(10)) a = {b.q, random.one_in(2) ? b.p : a.q, b.radius};
       if (random.one_in(2)) a.radius = bench::critical_radius(random, a, b);
-      if (random.one_in(20)) {  // beside each other, but for rounding
+      if (random.one_in(20)) {  // beside each other, up to rounding
         a.q = b.p = b.q = a.p;
         a.q[0] += a.radius, b.p[1] += a.radius + b.radius, b.q[1] = b.p[1];
       }

@@ -11,7 +11,7 @@ using bench::Numbers;
 
 enum class Cloud { family, line, near_line, circle, cluster };
 
-/// Points that make hulls hard: on a line but for rounding, on a circle, many equal.
+/// Points that make hulls hard: on a line up to rounding, on a circle, many equal.
 template <class S>
 Ring<S, 2> cloud(bench::Random& random, Cloud kind, Numbers numbers, int n) {
   Ring<S, 2> r;

@@ -138,7 +138,7 @@ TEST_CASE("roots of different shapes are told apart, or found equal", "[first_pl
   CHECK(order(side, first_place(ray, Sphere<double, 3>{{0, 0, 0}, std::nextafter(5., 6.)})) == 1);
   CHECK(order(side, first_place(ray, Sphere<double, 3>{{0, 0, 0}, std::nextafter(5., 4.)})) == -1);
   CHECK(order(side, first_place(ray, Capsule<double, 3>{{-7, 0, 0}, {0, 0, 0}, 5})) == 0);
-  const Segment<double, 3> segment = {ray.origin, {0, 91, 30.1}};  // the same line, in hundredths but for rounding
+  const Segment<double, 3> segment = {ray.origin, {0, 91, 30.1}};  // the same line, in hundredths up to rounding
   CHECK(first_place(segment, capsule).has_value());
 }
 

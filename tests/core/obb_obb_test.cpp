@@ -51,7 +51,7 @@ oracle::Coordinates<N> direction_of(const obb_obb::Axis& axis, const Exactly<N>&
                                              : oracle::cross(u[(i + 1) % 3], u[(i + 2) % 3]);
 }
 
-/// Two boxes that lie close: of like axes, corner at corner, edge at edge or face at face, but for an ulp.
+/// Two boxes that lie close: of like axes, corner at corner, edge at edge or face at face, up to an ulp.
 template <class S, int N>
 std::array<Obb<S, N>, 2> close_pair(bench::Random& random, bench::Numbers numbers) {
   Obb<S, N> a = bench::obb<S, N>(random, numbers), b = bench::obb<S, N>(random, numbers);
@@ -222,7 +222,7 @@ TEST_CASE("two OBBs: the published hard cases are decided rightly", "[obb_obb]")
 
 namespace {
 
-/// Moves b beside a, but for rounding, so that their faces touch.
+/// Moves b beside a, up to rounding, so that their faces touch.
 template <class S, int N>
 void set_beside(const Obb<S, N>& a, Obb<S, N>& b) {
   b.axes = a.axes;

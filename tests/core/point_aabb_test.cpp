@@ -19,7 +19,7 @@ Aabb<S, N> cube(double lo, double hi) {
   return {Point<S, N>::Constant(S(lo)), Point<S, N>::Constant(S(hi))};
 }
 
-/// The middle of [0, 2]^N but for one coordinate.
+/// The middle of [0, 2]^N except in one coordinate.
 template <class S, int N>
 Location at(int axis, S x) {
   Point<S, N> p = Point<S, N>::Ones();

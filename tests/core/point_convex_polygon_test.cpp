@@ -46,8 +46,8 @@ Location truth(const Point<S, 2>& p, const Ring<S, 2>& v) {
   return on ? Location::on : Location::in;
 }
 
-/// Whether a ring goes once around its own hull: but for one step, the places of its vertices along the hull's boundary
-/// only rise, or only fall.
+/// Whether a ring goes once around its own hull: except in one step, the places of its vertices along the boundary of
+/// the hull only rise, or only fall.
 template <class S>
 bool goes_around(const Ring<S, 2>& r, const Ring<S, 2>& hull) {
   if (hull.size() < 3) return false;

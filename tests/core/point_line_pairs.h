@@ -17,7 +17,7 @@ struct Case {
   Ray<S, N> ray;
 };
 
-/// A point anywhere, or a few steps along the ray, but for rounding.
+/// A point anywhere, or a few steps along the ray, up to rounding.
 template <class S, int N>
 Case<S, N> draw(Random& random, Numbers numbers) {
   Case<S, N> c = {bench::vector<S, N>(random, numbers), bench::ray<S, N>(random, numbers)};

@@ -18,7 +18,7 @@ namespace isect::tests {
 template <class S>
 using Rings = std::vector<Ring<S, 2>>;
 
-/// Whether two edges cross at a point that is no vertex: what the maps refuse.
+/// Whether two edges cross at a point that is not a vertex: then the maps refuse.
 template <class S>
 bool cross_apart_from_vertices(const Rings<S>& rings) {
   using oracle::Rational, oracle::operator-, oracle::operator+, oracle::operator*;
@@ -114,7 +114,7 @@ Rings<S> random_rings(bench::Random& random, bench::Numbers numbers) {
   if (kind == 0) rings = cells<S>(random, 2 + random.below(4), n);
   if (kind == 1) rings = {star<S>(random, numbers, n)};
   if (kind == 2) rings = {monotone<S>(random, numbers, n)};
-  if (kind == 3) {  // edges that cross at a vertex, but for rounding
+  if (kind == 3) {  // edges that cross at a vertex, up to rounding
     const Point<S, 2> c = bench::vector<S, 2>(random, numbers), u = bench::vector<S, 2>(random, numbers) / 2,
                       w = bench::vector<S, 2>(random, numbers) / 2;
     rings = {{c - u, c + u, c - w, c + w}, {c, c + u, c + u + w, c + w}};

@@ -50,7 +50,7 @@ TEMPLATE_TEST_CASE_SIG("point and plane: every verdict is that of rational arith
       Plane<S, N> plane = {bench::vector<S, N>(random, random.one_in(2) ? Numbers::grid : numbers),
                            bench::number<S>(random, numbers)};
       const Point<S, N> p = bench::vector<S, N>(random, numbers);
-      if (random.one_in(2))  // through the point, but for rounding
+      if (random.one_in(2))  // through the point, up to rounding
         plane.d = bench::moved(-static_cast<S>(plane.normal.template cast<double>().dot(p.template cast<double>())),
                                random.integer(-1, 1));
       if (!finite(plane)) continue;

@@ -81,7 +81,7 @@ Ring<S, 2> random_ring(bench::Random& random, Numbers numbers, const Point<S, 2>
   return r;
 }
 
-/// A point anywhere, or on an edge but for rounding, and moved by up to 2 ulp.
+/// A point anywhere, or on an edge up to rounding, and moved by up to 2 ulp.
 template <class S>
 void bring_to_an_edge(bench::Random& random, Point<S, 2>& p, const Ring<S, 2>& r) {
   if (r.empty()) return;
@@ -320,7 +320,7 @@ TEMPLATE_TEST_CASE("rings of any length get the same answers in the widest vecto
       const std::size_t some = static_cast<std::size_t>(random.below(static_cast<int>(r.size())));
       const S inf = std::numeric_limits<S>::infinity();
       if (random.one_in(8)) r[some][random.below(2)] = random.one_in(2) ? inf : inf - inf;
-      if (random.one_in(2)) {  // then p is no vertex
+      if (random.one_in(2)) {  // then p is not a vertex
         for (Point<S, 2>& v : r)
           if (v == p) v[0] = bench::moved(v[0], random.one_in(2) ? 1 : -1);
       }

@@ -20,7 +20,7 @@ struct Case {
 
 /// Any capsule and a ray from anywhere. The ray is sometimes along a coordinate axis or the capsule's, from the middle
 /// of that axis, or without direction; the capsule's axis is sometimes along a coordinate axis. `touching` sets the
-/// radius so that the line touches the capsule, but for rounding.
+/// radius so that the line touches the capsule, up to rounding.
 template <class S, int N>
 Case<S, N> draw(Random& random, Numbers numbers, bool touching) {
   Case<S, N> c = {bench::ray<S, N>(random, numbers), bench::capsule<S, N>(random, numbers)};

@@ -297,7 +297,7 @@ TEST_CASE("ends of a range count exactly, and a range without numbers is empty",
   CHECK(first_in_plane({{0, 0, 2}, {1, 0, 0}, {0, HUGE_VAL}}, square) == 1.0);  // along a side
   CHECK(first_in_plane({{0, 0, 2}, {1, 0, 0}, {2.5, HUGE_VAL}}, square) == 2.5);
   CHECK(first_in_plane({{0, 0, -1}, {1, 0, 1}, {0, HUGE_VAL}}, square) == 1.0);  // at a corner
-  // A third is no double: the hit is the one nearest to it.
+  // A third is not a double: the hit is the one nearest to it.
   CHECK(first_in_plane({{0, 0, 1}, {3, 0, 0}, {0, HUGE_VAL}}, square) == 1.0 / 3);
 }
 

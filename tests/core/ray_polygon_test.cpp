@@ -65,8 +65,8 @@ struct Case {
   Ring<S, 3> ring;
 };
 
-/// A ring in a plane, as well as S can say it, or anywhere; and a ray from anywhere or aimed: at a vertex, an edge,
-/// or a point of the plane, ending there at times.
+/// A ring in a plane, as nearly as S can represent, or anywhere; and a ray from anywhere or aimed: at a vertex, an
+/// edge, or a point of the plane, ending there at times.
 template <class S>
 Case<S> draw(Random& random, Numbers numbers) {
   const auto any = [&] { return bench::vector<S, 3>(random, numbers); };
@@ -335,7 +335,7 @@ TEMPLATE_TEST_CASE("ray and polygon: vertex order, axes, mirroring, scale and a 
       REQUIRE(same_verdicts(intersect(mirrored, c.ring), r));
 
       if (c.ring.empty()) continue;
-      Ring<S, 3> reversed = c.ring;  // but for vertex 0, which holds the plane
+      Ring<S, 3> reversed = c.ring;  // except vertex 0, which holds the plane
       std::reverse(reversed.begin() + 1, reversed.end());
       REQUIRE(same_verdicts(intersect(c.ray, reversed), r));
 

@@ -50,7 +50,7 @@ TEMPLATE_TEST_CASE_SIG("segment and plane: every answer is that of rational arit
         segment.q = segment.p, segment.q[0] = bench::number<S>(random, numbers);
         if (random.one_in(2)) plane.normal[0] = 0;
       }
-      if (random.one_in(2))  // through an end, but for rounding
+      if (random.one_in(2))  // through an end, up to rounding
         plane.d = -static_cast<S>(plane.normal.template cast<double>().dot(
             (random.one_in(2) ? segment.p : segment.q).template cast<double>()));
       if (!finite(plane) || plane.normal.isZero(0)) continue;

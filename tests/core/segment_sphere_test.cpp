@@ -23,7 +23,7 @@ Point<S, N> at(double x, double y = 0) {
   return p;
 }
 
-/// A segment and a ball: any of both, ends on the sphere, lines that touch it but for rounding.
+/// A segment and a ball: any of both, ends on the sphere, lines that touch it up to rounding.
 template <class S, int N>
 std::pair<Segment<S, N>, Sphere<S, N>> draw(Random& random, Numbers numbers) {
   Sphere<S, N> ball = bench::ball<S, N>(random, numbers);

@@ -164,7 +164,7 @@ TEMPLATE_TEST_CASE_SIG("sphere and capsule: relations are those of rational arit
       if (random.one_in(10)) sphere.center = random.one_in(2) ? capsule.p : capsule.q;
       if (random.one_in(2)) sphere.radius = bench::critical_radius(random, sphere.center, capsule);
       if (random.one_in(30)) capsule = {sphere.center, sphere.center, sphere.radius};
-      if (random.one_in(20)) {  // beside each other, but for rounding
+      if (random.one_in(20)) {  // beside each other, up to rounding
         capsule.q = sphere.center = capsule.p;
         capsule.q[0] += capsule.radius, sphere.center[1] += sphere.radius + capsule.radius;
       }

@@ -138,7 +138,7 @@ TEST_CASE("sentences are short, steps have names of their own and a source", "[e
         int words = 0;
         std::istringstream lines(plain(s.caption));
         for (std::string line; std::getline(lines, line);) {
-          if (line.starts_with("Read: ")) continue;  // a work cited is no sentence
+          if (line.starts_with("Read: ")) continue;  // a work cited is not a sentence
           std::istringstream text(line);
           for (std::string word; text >> word;) {
             if (word.find_first_not_of("−=<>≤≥+,.") != std::string::npos) ++words;

@@ -148,7 +148,7 @@ TEST_CASE("what the sphere lesson says is true of any two balls, in huge and tin
     Parameters p = tests::random_setting(of_balls, random);
     if (i % 3 != 0) p["b"] = p["a"];
     if (i % 3 != 1) p["r_a"] = 0.0, p["r_b"] = 0.0;
-    if (i % 3 == 0) {  // as far apart as they reach, but for rounding
+    if (i % 3 == 0) {  // as far apart as they reach, up to rounding
       const Vec3 way(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.1, 1));
       p["r_a"] = way.norm(), p["unit"] = std::string("one");
       p["b"] = Vec3(std::get<Vec3>(p["a"]) + way);

@@ -140,7 +140,7 @@ TEST_CASE("no difference is claimed that the noise of the measurement covers", "
   }
   const Walk walk = walk_of("speed-against-error", "sphere-aabb");
   CHECK_THAT(find(walk, "choose")->caption, Contains("clamp"));
-  // Among the methods as fast but for noise, the one that is least often wrong is chosen; the others are named.
+  // Among the methods as fast up to noise, the one that is least often wrong is chosen; the others are named.
   const std::string choose = find(walk_of("speed-against-error", "ray-sphere"), "choose")->caption;
   std::vector<const bench::Row*> fast = bench::rows_of(results(), "ray-sphere", "double", "ordinary");
   std::erase_if(fast, [](const bench::Row* r) { return r->exact || r->library != "isect"; });

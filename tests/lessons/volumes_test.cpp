@@ -104,7 +104,7 @@ TEST_CASE("five of the six relations say yes, and the walks' verdicts name them"
     if (p.id == "all-kinds") continue;
     INFO(p.id);
     const Walk walk = lesson.walk(p.parameters);
-    bool named =  // a way of lying inside, which is no seventh relation
+    bool named =  // a way of lying inside, not a seventh relation
         p.id == "ball-inner-touch" &&
         walk.steps.back().verdict.text == lessons::words(Relation::b_inside_a, "the balls");
     for (const relations::Kind kind : relations::kinds)

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 enum class Family {
   grid,        ///< small whole numbers
-  tenths,      ///< decimals with one digit, which are no doubles
+  tenths,      ///< decimals with one digit, which are not doubles
   beside,      ///< whole numbers, some moved by one ulp
   flat,        ///< no extent in some direction
   large,       ///< up to 1e300

@@ -126,7 +126,7 @@ TEST_CASE("a camera with nothing but a direction has all in its frame, and keeps
   check_same(read(to_json(turned)), turned);
   check_same(place_from_metadata(metadata(turned), lessons), turned);
   CHECK(seen(R"({"azimuth": 70, "half_height": 2})").camera->half_height == 2);
-  // What says nothing of the direction, or is in radians, is read as it always was.
+  // A camera that does not give the direction, or gives it in radians, is read as it always was.
   for (const std::string plain : {R"({"perspective": true})", R"({"angles": "radians", "azimuth": 0.5})"})
     CHECK(seen(plain).camera->half_height == opening(toy()).half_height);
 }

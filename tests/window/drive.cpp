@@ -4,7 +4,7 @@
 // that take it. A round is a window of its own, on a lesson and a preset drawn at random; one of four draws all it
 // shows.
 //
-// Nothing may be thrown, and no frame may keep a reader waiting. What fails is told with its round and its last
+// Nothing may be thrown, and no frame may keep a reader waiting. A failure is reported with its round and its last
 // actions; the next round goes on, and the program ends with 1. Where it crashes, DIR/actions.txt has them (DIR:
 // drive). ISECT_SEED=n draws other rounds, --round does that one alone. Without --minutes: a round for each four
 // lessons or scenes.
