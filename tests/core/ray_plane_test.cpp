@@ -58,8 +58,7 @@ Case<S, N> draw(Random& random, Numbers numbers) {
   Case<S, N> c = {bench::ray<S, N>(random, numbers),
                   {bench::direction<S, N>(random, numbers), bench::number<S>(random, numbers)}};
   if (random.one_in(2)) return c;
-  // the plane nearly through a point of the ray (as S can represent it): at an end of the range, or in the ray's
-  // direction
+  // the plane through a point of the ray, as nearly as S can: at an end of the range, or in the ray's direction
   const S t = random.one_in(2) ? c.ray.range.lo : c.ray.range.hi;
   if (random.one_in(3)) {
     c.plane.normal = Vector<S, N>::Zero();
