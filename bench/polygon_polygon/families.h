@@ -33,7 +33,7 @@ inline Ring<double, 2> any_ring(Random& random, int most) {
   for (int i = 0; i < n; ++i) ring.push_back({double(random.integer(0, most)), double(random.integer(0, most))});
   return ring;
 }
-/// A simple one around a point of a half grid: grid points by their angle, of each direction the farthest.
+/// A simple one around a point of a half grid: grid points by their angle, one in each direction.
 inline Ring<double, 2> star(Random& random, int most) {
   const Point<double, 2> center = {random.below(most) + 0.5, random.below(most) + 0.5};
   Ring<double, 2> ring;

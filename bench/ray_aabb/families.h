@@ -79,7 +79,7 @@ RayAndBox<S> signed_zeros(Random& random) {
   return c;
 }
 
-/// From inside, or from a face outwards or along it.
+/// From a face, or an ulp beside it: inwards, outwards or along it.
 template <class S>
 RayAndBox<S> on_surface(Random& random) {
   RayAndBox<S> c = ordinary<S>(random);

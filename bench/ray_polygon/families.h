@@ -110,7 +110,7 @@ RayAndRing<S> far(Random& random) {
   return {from_to(from, on_outline(random, ring, random.one_in(4))), ring};
 }
 
-/// From a point of the plane, but for a height of 1e-15 to 1e-6, along it.
+/// From a point 1e-15 to 1e-10 (in float 1e-7 to 1e-2) beside the plane, along it.
 template <class S>
 RayAndRing<S> near_coplanar(Random& random) {
   constexpr double least = std::numeric_limits<S>::digits == 53 ? -15 : -7;
@@ -132,7 +132,7 @@ constexpr std::array<NamedDraw<RayAndRing<S>>, 7> ray_polygon_draws = {{
     {"grid", ray_polygon_families::grid<S>, "outlines of small integers: rays through vertices and edges exactly."},
     {"needle", ray_polygon_families::needle<S>, "outlines 1e-9 wide (1e-4 in float) and less."},
     {"far", ray_polygon_families::far<S>, "1e8 away (1e4 in float), aimed at the outline."},
-    {"near-coplanar", ray_polygon_families::near_coplanar<S>, "rays that run within 1e-15 to 1e-6 of the plane."},
+    {"near-coplanar", ray_polygon_families::near_coplanar<S>, "rays that run within 1e-15 to 1e-10 of the plane (1e-7 to 1e-2 in float)."},
 }};
 
 }  // namespace isect::bench

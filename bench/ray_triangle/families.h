@@ -87,8 +87,8 @@ RayAndTriangle<S> needle(Random& random) {
   return c;
 }
 
-/// All of it 1e8 (1e4 in float) away from the frame's origin, aimed at the inside or an edge; the ray comes from
-/// there.
+/// The triangle 1e8 (1e4 in float) away from the frame's origin, aimed at the inside or an edge; the ray comes from
+/// near that origin or near the triangle.
 template <class S>
 RayAndTriangle<S> far(Random& random) {
   RayAndTriangle<S> c = ordinary<S>(random);
@@ -102,7 +102,7 @@ RayAndTriangle<S> far(Random& random) {
   return c;
 }
 
-/// From a point of the plane, but for a height of 1e-15 to 1e-6, along it to a point of the triangle.
+/// From a point 1e-15 to 1e-10 (in float 1e-7 to 1e-2) beside the plane, along it to a point of the triangle.
 template <class S>
 RayAndTriangle<S> near_coplanar(Random& random) {
   RayAndTriangle<S> c = ordinary<S>(random);
@@ -138,7 +138,7 @@ constexpr std::array<NamedDraw<RayAndTriangle<S>>, 7> ray_triangle_draws = {{
     {"grid", ray_triangle_families::grid<S>, "small integers: rays through vertices, edges and the inside exactly."},
     {"needle", ray_triangle_families::needle<S>, "triangles 1e-9 high (1e-4 in float) and less."},
     {"far", ray_triangle_families::far<S>, "1e8 away (1e4 in float), aimed at the inside or an edge."},
-    {"near-coplanar", ray_triangle_families::near_coplanar<S>, "rays that run within 1e-15 to 1e-6 of the plane."},
+    {"near-coplanar", ray_triangle_families::near_coplanar<S>, "rays that run within 1e-15 to 1e-10 of the plane (1e-7 to 1e-2 in float)."},
 }};
 
 }  // namespace isect::bench

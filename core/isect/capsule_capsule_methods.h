@@ -35,7 +35,7 @@ template <class S, int N>
 using MethodEvent = std::variant<Lines<S>, Closest<S, N>, Compared<S>>;
 
 namespace detail {
-/// num / den clamped to [0, 1], den > 0; without 0 / 0 where den is 0, and 0 for NaN.
+/// num / den clamped to [0, 1], den >= 0; 0 if num is 0 or NaN.
 template <class S>
 S clamped_quotient(const S& num, const S& den) {
   return !(num > S(0)) ? S(0) : num >= den ? S(1) : num / den;

@@ -40,7 +40,7 @@ using Event = std::variant<Fallback>;
 /// A line by origin, direction and range; a segment by its two ends as given.
 struct Straight {
   Point<double, 3> origin;
-  Vector<double, 3> direction;  ///< for a segment its other end
+  Vector<double, 3> direction;  ///< or the other end of a segment
   Interval<double> range;
   bool segment = false;
 

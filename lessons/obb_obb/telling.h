@@ -29,7 +29,7 @@ class Teller {
   viz::Question question(const Group&, const Compared&) const;
   /// Whether one of the six normals separates in the core's numbers, without epsilon.
   bool a_normal_separates() const;
-  /// Whether the axis separates by the core's numbers, without epsilon.
+  /// Whether the axis separates by the core's numbers, but not with epsilon.
   bool widened(const Compared&) const;
 
   // relation.cpp

@@ -27,7 +27,7 @@ const double longest = for_long() ? 20 : 1.5;
 
 bool is_left_over(const fs::path& file) { return file.filename().string().find(".tmp-") != std::string::npos; }
 
-/// Throws where a file that was not there before `since`, or is newer, is not whole.
+/// Checks that each file newer than `since` is whole.
 void read_all(const fs::path& folder, fs::file_time_type since) {
   if (!fs::exists(folder)) return;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {

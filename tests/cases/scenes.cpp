@@ -75,7 +75,7 @@ const char* what_is_hard(Family f) {
 
 // How many cases each pair of types gets.
 constexpr int of_an_answer = 3, of_a_family = 1, beside_an_ulp = 4;
-constexpr int patience = 400;  // draws that are looked at, and a tenth of them for an ulp
+constexpr int patience = 400;  // draws that are looked at, every third of them for an ulp
 constexpr std::size_t most_letters = 700, most_letters_of_many = 3000;
 
 /// An object of size s around the place x on the x axis, or from it on: it touches, holds or equals others of like

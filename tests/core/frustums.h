@@ -16,7 +16,7 @@ Frustum<S> pyramid() {
            plane(0, 0, -1, 8)}};
 }
 
-/// The pyramid, turned and with unit normals, or six random planes.
+/// The pyramid, as it is or with unit normals, or six random planes.
 template <class S>
 Frustum<S> frustum(bench::Random& random, bench::Numbers numbers) {
   Frustum<S> f = pyramid<S>();

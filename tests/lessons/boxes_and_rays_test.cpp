@@ -107,7 +107,7 @@ TEST_CASE("a box with exchanged corners meets no ball", "[sphere-aabb]") {
 
 namespace {
 
-/// The least of 15 numbers that are positive where the axis separates, each divided by the axis's length: from the
+/// The greatest of 15 numbers that are positive where the axis separates, each divided by the axis's length: from the
 /// corners themselves, without the core's polynomials.
 double widest_gap(const Obb<double, 3>& a, const Obb<double, 3>& b) {
   std::vector<Vec3> axes;

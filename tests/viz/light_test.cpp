@@ -31,7 +31,7 @@ int lit(const WindowDriver& window, const std::string& key) {
   return count;
 }
 
-/// Moves the pointer over an area, row by row, until a name is lit alone and told.
+/// Moves the pointer over an area, row by row, until a name is lit.
 bool find_name(WindowDriver& window, const Rect& area, const std::string& key) {
   for (float y = area.top + 4; y < area.bottom; y += 6)
     for (float x = area.left + 2; x < area.right; x += 5) {

@@ -103,7 +103,7 @@ class Exact {
     x.digits_.data()[0] = Digit{1} << (exponent & 63);
     return x;
   }
-  /// x + y, or x - |y| where the sign given for y says so.
+  /// x + |y|, or x - |y| if `negative_y`.
   static Exact sum(const Exact& x, const Exact& y, bool negative_y);
 
   int size() const { return digits_.size(); }

@@ -7,10 +7,10 @@
 //   sign_of([&]<class W>() -> W { return difference<W>(a[0], c[0]) * difference<W>(b[1], c[1]) - ...; })
 //
 // It runs in Bounded<double>, whose proved error bound settles nearly every sign. Where that leaves it open, the text
-// runs on: in Compensated, about 100 bits by the sizes that doubles found; in Grid, which knows what is 0 where little
-// was rounded, and is asked first if doubles found 0, as on integers; in Threefold, about 150 bits; in ShortExact or
-// MediumExact, where 127 or 255 bits hold all of it; and at last in Exact, where every sign is certain. So algorithms
-// read like the book's, branch on true signs alone, and are right at any magnitude. Arguments must be finite.
+// runs on in finer arithmetics, one after the other, until one of them is certain. The last is Exact, which always is.
+// Which ones, at what cost and in what order, is told in isect/numbers/README.md. So algorithms read like the book's,
+// branch on true signs alone, and are right at any magnitude. Arguments must be finite: a NaN leaves every stage
+// open.
 //
 // An algorithm that asks several signs passes its listener on to each, and is run by in_doubles_first: then all of it
 // runs in Bounded<double> once, without a way out at each sign, and is run again only if one of them stayed open.

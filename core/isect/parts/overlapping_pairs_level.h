@@ -103,7 +103,7 @@ class Level {
   /// Finds all pairs of the level.
   template <class Report>
   void pairs_within(Pairs<Report>& pairs) const {
-    // the rows ahead: (0, 1), or (0, 1, 0), (-1, 0, 1), (0, 0, 1), (1, 0, 1) but for x
+    // the rows ahead, which run along x: (0, 1), or (0, 1, 0), (0, -1, 1), (0, 0, 1), (0, 1, 1)
     std::vector<std::uint32_t> rows = {grid_.stride[1]};
     if constexpr (N == 3)
       for (const std::uint32_t y : {-1u, 0u, 1u}) rows.push_back(y * grid_.stride[1] + grid_.stride[2]);
