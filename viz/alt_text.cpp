@@ -17,7 +17,7 @@
 namespace isect::viz {
 namespace {
 
-/// More of a kind are counted rather than called by name.
+/// Above this many items of one kind, they are counted rather than named.
 constexpr std::size_t most_names = 8;
 
 std::string setting_text(const Lesson& lesson, const Setting& setting) {
@@ -28,7 +28,7 @@ std::string setting_text(const Lesson& lesson, const Setting& setting) {
   return fmt::format("({}, {}, {})", shown(p.x()), shown(p.y()), shown(p.z()));
 }
 
-/// A word and its symbol, "origin o"; else what the label says: "size of b", "r₁".
+/// Returns a word and its symbol, "origin o"; else the text of the label: "size of b", "r₁".
 std::string name_of(const Parameter& p) {
   const std::string label = plain(p.label);
   if (label.empty()) return p.name;
@@ -53,13 +53,13 @@ std::string counted(std::size_t count, const std::string& what) {
   return fmt::format("{} {}{}", count, what, es ? "es" : "s");
 }
 
-/// "Fixed: box: (−2, −1.25) to (2, 1.25)." What the parameters tell is left out.
+/// Returns "Fixed: box: (−2, −1.25) to (2, 1.25).", without what the parameters tell.
 std::string fixed(const Lesson& lesson, const Parameters& parameters, const Scene& scene) {
   const std::vector<std::string> all = geometry(scene, parameters, lesson.flat);
   return all.empty() ? "" : fmt::format("\nFixed: {}.\n", with_minus_signs(fmt::format("{}", fmt::join(all, "; "))));
 }
 
-/// What of one kind and role stands in the picture: how many, and what they are called.
+/// The items of one kind and role in the picture: how many there are, and their names.
 struct Group {
   std::string kind;
   Role role;
@@ -74,7 +74,7 @@ struct Group {
   }
 };
 
-/// "ball c, 2 lines, 3 points o, t₁, t₂". Labels are told with what they name, so only headings stand for themselves.
+/// Returns "ball c, 2 lines, 3 points o, t₁, t₂". Labels are told with what they name, so only headings stand alone.
 std::string drawn(const Scene& scene) {
   std::vector<Group> groups;
   for (const Object& o : objects_of(scene)) {
@@ -161,13 +161,13 @@ std::string told(const Card& card) {
   return text;
 }
 
-/// " (lengths of d)", unless the name tells: "volume of a" is one.
+/// Returns " (lengths of d)", or nothing where the name says it: "volume of a" needs no unit.
 std::string unit_of(const Value& v) {
   const std::string unit = plain(v.unit);
   return unit.empty() || plain(v.name).find(unit) != std::string::npos ? "" : " (" + unit + ")";
 }
 
-/// The numbers of this step that are new.
+/// Returns the numbers that are new in this step.
 std::string fresh_values(const Step& step) {
   std::vector<std::string> all;
   const std::vector<std::string> digits = shown(step.values);

@@ -1,5 +1,5 @@
 #pragma once
-// A figure in words, for whoever can't see it: the text beside it, and inside it where its format has a place for one.
+// A figure in words, for readers who can't see it: beside it, and inside it where its format has a place for text.
 
 #include <string>
 #include <vector>
@@ -8,23 +8,23 @@
 
 namespace isect::viz {
 
-/// Plain text, paragraphs apart by empty lines: what is drawn and from which numbers, what is said of it, and what
-/// comes out. A chart is told as the chart it is. `step` from 0.
+/// Returns plain text in paragraphs separated by empty lines: what is drawn and from which numbers, what is said of it,
+/// and the result. A chart is described as a chart. `step` from 0.
 std::string alt_text(const Lesson&, const Parameters&, const Walk&, int step);
-/// What is drawn and nothing else, on one line: for a picture that stands beside all that is said of it. `outcome`:
-/// whether what comes out may be told.
+/// Returns one line that says what is drawn and nothing else: for a picture that stands beside the full text.
+/// `outcome`: whether the result may be told.
 std::string drawn_text(const Walk&, const Scene&, bool outcome);
-/// A step's values as shown, in their order; in full where another one would read alike and is not equal, and −0 with
-/// its sign where another one is 0.
+/// Returns a step's values as shown, in order; in full where another one would read alike without being equal, and −0
+/// with its sign where another one is 0.
 std::vector<std::string> shown(const std::vector<Value>&);
-/// The same with their names, as markup: "*s* = 1.022, *l*^2 = 1.1604".
+/// Returns the values with their names, as markup: "*s* = 1.022, *l*^2 = 1.1604".
 std::string listed(const std::vector<Value>&);
-/// The numbers of a comparison in plain words, in full where they would read alike: "0.5 against 2"; of a condition
-/// that joins several, each with its own: "s < 0: yes, −1 against 0; ...".
+/// Returns the numbers of a comparison in plain words, in full where they would read alike: "0.5 against 2". For a
+/// condition that joins several, each has its own: "s < 0: yes, −1 against 0; ...".
 std::string sides(const Comparison&, const std::string& between);
 /// "Ray and sphere: Two roots"
 std::string figure_title(const Lesson&, const Step&);
-/// A title as a sentence: with a full stop, unless it ends with a mark of its own.
+/// Returns a title as a sentence: with a full stop, unless it ends with punctuation already.
 std::string as_sentence(const std::string& title);
 
 }  // namespace isect::viz

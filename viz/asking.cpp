@@ -27,7 +27,7 @@ struct GivesAway {
   bool operator()(const auto& line) const { return tells(line.role) || line.pen == Pen::excluded; }
 };
 
-/// Where an item is, whatever part it plays there.
+/// The points of an item, whatever part it plays there.
 struct Positions {
   std::vector<Vec3> operator()(const Dot& it) const { return {it.at}; }
   std::vector<Vec3> operator()(const Line& it) const { return {it.from, it.to}; }
@@ -79,7 +79,7 @@ bool stands_in(const Scene& scene, const Item& item) {
   });
 }
 
-/// What stood in `before` at the item's place, and stands there no more.
+/// Returns the item that stood at this item's place in `before` and no longer stands there.
 const Item* replaced(const Item& item, const Scene& before, const Scene& after) {
   const auto found = std::ranges::find_if(before.items, [&](const Item& old) {
     return old.index() == item.index() && positions(old) == positions(item) && !stands_in(after, old);
@@ -91,7 +91,7 @@ bool has_raster(const Scene& scene) {
   return std::ranges::any_of(scene.items, [](const Item& item) { return std::holds_alternative<Raster>(item); });
 }
 
-/// A t-axis without what it tells.
+/// Returns a t-axis without what gives the answer away.
 std::optional<Axis> asked_axis(std::optional<Axis> axis) {
   if (!axis) return axis;
   axis->shared.reset();
@@ -99,7 +99,7 @@ std::optional<Axis> asked_axis(std::optional<Axis> axis) {
   return axis;
 }
 
-/// What is new in `after` and tells is left out, or stays as it was before.
+/// Leaves out what is new in `after` and gives the answer away, or leaves it as it was before.
 Scene without_answer(const Scene& after, const Scene& before) {
   Scene scene = after;
   scene.axis = before.axis ? before.axis : asked_axis(after.axis);
@@ -123,7 +123,7 @@ std::vector<std::string> words_of(const std::string& markup) {
   return {std::istream_iterator<std::string>(text), {}};
 }
 
-/// Whether two thirds of the longer prompt stand in the other, too, in the same order.
+/// Whether two thirds of the words of the longer prompt occur in the other one, too, in the same order.
 bool alike(const std::string& a, const std::string& b) {
   const std::vector<std::string> x = words_of(a), y = words_of(b);
   std::vector<std::size_t> common(y.size() + 1, 0);  // the longest common subsequence with the words so far
@@ -143,12 +143,12 @@ const Value* named(const std::vector<Value>& values, const std::string& name) {
   return found == values.end() ? nullptr : &*found;
 }
 
-/// Under its own name, or as it is before.
+/// Whether the question is given this value, under its own name or as it was before the step.
 bool is_given(const Question& question, const Value& value) {
   return named(question.given, value.name) || named(question.given, before(value).name);
 }
 
-/// Wherever the walk tells it, it is this number.
+/// Whether the walk gives it this number wherever the walk mentions it.
 bool is_constant(const Walk& walk, const Value& value) {
   return std::ranges::all_of(walk.steps, [&](const Step& step) {
     const Value* there = named(step.values, value.name);
@@ -169,8 +169,8 @@ std::vector<Value> known_values(const Walk& walk, int step) {
   return known;
 }
 
-/// Those of a step's refused or untaken lines that are so before it, or were found at the step before, and are not
-/// what it asks.
+/// Returns the step's refused or untaken `lines` that were so before it already, or became so at the step before,
+/// without the line that it asks about.
 std::vector<int> known_lines(const std::vector<int>& lines, const std::vector<int>& before, int line_before, int line) {
   std::vector<int> known;
   std::ranges::copy_if(lines, std::back_inserter(known),

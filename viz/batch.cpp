@@ -7,7 +7,7 @@ namespace {
 
 constexpr double tolerance_px = 0.08;
 
-/// A line thinner than a pixel would fall between the samples: it is drawn a pixel wide and as much fainter.
+/// A pen. One thinner than a pixel would fall between the samples: it is made a pixel wide and as much fainter.
 struct Nib {
   double width;
   Colour colour;
@@ -18,7 +18,7 @@ Nib visible(double width, const Colour& colour, double scale) {
   return {1 / scale, colour.with_alpha(colour.a * pixels)};
 }
 
-/// As many points as can be told apart.
+/// Flattens the path, without points that cannot be told apart.
 Polyline seen(const Path& path, double scale) {
   constexpr std::size_t many = 1000;
   const double tolerance = tolerance_px / scale;
@@ -28,8 +28,8 @@ Polyline seen(const Path& path, double scale) {
 
 Pass pass_of(const Colour& colour) { return colour.a >= 1 ? Pass::opaque : Pass::paint; }
 
-/// Whether no two triangles of a stroke overlap: a straight line's, or those of its dashes, if no round cap reaches
-/// into the next.
+/// Whether no two triangles of a stroke overlap: those of a straight line, or those of its dashes if no round cap
+/// reaches into the next dash.
 bool apart(const std::vector<Polyline>& lines, bool round_cap) {
   return (lines.size() == 1 || !round_cap) &&
          std::ranges::all_of(lines, [](const Polyline& l) { return l.points.size() == 2 && !l.closed; });
@@ -40,7 +40,7 @@ Vertex vertex(const Vec2& p, const Vec2& uv, const Colour& c) {
   return {f(p.x()), f(p.y()), f(uv.x()), f(uv.y()), f(c.r), f(c.g), f(c.b), f(c.a)};
 }
 
-/// A focus on the rim would make the colour undefined there.
+/// Moves a focus off the rim, where the colour would be undefined.
 Vec2 well_inside(const Vec2& focus) {
   constexpr double most = 0.99;
   if (!focus.allFinite()) return Vec2::Zero();

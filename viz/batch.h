@@ -14,8 +14,8 @@ struct Vertex {
   float x, y, u, v, r, g, b, a;
 };
 
-/// How a run of triangles is drawn. Every shape leaves the stencil at 0 as it found it, but for `once`, whose marks the
-/// next passes that need a 0 have wiped.
+/// How a run of triangles is drawn. Every shape leaves the stencil at 0, as it found it, except for `once`, whose marks
+/// are wiped by the next passes that need a 0.
 enum class Pass {
   paint,     ///< colour
   opaque,    ///< the same where nothing shows through, which is quicker
@@ -45,7 +45,7 @@ struct Call {
 
 class Batch {
  public:
-  /// `scale` pixels per unit: curves are flattened to a twelfth of a pixel or better.
+  /// Draws at `scale` pixels per unit: curves are flattened to a twelfth of a pixel or better.
   explicit Batch(double scale) : scale_(scale) {}
 
   void add(const Fill&);
@@ -60,7 +60,7 @@ class Batch {
 
  private:
   void add(Pass, const Triangles&, const Colour&);
-  /// The call that the next vertices belong to: the last one when it can go on.
+  /// Returns the call that the next vertices belong to: the last one if they can join it.
   Call& call(Pass);
 
   double scale_;

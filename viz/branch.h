@@ -1,5 +1,5 @@
 #pragma once
-// What the condition at a line of pseudocode came to.
+// Whether the condition at a line of pseudocode was true.
 
 #include <optional>
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace isect::viz {
 
-/// Whether the line asks: "if ...", "while ...", "DISJOINT if ...".
+/// Whether the line has a condition: "if ...", "while ...", "DISJOINT if ...".
 bool has_condition(const std::string& line);
-/// Whether the condition at the step's line is true there: as it is compared, or else as the next steps tell. None
-/// where the step has no line, its line asks nothing, or the step does not decide it.
+/// Whether the condition at the step's line is true there: by its comparison, or else by the steps that follow. None
+/// where the step has no line, its line has no condition, or the step does not decide it.
 std::optional<bool> taken(const Walk&, int step);
 
 }  // namespace isect::viz

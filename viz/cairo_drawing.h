@@ -5,7 +5,7 @@
 
 namespace isect::viz {
 
-/// Background and shapes, one unit of the drawing a unit of the context.
+/// Draws background and shapes; one unit of the drawing is one unit of the context.
 void draw(_cairo*, const Drawing&, TypesetLine::As letters);
 
 }  // namespace isect::viz

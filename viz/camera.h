@@ -29,19 +29,19 @@ class View {
  public:
   View(const Camera&, double width, double height, Vec2 corner = Vec2::Zero());
 
-  /// Where `p` appears. In perspective, points at or behind the eye have depth <= 0.
+  /// Returns where `p` appears. In perspective, points at or behind the eye have depth <= 0.
   Projected project(const Vec3& p) const;
-  /// Unit vector from `p` towards the eye.
+  /// Returns the unit vector from `p` towards the eye.
   Vec3 towards_eye(const Vec3& p) const;
   /// The viewing ray through a pixel: a point on it and its unit direction away from the eye.
   struct ViewingRay {
     Vec3 origin, direction;
   };
   ViewingRay viewing_ray(const Vec2& pixel) const;
-  /// The point under `pixel` on the plane through `p` that faces the viewer: where a dragged handle goes.
+  /// Returns the point under `pixel` on the plane through `p` that faces the viewer: where a dragged handle goes.
   Vec3 on_facing_plane(const Vec2& pixel, const Vec3& p) const;
-  /// The same on the plane through `p` with this normal, of any length; none where it is seen nearly edge-on, so that a
-  /// pixel is no place there, or lies behind the eye.
+  /// Returns the point on the plane through `p` with this normal, of any length; none where the plane is seen so nearly
+  /// edge-on that a pixel fixes no point, or where the point lies behind the eye.
   std::optional<Vec3> on_plane(const Vec2& pixel, const Vec3& p, const Vec3& normal) const;
   /// Pixels per world unit at `p`, across the view direction.
   double scale_at(const Vec3& p) const;

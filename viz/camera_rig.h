@@ -14,12 +14,12 @@ class CameraRig {
 
   /// The view at this moment, somewhere between two views while it glides.
   const Camera& now() const { return now_; }
-  /// The view it will come to rest at.
+  /// The view at which it will come to rest.
   const Camera& goal() const { return moving() ? to_ : now_; }
   bool moving() const { return left_ > 0; }
 
   void jump(const Camera&);
-  /// Moves there in 350 ms, slow at both ends. Every moment in between is a valid camera.
+  /// Glides there in 350 ms, slow at both ends. Every moment in between is a valid camera.
   void glide(const Camera&, double seconds = 0.350);
   void advance(double seconds);
 

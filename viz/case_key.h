@@ -1,6 +1,6 @@
 #pragma once
-// What explains the numbers that stand on a map of cases in place of names, where a small one on paper has no room for
-// these.
+// The key to the numbers that stand for the names of cases on a map: a small map on paper has no room for the names
+// themselves.
 
 #include <string>
 #include <vector>
@@ -11,13 +11,13 @@ namespace isect::viz {
 
 class CaseKey {
  public:
-  /// In rows of this width.
+  /// Arranges the key in rows of this width.
   CaseKey(const ChartInk&, const Cases&, double width);
 
-  /// What is written on the map for each branch: its number; of one that is nowhere on the map, its name.
+  /// What is written on the map for each branch: its number, or its name if the branch is nowhere on the map.
   const std::vector<std::string>& numbers() const { return numbers_; }
   double height(const ChartInk&) const;
-  /// In centred rows, from `top` down.
+  /// Draws the key in centred rows, from `top` down.
   void draw(ChartInk&, double left, double right, double top) const;
 
  private:

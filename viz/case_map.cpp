@@ -29,7 +29,7 @@ class Sweep {
  public:
   Sweep(const CaseMap& map, const Parameters& here, Cases& out) : map_(map), here_(here), out_(out) {}
 
-  /// A level line, or what lies between two of them; false when that was the last.
+  /// Does a level line, or the strip between two of them; returns false if that was the last one.
   bool next() {
     if (const auto j = static_cast<int>(levels_.size()); j <= map_rows) {
       const double step = (map_.hi.y() - map_.lo.y()) / map_rows;
@@ -54,14 +54,14 @@ class Sweep {
   struct Around {
     const Level &below, &above;
 
-    /// Where both have one and the same branch far and wide, so has what lies between.
+    /// Whether both levels have one and the same branch within `wide` of x: then so has any level between them.
     bool agree(double x, double wide) const {
       return below.at(x) == above.at(x) && !below.has_cut(x - wide, x + wide) && !above.has_cut(x - wide, x + wide);
     }
   };
 
-  /// One a column and, between two levels, some in each narrow region of theirs, which may become narrower. They keep
-  /// off round numbers, where lines and points of the plane have branches of their own.
+  /// Returns one place per column and, between two levels, some more in each of their narrow regions, which may become
+  /// narrower. They avoid round numbers, where lines and points of the plane have branches of their own.
   std::vector<double> samples(const Around* around) const {
     std::vector<double> places;
     for (int i = 0; i <= map_columns; ++i) places.push_back(abscissa(i) + (i == map_columns ? -off : off) * width());
@@ -93,7 +93,7 @@ class Sweep {
     return l;
   }
 
-  /// The first place found between `left`, where this branch is taken, and `right`, where it is not, that has another.
+  /// Returns the first place found that has another branch, between `left`, where it is `before`, and `right`.
   double end_of(int before, double left, double right, double y) const {
     for (int i = 0; i < 12; ++i) {
       const double middle = (left + right) / 2;
@@ -102,7 +102,7 @@ class Sweep {
     return right;
   }
 
-  /// Whether a border turns at the middle one of three levels by more than can be seen; true where they do not tell.
+  /// Whether a border bends visibly at the middle one of three levels; true if the levels have different branches.
   bool bent(const Level& below, const Level& middle, const Level& above) const {
     if (below.branches != middle.branches || middle.branches != above.branches) return true;
     for (std::size_t i = 0; i < middle.cuts.size(); ++i)
@@ -112,7 +112,7 @@ class Sweep {
 
   bool bent_at(int j) const { return j > 0 && j < map_rows && bent(levels_[j - 1], levels_[j], levels_[j + 1]); }
 
-  /// `turns`: a border may do so in between, at a corner or in a curve.
+  /// Fills the strip between two levels. `turns`: a border may bend in it, at a corner or along a curve.
   void between(const Level& below, const Level& above, bool turns, int depth) {
     const bool alike = below.branches == above.branches;
     double moved = 0;  // of the cut that moves most
@@ -148,7 +148,7 @@ class Sweep {
     }
   }
 
-  /// Regions begin or end between the two: each goes on to the middle, where the borders run across.
+  /// Lets regions that begin or end between the levels go on to the middle, where the borders run across.
   void step(const Level& below, const Level& above) {
     const double y = (below.y + above.y) / 2;
     Level up = below, down = above;
@@ -180,7 +180,7 @@ class Sweep {
   std::vector<std::vector<Vec2>> open_;  ///< one for each cut, while the sequence stays the same
 };
 
-/// Few and round: halves, ones, twos, fives.
+/// Returns a few round numbers for the ticks: multiples of halves, ones, twos or fives.
 std::vector<std::pair<double, std::string>> ticks(double lo, double hi) {
   double step = 0.5;
   for (const double wider : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0})
@@ -194,7 +194,7 @@ bool within(const CaseMap& map, const Vec2& p) {
   return (p.array() >= map.lo.array()).all() && (p.array() <= map.hi.array()).all();  // not where NaN
 }
 
-/// The branches at and closely around a place, with the rest as in `setting`.
+/// Returns the branches at a place and closely around it; the other parameters are those of `setting`.
 std::set<int> around(const CaseMap& map, const Parameters& setting, const Vec2& at) {
   std::set<int> branches;
   for (const Vec2& d : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)})

@@ -7,9 +7,9 @@
 namespace isect::viz {
 namespace {
 
-constexpr int scan_lines = 4;          ///< on which a row of cells is looked at
-constexpr double nearly_whole = 0.98;  ///< a cell of which so much lies in a region counts as its own
-constexpr double hair = 1e-6;          ///< what only rounding could decide
+constexpr int scan_lines = 4;          ///< per row of cells
+constexpr double nearly_whole = 0.98;  ///< a cell of which this share lies in a region counts as inside it
+constexpr double hair = 1e-6;          ///< smaller differences are left to rounding
 
 // What a place for a name costs besides the length of its leader.
 constexpr double over_border = 1000, through_name = 2000, over_leader = 2000, over_name = 8000;
@@ -61,7 +61,7 @@ Vec2 CaseNames::drawn(const Vec2& cells) const {
   return {plane_.left + cells.x() * cell_.x(), plane_.bottom - cells.y() * cell_.y()};
 }
 
-/// How much of a cell a region covers is summed up along a few lines of each row.
+/// Sums up, along a few lines of each row, how much of each cell a region covers.
 void CaseNames::rasterise(const Cases& cases) {
   const Vec2 lo(cases.x.lo, cases.y.lo), size(cases.x.hi - cases.x.lo, cases.y.hi - cases.y.lo);
   std::vector<std::vector<double>> covered(sums_.size(), std::vector<double>(columns * rows, 0));
@@ -129,7 +129,7 @@ CaseNames::Room CaseNames::largest(int branch, const Vec2& name) const {
   return best;
 }
 
-/// In the middle of where it is widest, off what is taken; a region thinner than a cell has its largest patch.
+/// Returns the middle of the region's widest part off what is taken; if thinner than a cell, of its largest patch.
 Vec2 CaseNames::some_point_of(int branch) const {
   const double side = 6 * std::min(cell_.x(), cell_.y());
   const Room room = largest(branch, Vec2(side, side).cwiseQuotient(cell_));
@@ -144,8 +144,8 @@ Vec2 CaseNames::some_point_of(int branch) const {
   return drawn(((a + b + c + d) / 4 - lo).cwiseQuotient(size).cwiseProduct(Vec2(columns, rows)));
 }
 
-/// The nearest place for the whole name in one region, with a free way for the leader from the region's middle, or else
-/// from another point of it; over borders only if there is none. What coarser steps find bounds the finer search.
+/// Returns the nearest place for the whole name in one region, with a free way for the leader from the region's middle,
+/// or else from another point of it; over borders only if there is no other. Coarse steps bound the finer search.
 NamePlace CaseNames::beside(int branch, const Vec2& size) const {
   const Vec2 middle = some_point_of(branch);
   NamePlace best;

@@ -10,20 +10,20 @@
 
 namespace isect::viz {
 
-/// Whether a branch has no region: it is only a line or a point of the plane.
+/// Whether a branch has no region, only a line or a point of the plane.
 bool is_thin(const Cases&, int branch);
 
 struct NamePlace {
   Vec2 middle;
   std::optional<Vec2> leads_to = {};  ///< a point of its region, where the name stands beside it
   bool on_border = false;             ///< there is no place off the borders
-  double cost = 0;                    ///< 0 in its region; else the leader's length, and more for what is in the way
+  double cost = 0;                    ///< 0 in its region; else the leader's length, plus penalties for obstacles
 };
 
 /// The plane as fine cells, each wholly of one branch or of none.
 class CaseNames {
  public:
-  /// A place that costs so much has a leader across another one, or something on a name.
+  /// A place of this cost or more has a leader across another one, or something over a name.
   static constexpr double crossed = 1500;
 
   CaseNames(const Cases&, const Bounds& plane);
@@ -32,10 +32,10 @@ class CaseNames {
   void take(const TextBox&, bool may_cross = false);
   /// Names keep off this line, and their leaders do not cross it.
   void take_leader(const Vec2& from, const Vec2& to);
-  /// What a leader would cost for the names and leaders that it meets.
+  /// Returns what a leader would cost for the names and leaders that it meets.
   double in_the_way(const Vec2& from, const Vec2& to) const;
-  /// Where a name of this size has most room in its region; else the nearest place from which a leader reaches it. Of
-  /// equally good places the first in order, however a machine rounds.
+  /// Returns where a name of this size has most room in its region; else the nearest place from which a leader reaches
+  /// it. Of equally good places it takes the first in order, however a machine rounds.
   NamePlace place(int branch, const Vec2& size) const;
 
  private:
@@ -49,11 +49,11 @@ class CaseNames {
   Room largest(int branch, const Vec2& name) const;
   /// Whether a box, in cells, lies wholly in this branch's region and off what is taken.
   bool filled(int branch, const Vec2& middle, const Vec2& half) const;
-  /// The same of whichever branch.
+  /// Whether a box lies wholly in one region of any branch and off what is taken.
   bool filled(const Vec2& middle, const Vec2& half) const;
   Vec2 some_point_of(int branch) const;
   NamePlace beside(int branch, const Vec2& size) const;
-  /// Of places every `step` cells, as a share of one, that cost less than `most`.
+  /// Returns the cheapest place beside `to` that costs less than `most`, searched every `step` cells (may be below 1).
   NamePlace beside(const Vec2& to, const Vec2& size, double step, double most) const;
 
   int& sum(int branch, int x, int y);
@@ -63,7 +63,7 @@ class CaseNames {
   const Cases& cases_;
   Bounds plane_;
   Vec2 cell_;                           ///< its size
-  std::vector<std::vector<int>> sums_;  ///< of each branch: the cells below and left of a corner
+  std::vector<std::vector<int>> sums_;  ///< per branch: the number of its cells below and left of a corner
   std::vector<TextBox> taken_, crossable_;
   std::vector<std::pair<Vec2, Vec2>> leaders_;
 };

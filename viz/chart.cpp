@@ -5,7 +5,7 @@
 namespace isect::viz {
 namespace {
 
-/// Sizes follow the width alone: a chart is as high as it must be.
+/// Returns the theme whose sizes follow the width alone: a chart is as high as it must be.
 Theme theme_for(ThemeName name, double width) { return theme(name, width, width); }
 
 Bounds room_of(Vec2 corner, double width, double height, const Theme& theme) {

@@ -55,7 +55,7 @@ struct Scale {
   std::vector<std::pair<double, std::string>> ticks = {};  ///< chosen by themselves if empty
 };
 
-/// A marker, with a whisker down to `low` if there is one. Those on the front are joined by steps.
+/// A marker, with a whisker down to `low` if there is one. Markers on the front are joined by steps.
 struct Spot {
   int series = 0;
   double x = 0, y = 0;
@@ -117,8 +117,8 @@ struct Bars {
   std::string target_name = "target";  ///< in the legend, if any row has one
 };
 
-/// Two opposite faults back to back, a panel a method: to the left of a zero line the one, to the right the other.
-/// Panels share their rows and their scale; each bar has its number.
+/// Two opposite faults back to back, one panel per method: one fault to the left of a zero line, the other to the
+/// right. Panels share their rows and their scale; each bar has its number.
 struct Mirrored {
   struct Pair {
     double left = 0, right = 0;  ///< in percent
@@ -128,13 +128,13 @@ struct Mirrored {
     std::vector<Pair> pairs;  ///< a row each
   };
   std::vector<std::string> rows;  ///< names, from the top
-  int apart = 0;                  ///< so many rows stand apart from those below
+  int apart = 0;                  ///< this many rows at the top stand apart from the others
   std::string rows_title;
   std::array<std::pair<std::string, Tone>, 2> kinds;  ///< left and right, as in the legend
   std::vector<Panel> panels;
   std::string below;  ///< what the numbers are
 };
-/// A share in percent by two digits: "28", "5.4", "0.06", "<0.01", and "0" for none.
+/// Returns a share in percent with two digits: "28", "5.4", "0.06", "<0.01", and "0" for none.
 std::string percent_text(double);
 
 /// A plane of two parameters in regions, one for each branch. viz/case_map.h makes one.
@@ -153,13 +153,13 @@ struct Cases {
   std::vector<Patch> patches;
   std::vector<std::vector<Vec2>> borders;
   bool one_scale = false;  ///< a unit is as long along y as along x
-  /// Names that are written: all, those that their regions have room for, or none.
+  /// Which names are written: all, those for which their regions have room, or none.
   enum class Named { all, within, none } named = Named::all;
   std::vector<Spot> presets;      ///< small rings; a branch without an area gets its name beside one
   std::optional<Spot> here = {};  ///< the setting that is shown
 };
 
-/// A text in rows, each under its head.
+/// A text in rows, each beside or below its head.
 struct Card {
   struct Row {
     std::string head, text;
@@ -171,19 +171,19 @@ struct Chart {
   std::variant<Plot, Maps, Bars, Mirrored, Cases, Card> kind;
 };
 
-/// Whether all that a scene shows is a card: it speaks of the whole lesson, not of one setting.
+/// Whether the scene shows nothing but a card: it is about the whole lesson, not about one setting.
 bool is_card(const Scene&);
 
-/// The shapes of a chart within a rectangle, and all of its labels.
+/// Returns the shapes of a chart within a rectangle, and all of its labels.
 Composed compose(const Chart&, Vec2 corner, double width, double height, const Theme&);
-/// The height at which a chart of this width reads well.
+/// Returns the height at which a chart of this width reads well.
 double natural_height(const Chart&, double width, const Theme&);
-/// Where the plane lies in a chart composed within this rectangle: what a pointer needs.
+/// Returns where the plane lies in a chart composed within this rectangle, for the pointer.
 Box2 plane_of(const Cases&, Vec2 corner, double width, double height, const Theme&);
-/// A chart as a figure of its own, sizes as in a figure of this width.
+/// Returns a chart as a figure of its own, with the sizes of a figure of this width.
 Figure chart_figure(const Chart&, ThemeName, double width);
 
-/// Which of the points (x: cost, y: error) no other one beats: none is at most as large in both and smaller in one.
+/// Tells which points (x: cost, y: error) no other one beats: at most as large in both and smaller in one.
 std::vector<bool> pareto_front(const std::vector<Vec2>&);
 
 }  // namespace isect::viz

@@ -1,4 +1,4 @@
-// Rows on one scale: markers, a target, and what became of it.
+// Rows on one scale: markers, a target, and whether it was met.
 
 #include <algorithm>
 #include <cmath>

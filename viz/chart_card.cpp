@@ -1,4 +1,4 @@
-// A card of text: heads in a column, what each says beside it.
+// A card of text: heads in a column, and a text beside each.
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ constexpr double narrow = 12;           // in sizes: a text with less room stand
 constexpr std::size_t many = 12;        // rows: as many may stand in several columns
 constexpr std::size_t most_columns = 3;
 
-/// A word, or what stays together, and how wide it is at size 1.
+/// A word, or words that must stay together, and their width at size 1.
 using Word = std::pair<std::string, double>;
 
 std::vector<Word> words_of(const ChartInk& ink, const std::string& markup) {
@@ -25,7 +25,7 @@ std::vector<Word> words_of(const ChartInk& ink, const std::string& markup) {
   return all;
 }
 
-/// The text on as few lines as fit into `room`, in sizes of the text.
+/// Breaks the text into as few lines as fit into `room`, in sizes of the text.
 std::vector<std::string> broken(const std::vector<Word>& words, double room) {
   constexpr double space = 0.34;  // with what letters keep free on either side
   std::vector<std::string> lines;
@@ -72,7 +72,7 @@ class Typesetter {
     return s;
   }
 
-  /// At the largest size that fits, with as few columns as that takes.
+  /// Returns the card at the largest size that fits, with as few columns as that takes.
   Typeset within(const Bounds& room) const {
     Typeset best = within(room, 1);
     for (std::size_t columns = 2; columns <= most_columns && texts_.size() >= many; ++columns)
@@ -100,7 +100,7 @@ class Typesetter {
 
 }  // namespace
 
-/// The empty margin of a card on either side.
+/// Returns the width of a card's empty margin on either side.
 static double side_of(const ChartInk& ink, double width) { return std::min(1.5 * ink.sizes().label, 0.04 * width); }
 
 double natural_height(const ChartInk& ink, const Card& card, double whole) {

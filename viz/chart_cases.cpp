@@ -13,7 +13,7 @@
 namespace isect::viz {
 namespace {
 
-/// The first branch keeps the background; the others take the objects' colours in turn.
+/// Returns a branch's colour: the background's for the first one, the objects' colours in turn for the others.
 Colour colour_of(int branch, const Theme& theme) {
   if (theme.name == ThemeName::grey) {
     constexpr double levels[] = {0, 0.2, 0.09, 0.27, 0.04, 0.15, 0.12, 0.3};
@@ -28,7 +28,7 @@ Colour colour_of(int branch, const Theme& theme) {
 
 class PlaneOfCases {
  public:
-  /// `names`: what is written for the branches, one each.
+  /// `names`: the text for each branch, one each.
   PlaneOfCases(ChartInk& ink, const Cases& cases, const Bounds& b, double room_for_numbers,
                std::vector<std::string> names)
       : ink_(ink),
@@ -68,7 +68,7 @@ class PlaneOfCases {
     if (cases_.here) ink_.mark(Mark::double_disc, at(cases_.here->at), Role::text);
   }
 
-  /// A number of an axis: beside a marker that would cover it, or nowhere.
+  /// Writes a number of an axis: beside a marker that would cover it, or not at all.
   void number(const std::string& text, const Vec2& place, double align) {
     const double size = ink_.sizes().axis, width = ink_.width(text, size);
     Vec2 to = place;
@@ -91,7 +91,7 @@ class PlaneOfCases {
   }
   bool is_here(const Cases::Spot& preset) const { return cases_.here && cases_.here->at == preset.at; }
 
-  /// Each patch reaches a little under the one above it and right of it, so that no seam shows.
+  /// Fills the regions. Each patch reaches a little under the one above it and right of it, so that no seam shows.
   void regions() {
     const double over = 0.35 * ink_.sizes().hairline;
     for (const Cases::Patch& patch : cases_.patches) {
@@ -104,7 +104,7 @@ class PlaneOfCases {
     }
   }
 
-  /// Dashed lines from the axes to the setting.
+  /// Draws dashed lines from the axes to the setting.
   void here() {
     if (!cases_.here) return;
     const Sizes& s = ink_.sizes();
@@ -114,7 +114,7 @@ class PlaneOfCases {
     ink_.line({{b_.left, p.y()}, p}, colour, s.construction, s.construction_dash);
   }
 
-  /// Those of lines, then those of regions; in another order where a leader would cross another one or a name.
+  /// Writes names of lines, then of regions; in another order if a leader would cross another leader or a name.
   void names() {
     CaseNames room(cases_, b_);
     keep_off_marks(room);
@@ -146,7 +146,7 @@ class PlaneOfCases {
     }
   }
 
-  /// Where the names of regions go, before or after those of lines.
+  /// Where the names of regions go, and whether before or after those of lines.
   struct Names {
     std::vector<std::pair<int, NamePlace>> places = {};
     bool lines_first = true;
@@ -185,7 +185,7 @@ class PlaneOfCases {
     if (label.leads_to) room.take_leader(nearest_in(label.box, *label.leads_to), *label.leads_to);
   }
 
-  /// Of the branches that are no more than a line or a point of the plane: each beside a setting that lies there.
+  /// Returns the names of branches that are only a line or a point, each beside a setting that lies there.
   std::vector<Wanted> names_of_lines() const {
     std::vector<Wanted> all;
     for (int i = 0; i < branches(); ++i)
@@ -196,7 +196,7 @@ class PlaneOfCases {
     return all;
   }
 
-  /// Where other settings are marked than this one.
+  /// Returns where settings other than this one are marked.
   std::vector<Vec2> others(const Cases::Spot& spot) const {
     std::vector<Vec2> all;
     for (const auto& [p, radius] : markers())
@@ -209,7 +209,7 @@ class PlaneOfCases {
     return {ink_.width(names_[branch], s.label) + 0.5 * s.label, 1.4 * s.label};
   }
 
-  /// A region's name, with its leader if it has one.
+  /// Writes a region's name, with its leader if it has one.
   TextBox write(int branch, const NamePlace& place) {
     const Sizes& s = ink_.sizes();
     if (place.leads_to) {
@@ -224,14 +224,14 @@ class PlaneOfCases {
   }
 
   int branches() const { return static_cast<int>(cases_.branches.size()); }
-  /// A setting on this branch that is marked.
+  /// Returns a marked setting on this branch.
   const Cases::Spot* first_on(int branch) const {
     const auto preset = std::ranges::find(cases_.presets, branch, &Cases::Spot::branch);
     if (preset != cases_.presets.end()) return &*preset;
     return cases_.here && cases_.here->branch == branch ? &*cases_.here : nullptr;
   }
 
-  /// Names keep off the markers, and off the dashed lines to the setting.
+  /// Keeps names off the markers, and off the dashed lines to the setting.
   void keep_off_marks(CaseNames& places) const {
     const double clear = ink_.sizes().label_clear, r = mark_radius(Mark::double_disc, ink_.sizes()) + clear;
     for (const Cases::Spot& preset : cases_.presets) places.take(box_around(at(preset.at), {r, r}));
@@ -242,7 +242,7 @@ class PlaneOfCases {
     places.take({b_.left, p.y() - clear, p.x(), p.y() + clear}, true);
   }
 
-  /// All markers, with their radii.
+  /// Returns all markers, with their radii.
   std::vector<std::pair<Vec2, double>> markers() const {
     std::vector<std::pair<Vec2, double>> all;
     for (const Cases::Spot& preset : cases_.presets)
@@ -297,7 +297,7 @@ struct Titles {
   Titles(const ChartInk& ink, const Cases& cases, double room)
       : x(ink.wrapped(cases.x.title, ink.sizes().axis, false, room)),
         y(ink.wrapped(cases.y.title, ink.sizes().axis, false, room)) {}
-  /// What further lines add, in sizes of their text.
+  /// The height that further lines add, in sizes of their text.
   double above() const { return pitch * (std::max<double>(static_cast<double>(y.size()), 1) - 1); }
   double below() const { return pitch * (std::max<double>(static_cast<double>(x.size()), 1) - 1); }
 };
@@ -313,7 +313,7 @@ Bounds plane_above(const ChartInk& ink, const Cases& cases, const Bounds& room, 
   return {b.left + spare.x(), b.top + spare.y(), b.right - spare.x(), b.bottom - spare.y()};
 }
 
-/// On paper, where not every name has its place: a map as wide as a page has room for leaders.
+/// Returns a key on paper if some name has no place; not on a map as wide as a page, which has room for leaders.
 std::optional<CaseKey> key_for(const ChartInk& ink, const Cases& cases, const Bounds& room) {
   constexpr double roomy = 40;  // in sizes of the names
   if (!has_one_size(ink.theme()) || cases.named != Cases::Named::all) return {};

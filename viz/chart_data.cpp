@@ -62,7 +62,7 @@ class PanelInk {
     ink_.line({{low.x() - half, low.y()}, {low.x() + half, low.y()}}, colour(spot), 0.75 * s().outline);
   }
 
-  /// Names keep off the front's steps and off the whiskers.
+  /// Draws the markers; their names keep off the front's steps and off the whiskers.
   void markers(const std::vector<const Spot*>& spots) {
     std::vector<Marker> all;
     std::vector<Obstacle> lines;
@@ -93,7 +93,7 @@ class PanelInk {
     names();
   }
 
-  /// A marker or two on a smooth curve, each curve's at another height so that equal curves still show all of theirs.
+  /// Draws a marker or two on a smooth curve, each curve's elsewhere, so that equal curves still show all markers.
   void marks_on(const std::vector<Vec2>& points, const Series& series, const Colour& ink, int order) {
     const double share = 0.2 + 0.6 * std::fmod(0.382 * order + 0.1, 1.0);
     const double level = points.front().y() + share * (points.back().y() - points.front().y());
@@ -105,7 +105,7 @@ class PanelInk {
     }
   }
 
-  /// Names at the right ends, spread until no two meet; a thin line leads to one that had to move.
+  /// Writes names at the right ends, spread until no two meet; a thin line leads to each name that had to move.
   void names() {
     struct Name {
       const Curve* curve;

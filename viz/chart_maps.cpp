@@ -40,8 +40,8 @@ struct MapsLayout {
   }
 };
 
-/// The cells as few rectangles: equal runs of a row, joined with equal runs below. Later kinds reach a little over
-/// their neighbours, so that no seam shows between two that touch.
+/// Draws the cells as few rectangles: equal runs of a row, joined with equal runs below. Later kinds reach a little
+/// over their neighbours, so that no seam shows between touching cells.
 void cells(ChartInk& ink, const Maps& chart, const Map& map, const Bounds& b) {
   const double w = (b.right - b.left) / map.columns, h = (b.bottom - b.top) / map.rows;
   const auto kind = [&](int x, int y) { return map.cells[static_cast<std::size_t>(y) * map.columns + x]; };

@@ -1,4 +1,4 @@
-// Markers at their data. Those that meet are told apart by size and shape, and named beside.
+// Markers at their data. Those that overlap are told apart by size and shape, and named beside.
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace isect::viz {
 namespace {
 
-/// A marker with its size; `cluster`: the first of those that it meets, by way of others too.
+/// A marker with its size; `cluster`: the first marker of the group that it overlaps, directly or through others.
 struct Sized {
   const Marker* marker;
   double radius;
@@ -47,8 +47,8 @@ class Names {
     }
   }
 
-  /// Beside the cluster, right before left, as near as is free.
-  /// The leaders become `lines` too.
+  /// Places the names beside the cluster, right before left, as near as there is room.
+  /// Adds the leaders to `lines`.
   void place(const std::vector<Sized>& all, std::vector<Obstacle>& lines, const Bounds& panel) {
     const double height = pitch() * static_cast<double>(cluster_.size()), middle = (box_.top + box_.bottom) / 2;
     std::optional<TextBox> best;
@@ -91,7 +91,7 @@ class Names {
            std::ranges::none_of(ink_.labels(), [&](const PlacedLabel& label) { return meets(label.box); });
   }
 
-  /// In the order in which no two cross: from beside the names, from top to bottom, to the markers.
+  /// Returns leaders that do not cross: from beside the names, from top to bottom, to the markers.
   std::vector<std::pair<Vec2, Vec2>> leaders(const TextBox& column, bool right) {
     const Vec2 middle(right ? column.left : column.right, (column.top + column.bottom) / 2);
     const auto slope = [&](const Sized& s) {
@@ -108,7 +108,7 @@ class Names {
     return lines;
   }
 
-  /// Off other markers, and off the names of those.
+  /// Whether the leaders keep off the markers of other clusters, and off their names.
   bool are_free(const std::vector<std::pair<Vec2, Vec2>>& leaders, const std::vector<Sized>& all) const {
     const auto meets = [&](const TextBox& b) {
       return std::ranges::any_of(leaders,

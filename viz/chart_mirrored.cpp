@@ -39,7 +39,7 @@ struct MirroredLayout {
     for (const auto& [name, tone] : chart.kinds) entries.push_back({name, {}, colour_of(tone, ink.theme())});
     below = ink.wrapped(chart.below, s.axis, false, width);
   }
-  /// The middle of a row, from the top of its panel.
+  /// Returns the middle of a row, from the top of its panel.
   double middle(const Mirrored& chart, std::size_t row) const {
     return head + (static_cast<double>(row) + 0.5) * pitch + (static_cast<int>(row) < chart.apart ? 0 : apart);
   }
@@ -52,7 +52,7 @@ struct MirroredLayout {
   }
 };
 
-/// A bar from the zero line to the left (-1) or right (1), and its number beyond its end.
+/// Draws a bar from the zero line to the left (-1) or right (1), and its number beyond its end.
 void bar(ChartInk& ink, const Vec2& zero, int side, double length, double share, Tone tone) {
   const Sizes& s = ink.sizes();
   const double half = 0.46 * s.axis, end = zero.x() + side * length;

@@ -14,7 +14,7 @@
 namespace isect::viz {
 namespace {
 
-/// Corners on circles of the radii given, in turn, from `start` on (a quarter turn is up).
+/// Returns corners on circles of the given radii, in turn, starting at `start` (a quarter turn is up).
 std::vector<Vec2> star(const Vec2& at, std::vector<double> radii, int corners, double start = 0.25) {
   std::vector<Vec2> points;
   for (int i = 0; i < corners; ++i) {
@@ -24,7 +24,7 @@ std::vector<Vec2> star(const Vec2& at, std::vector<double> radii, int corners, d
   return points;
 }
 
-/// A plus of arms `half` thick, turned by `turn`.
+/// Returns a plus with arms of half-width `half`, turned by `turn`.
 std::vector<Vec2> cross_shape(const Vec2& at, double r, double turn) {
   const double h = 0.36 * r, c = std::cos(turn), s = std::sin(turn);
   const Vec2 corners[] = {{h, h},   {h, r},   {-h, r}, {-h, h}, {-r, h}, {-r, -h},
@@ -34,7 +34,7 @@ std::vector<Vec2> cross_shape(const Vec2& at, double r, double turn) {
   return points;
 }
 
-/// All of about the same area.
+/// Returns the outline of a glyph; all have about the same area.
 Path outline_of(Glyph glyph, const Vec2& at, double r) {
   const auto closed = [](const std::vector<Vec2>& points) { return polyline(points, true); };
   switch (glyph) {
@@ -70,7 +70,7 @@ Path outline_of(Glyph glyph, const Vec2& at, double r) {
   return circle(at, 0.98 * r);
 }
 
-/// The values at which a tick may stand: `of_decade` of each decade, every `every`-th decade.
+/// Returns the values at which a tick may stand: `of_decade` of each decade, every `every`-th decade.
 std::vector<double> log_ticks(double lo, double hi, const std::vector<double>& of_decade, int every) {
   std::vector<double> values;
   const int first = static_cast<int>(std::floor(std::log10(lo))), last = static_cast<int>(std::ceil(std::log10(hi)));
@@ -83,7 +83,7 @@ std::vector<double> log_ticks(double lo, double hi, const std::vector<double>& o
   return values;
 }
 
-/// Multiples of `step`; none if there are more than anyone would draw.
+/// Returns multiples of `step`; none if there are far too many to draw.
 std::vector<double> linear_ticks(double lo, double hi, double step) {
   std::vector<double> values;
   if ((hi - lo) / step > 64) return values;

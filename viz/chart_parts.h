@@ -1,5 +1,5 @@
 #pragma once
-// What all kinds of chart are made of: text that is measured, markers, scales with their ticks, and the legend.
+// The parts that all kinds of chart share: measured text, markers, scales with their ticks, and the legend.
 
 #include "viz/chart.h"
 #include "viz/labels.h"
@@ -15,7 +15,7 @@ class ChartInk {
   const Sizes& sizes() const { return theme_.sizes; }
   double glyph_radius() const { return 1.55 * sizes().disc; }
 
-  /// What is drawn from now on belongs to this part of the chart; a part may be gone on with.
+  /// Assigns what is drawn from now on to this part of the chart; an earlier part may be continued.
   void part(const std::string& kind, const std::string& markup = {}, Role role = Role::text);
 
   struct Style {
@@ -27,7 +27,7 @@ class ChartInk {
   };
   double width(const std::string& markup, double size, bool bold = false) const;
   TextBox text(const std::string& markup, const Vec2& at, const Style&, const std::optional<Vec2>& leads_to = {});
-  /// Words on as few lines as fit into `room`; a word wider than that stands alone.
+  /// Breaks words into as few lines as fit into `room`; a word wider than that gets a line of its own.
   std::vector<std::string> wrapped(const std::string& markup, double size, bool bold, double room) const;
 
   void line(const std::vector<Vec2>& points, const Colour&, double width, std::array<double, 2> dash = {0, 0},
@@ -35,12 +35,12 @@ class ChartInk {
   void ring(const Vec2& middle, double radius, const Colour&, double width);
   void fill(const std::vector<Vec2>& points, const Colour&);
   void box(const Bounds&, const Colour&);
-  /// Labels with places of their own choice within `room`, clear of each other, of the texts so far and of the
+  /// Places labels within `room`, wherever they fit clear of each other, of the texts so far and of the
   /// obstacles.
   void place(const std::vector<Wanted>&, const std::vector<Obstacle>&, const Bounds& room);
-  /// A scene's marker.
+  /// Draws a scene's marker.
   void mark(Mark, const Vec2& at, Role);
-  /// A marker with a halo; hollow ones are filled with the background, or `open`: what lies below shows through.
+  /// Draws a marker with a halo; hollow ones are filled with the background, or are see-through if `open`.
   void glyph(Glyph, const Vec2& at, double radius, const Colour&, bool hollow, bool open = false);
 
   const std::vector<PlacedLabel>& labels() const { return out_.labels; }
@@ -50,7 +50,7 @@ class ChartInk {
   const Theme& theme_;
   Composed out_;
   int part_ = no_object;
-  std::size_t assigned_ = 0;  ///< so many shapes know their part
+  std::size_t assigned_ = 0;  ///< this many shapes have their part
 };
 
 /// One scale over a stretch of the drawing (`from` may lie right of or below `to`).
@@ -60,7 +60,7 @@ class ScaleLine {
   ScaleLine(const Scale& scale, double from, double to, double reach = 0)
       : scale_(scale), from_(from), to_(to), reach_(reach) {}
   double at(double value) const;
-  /// Values with labels, as many as `room` gives each: the width of its text, or a line's height.
+  /// Returns values with labels, as many as `room` allows: the width of a label's text, or a line's height.
   std::vector<std::pair<double, std::string>> ticks(const ChartInk&, bool across) const;
 
  private:
@@ -68,12 +68,12 @@ class ScaleLine {
   double from_, to_, reach_;
 };
 
-/// The colour `share` of the way from the background to `ink`, opaque.
+/// Returns the colour that lies `share` of the way from the background to `ink`, opaque.
 Colour tinted(const Theme&, const Colour& ink, double share);
-/// Of a cell of a map, or of a bar that stands for such cells.
+/// Returns the colour of a cell of a map, or of a bar that stands for such cells.
 Colour colour_of(Tone, const Theme&);
 std::array<double, 2> dash_of(int index, const Sizes&);
-/// "0.05", "5", "2 000", "10^{6}": short enough for an axis.
+/// Returns "0.05", "5", "2 000", "10^{6}": short enough for an axis.
 std::string tick_text(double value);
 
 /// An entry of a legend: a marker (with a piece of its curve where there is one), or a filled square.
@@ -86,7 +86,7 @@ struct LegendEntry {
   bool tick = false;                               ///< a target's short upright line
 };
 double legend_height(const ChartInk&, const std::vector<LegendEntry>&, double width);
-/// In centred rows within `width`, from `corner` down.
+/// Draws the legend in centred rows within `width`, from `corner` down.
 void legend(ChartInk&, const std::vector<LegendEntry>&, const Vec2& corner, double width);
 
 // The kinds, each in a file of its own.
@@ -102,7 +102,7 @@ double natural_height(const ChartInk&, const Bars&, double width);
 double natural_height(const ChartInk&, const Mirrored&, double width);
 double natural_height(const ChartInk&, const Cases&, double width);
 double natural_height(const ChartInk&, const Card&, double width);
-/// The plane itself, within a chart's rectangle.
+/// Returns the plane's own rectangle within a chart's rectangle.
 Bounds plane_within(const ChartInk&, const Cases&, const Bounds&);
 
 /// A marker at the place of its data.
@@ -113,11 +113,11 @@ struct Marker {
   bool hollow = false;
   std::string name = {};  ///< markup; may be empty
 };
-/// Each marker at its place; of those that meet the later are smaller, and their names stand aside with leaders, where
-/// the panel has room off the markers and the lines.
+/// Draws each marker at its place. Of markers that overlap the later ones are smaller, and their names stand aside with
+/// leaders, where the panel has room clear of markers and lines.
 void draw_markers(ChartInk&, const std::vector<Marker>&, std::vector<Obstacle> lines, const Bounds& panel);
 
-/// One panel's data within its rectangle.
+/// Draws one panel's data within its rectangle.
 void draw_data(ChartInk&, const Plot&, const Panel&, const Bounds&);
 
 }  // namespace isect::viz

@@ -8,7 +8,7 @@
 namespace isect::viz {
 namespace {
 
-/// How the panels stand, and what stands round them. One place decides it for drawing and for measuring.
+/// Where the panels stand, and what stands around them: decided once, for drawing and for measuring.
 class PlotLayout {
  public:
   PlotLayout(const ChartInk& ink, const Plot& plot, double width) : ink_(ink), plot_(plot), width_(width) {

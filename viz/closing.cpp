@@ -70,7 +70,7 @@ Step closing_step(const Lesson& lesson, const Step& before) {
   return step;
 }
 
-/// What comes before a first step that is asked about.
+/// Returns the step that comes before a first step with a question.
 static Step opening_step(const Lesson& lesson, const Walk& walk) {
   const Step& first = walk.steps.front();
   Step step;

@@ -1,5 +1,5 @@
 #pragma once
-// What follows a lesson's own steps: its map of cases, then the card with what a reader takes along.
+// What follows a lesson's own steps: its map of cases, then the card with the lesson's summary.
 
 #include "viz/chart.h"
 #include "viz/lesson.h"
@@ -11,28 +11,28 @@ inline constexpr const char* closing_slug = "closing";
 /// The slug of a step that tells the lesson's opening alone.
 inline constexpr const char* opening_slug = "opening";
 
-/// The last step that shows the scene itself: a map of cases and a closing card may follow it.
+/// Returns the last step that shows the scene itself: a map of cases and a closing card may follow it.
 int outcome(const Walk&);
 
-/// A step's caption without the lesson's opening, which the first step's begins with.
+/// Returns a step's caption without the lesson's opening, with which the caption of the first step begins.
 std::string own_caption(const Lesson&, const Step&);
 
-/// The line of the walk's pseudocode that an erratum speaks of, as published or as corrected; -1 if there is none.
+/// Returns the line of the pseudocode that an erratum is about, as published or as corrected; -1 if there is none.
 int line_of(const Erratum&, const Walk&);
 
-/// What the card says of the lesson itself: a head and a text each.
+/// Returns what the card says of the lesson itself, as pairs of a head and a text.
 std::vector<Card::Row> card_rows(const Closing&);
-/// The same, and where its ideas occur again.
+/// Returns these rows, and one that says where the lesson's ideas occur again.
 std::vector<Card::Row> card_rows(const Lesson&);
-/// The head of that row.
+/// The head of the row of ideas that occur again.
 inline constexpr const char* shared_head = "Same idea";
-/// What others share with the lesson; none where it stands alone.
+/// Returns the ideas that other lessons share with this one; empty if it stands alone.
 std::vector<SharedIdea> shared_ideas(const Lesson&);
-/// The idea with a capital letter.
+/// Returns the idea with a capital letter.
 std::string heading(const SharedIdea&);
-/// A lesson's title up to its colon, markup: for lists of several.
+/// Returns a lesson's title up to its colon, as markup: for lists of several lessons.
 std::string short_title(const Lesson&);
-/// The step that shows the card of a lesson that has one; what `before` has told stays.
+/// Returns the step that shows the card of a lesson that has one; what `before` has told stays.
 Step closing_step(const Lesson&, const Step& before);
 
 }  // namespace isect::viz

@@ -14,7 +14,7 @@ struct Counted {
 };
 using Iterator = std::vector<Counted>::iterator;
 
-/// Colours that one will stand for.
+/// Colours that one colour will stand for.
 struct ColourGroup {
   Iterator first, last;
   std::array<double, 3> mean = {}, error = {};  ///< squared, of all its pixels, by channel
@@ -30,7 +30,7 @@ struct ColourGroup {
 
   std::size_t widest() const { return static_cast<std::size_t>(std::ranges::max_element(error) - error.begin()); }
 
-  /// Puts what lies below the mean first; both parts have a colour, as there are two that differ.
+  /// Partitions the group: first the colours below the mean. Neither part is empty, as at least two colours differ.
   Iterator halves() const {
     const std::size_t i = widest();
     return std::partition(first, last, [&](const Counted& c) { return c.colour[i] < mean[i]; });

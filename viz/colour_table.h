@@ -1,5 +1,5 @@
 #pragma once
-// A picture in few colours, for formats that have a table of them.
+// A picture reduced to few colours, for formats with a colour table.
 
 #include <array>
 #include <vector>
@@ -10,10 +10,10 @@ namespace isect::viz {
 
 struct ColourTable {
   std::vector<std::array<std::uint8_t, 3>> colours;
-  std::vector<std::uint8_t> places;  ///< of each pixel, in the table
+  std::vector<std::uint8_t> places;  ///< the index of each pixel in the table
 };
-/// The picture's own colours where there are at most `most` (1 to 256). Otherwise, by halving the group that errs most
-/// where it is widest, its mean or what most of it is stand for each group. Opacity is not looked at.
+/// Returns the picture's own colours if there are at most `most` (1 to 256). Otherwise it halves the group with the
+/// largest error where that is widest; each group is replaced by its mean or its majority colour. Opacity is ignored.
 ColourTable colour_table(const Picture&, int most);
 
 }  // namespace isect::viz

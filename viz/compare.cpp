@@ -24,7 +24,7 @@ Difference compare(const Picture& a, const Picture& b) {
 Picture see_through(const Picture& on_black, const Picture& on_white) {
   Picture out = on_black;
   for (std::size_t i = 0; i + 4 <= out.rgba.size(); i += 4) {
-    int ground = 255;  // that shows through, which each channel tells but for rounding
+    int ground = 255;  // the share of the ground that shows through, the same in each channel up to rounding
     for (std::size_t c = i; c < i + 3; ++c) ground = std::min(ground, on_white.rgba[c] - on_black.rgba[c]);
     const int alpha = 255 - std::max(ground, 0);
     for (std::size_t c = i; c < i + 3; ++c)

@@ -10,7 +10,7 @@
 
 namespace isect::viz {
 
-/// What the pointer or a test may want to know of a composed scene.
+/// A label of a composed scene, for the pointer and for tests.
 struct PlacedLabel {
   std::string text;
   TextBox box;
@@ -22,28 +22,28 @@ struct Composed {
   std::vector<Object> objects = {};  ///< of a scene: its items, in order, then the floor and the handles
 };
 
-/// The scene alone, within the view's rectangle. With `handles`, draws the grips of the scene's handles.
+/// Composes the scene alone, within the view's rectangle. With `handles`, draws the grips of the scene's handles.
 Composed compose(const Scene&, const View&, const Theme&, bool handles = false);
 
-/// What a scene's items cover on the plane that faces the camera: right and up, in world units from the origin.
+/// The extent of a scene's items on the plane that faces the camera: right and up, in world units from the origin.
 struct Box2 {
   Vec2 lo, hi;
 };
 Box2 extent(const std::vector<Item>&, const Camera&);
 
-/// A camera like `camera` whose target and half_height frame all the scenes in a viewport of this aspect
-/// (width / height), leaving `margin` (a share of the height) free all round.
+/// Returns a camera like `camera` whose target and half_height frame all the scenes in a viewport of this aspect (width
+/// / height), leaving `margin` (a share of the height) free on all sides.
 Camera frame(const Camera& camera, const std::vector<const Scene*>& scenes, double aspect, double margin = 0.05);
 
 /// A camera centred on `walk`, at the one scale at which each of `all` fits, so that presets compare; larger where
 /// `walk` would not take three quarters of what it takes alone.
 Camera frame_alike(const Camera& camera, const Walk& walk, const std::vector<Walk>& all, double aspect);
 
-/// For one step of a walk so framed: nearer, and about the step's own middle, where its scene would take little of the
-/// frame. Otherwise the same camera, so that most steps stand still.
+/// Returns a camera for one step of a walk so framed: nearer, and centred on the step's own scene, if that would take
+/// little of the frame. Otherwise the same camera, so that most steps stand still.
 Camera closer(const Camera& framed, const Scene&, double aspect);
 
-/// How a figure shares its height: title above, picture, the scene's t-axis and the step's formula and verdict below.
+/// How a figure divides its height: title above, picture, the scene's t-axis and the step's formula and verdict below.
 /// The same for all steps of a walk, so that the picture stands still from step to step.
 struct PageLayout {
   Theme theme;
@@ -56,14 +56,14 @@ struct PageLayout {
   double bottom() const;
   double picture_height() const;  ///< never less than a fifth of the figure
 };
-/// Of a picture on a screen, whose texts grow with it.
+/// Returns the layout of a picture on a screen, whose texts grow with it.
 PageLayout page_layout(const Walk&, ThemeName, double width, double height, bool title = true);
-/// In points. Height 0: what the figure needs.
+/// Sizes in points. Height 0: as high as the figure needs.
 struct PaperSize {
   double width = 0, height = 0, text_size = usual_text_size;
 };
-/// Of a figure on paper, whose texts have one size whatever its width. `shown`: a step of the walk; scenes share a
-/// layout, and so do charts.
+/// Returns the layout of a figure on paper, whose texts have one size whatever its width. `shown`: a step of the walk;
+/// all scenes share a layout, and so do all charts.
 PageLayout paper_layout(const Walk&, int shown, ThemeName, const PaperSize&, bool title = true);
 
 struct Figure {
@@ -73,10 +73,10 @@ struct Figure {
 };
 Figure figure(const Step&, const Camera&, const PageLayout&);
 Figure figure(const Step&, const Camera&, ThemeName, double width, double height);
-/// What is wrong with a figure's labels, in words: those that leave it, pairs that meet, texts below the least size.
+/// Tells what is wrong with a figure's labels: those that leave it, pairs that meet, texts below the least size.
 std::vector<std::string> label_faults(const Drawing&, const std::vector<PlacedLabel>&, double least_size = 0);
 std::vector<std::string> label_faults(const Figure&, double least_size = 0);
-/// Width / height of a figure's picture part, for framing. `walk` decides whether there is a t-axis below it.
+/// Returns width / height of a figure's picture part, for framing. `walk` decides whether there is a t-axis below it.
 double picture_aspect(const Walk& walk, ThemeName, double width, double height);
 
 }  // namespace isect::viz

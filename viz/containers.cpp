@@ -1,4 +1,4 @@
-// Which bodies something lies in: it is drawn as if they were not there.
+// The bodies that contain something: it is drawn as if they were not there.
 
 #include <algorithm>
 #include <type_traits>
@@ -29,7 +29,7 @@ double size_of(const Shell& solid) { return solid.size; }
 double size_of(const Ball& ball) { return ball.radius; }
 double size_of(const Capsule<double, 3>& capsule) { return capsule.radius; }
 
-/// All but the bodies of which `holds` is true, and but the solid and the capsule of these numbers; -1: none.
+/// Returns all bodies except those that `holds`, and the solid and the capsule with these numbers; -1: none.
 Occluders without(const Occluders& all, const auto& holds, int solid = -1, int capsule = -1) {
   Occluders left = {{}, {}, all.screens, {}};
   const auto keep = [&](const auto& bodies, int but, auto& to) {
@@ -46,7 +46,7 @@ Occluders without(const Occluders& all, const auto& holds, int solid = -1, int c
 Occluders around_ball(const Occluders& all, int index) {
   const Ball& own = all.balls[index];
   const auto holds = [&](const auto& body) {
-    if constexpr (std::is_same_v<decltype(body), const Ball&>)  // its equal does not
+    if constexpr (std::is_same_v<decltype(body), const Ball&>)  // an equal ball does not contain it
       return relate(Sphere<double, 3>{own.center, own.radius}, Sphere<double, 3>{body.center, body.radius}) ==
              Relation::a_inside_b;
     else

@@ -1,5 +1,5 @@
 #pragma once
-// What the window knows of all lessons together: parts of the course, and the terms that are explained.
+// What the window knows of all lessons together: the parts of the course, and the terms that are explained.
 
 #include <string>
 #include <vector>

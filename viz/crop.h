@@ -1,5 +1,5 @@
 #pragma once
-// What a drawing covers, and the drawing without the empty part around it.
+// The extent of a drawing, and the drawing without the empty part around it.
 
 #include <vector>
 
@@ -7,13 +7,13 @@
 
 namespace isect::viz {
 
-/// The box of the ink within the drawing's frame; the frame itself where there is none.
+/// Returns the box of the ink within the drawing's frame; the frame itself if there is no ink.
 TextBox ink_box(const Drawing&);
-/// The part with ink, `margin` units around it; but where it is cut by the frame, no more than the frame shows.
+/// Returns the part with ink and `margin` units around it; where the frame cuts the ink, only what it shows.
 Drawing cropped(const Drawing&, double margin);
-/// The part with ink of any of them: drawings of one size, which stay so.
+/// Crops all to the box in which any of them has ink: drawings of one size, which they keep.
 std::vector<Drawing> cropped(std::vector<Drawing>, double margin);
-/// The drawing in the middle of a frame of this size.
+/// Puts the drawing in the middle of a frame of this size.
 Drawing centred(Drawing, double width, double height);
 
 }  // namespace isect::viz

@@ -5,7 +5,7 @@
 
 namespace isect::viz {
 
-/// The lesson's own view turned to this direction, with all of the walk in the frame of a picture of 960 x 600.
+/// Returns the lesson's own view turned to this direction, with the whole walk in the frame of a picture of 960 x 600.
 Camera seen_from(const Lesson&, const Walk&, double azimuth, double elevation);
 
 }  // namespace isect::viz

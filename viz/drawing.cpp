@@ -9,10 +9,10 @@
 namespace isect::viz {
 namespace {
 
-/// Chords needed so that none is further than `tolerance` from the cubic: the second differences bound the
-/// second derivative, and a chord over 1/n of the curve misses it by at most 3/4 of their length over n^2.
-/// Source: G. Wang, "The subdivision method for finding the intersection between two Bezier curves or
-/// surfaces", Zhejiang University Journal (1984).
+/// Returns how many chords are needed so that none is further than `tolerance` from the cubic: second differences bound
+/// the second derivative, and a chord over 1/n of the curve misses it by at most 3/4 of their length over n^2. Source:
+/// G. Wang, "The subdivision method for finding the intersection between two Bezier curves or surfaces", Zhejiang
+/// University Journal (1984).
 int chords(const Vec2& from, const Path::Cubic& cubic, double tolerance) {
   const Vec2 first = from - 2 * cubic.control1 + cubic.control2;
   const Vec2 second = cubic.control1 - 2 * cubic.control2 + cubic.to;

@@ -25,14 +25,14 @@ struct Path {
   bool closed = false;
 };
 
-/// What shapes belong to: an item of the scene, or a part of the page. No two objects of a drawing are called alike.
+/// An item of the scene or a part of the page, to which shapes belong. No two of a drawing have the same full_name.
 struct Object {
   std::string kind;  ///< "ball", "label", "title"
   std::string name;  ///< plain: the text of its label; may be empty
   Role role = Role::text;
   int number = 1;  ///< among those of the same kind and name, and of the same role where they have no name
 };
-/// "ball b", "line (construction) 2"
+/// Returns "ball b", "line (construction) 2".
 std::string full_name(const Object&);
 
 /// The last member of every shape is the object it belongs to, as an index into the drawing's objects.
@@ -81,7 +81,7 @@ struct Text {
   int object = no_object;
 };
 
-/// Opaque triangles, the later over the earlier ones: as many colours as triangles, three corners to each.
+/// Opaque triangles, the later over the earlier ones: one colour per triangle, three corners each.
 struct Facets {
   std::vector<Vec2> corners = {};
   std::vector<Colour> colours = {};
@@ -98,29 +98,29 @@ struct Drawing {
   std::vector<Object> objects = {};
 };
 
-/// Each facet as a fill and a stroke, for what knows no facets.
+/// Returns each facet as a fill and a stroke, for back ends without facets.
 std::vector<Shape> expanded(const Facets&);
-/// All shapes, those of facets in their place.
+/// Returns all shapes, with facets expanded in their place.
 std::vector<Shape> expanded(const std::vector<Shape>&);
 
 int object_of(const Shape&);
-/// The shapes from `first` on that belong to nothing yet now belong to `object`.
+/// Assigns to `object` the shapes from `first` on that belong to nothing yet.
 void assign(std::vector<Shape>&, std::size_t first, int object);
-/// Adds an object, numbered. Returns its index.
+/// Adds an object with its number and returns its index.
 int add_object(std::vector<Object>&, Object);
 
-/// The box a text's ink covers, for layout and for the overlap check.
+/// The box that a text's ink covers, for layout and for the overlap check.
 struct TextBox {
   double left, top, right, bottom;
 };
 
 Path polyline(const std::vector<Vec2>& points, bool closed = false);
-/// A closed ellipse of four cubic arcs (error below 3e-4 of the radius).
+/// Returns a closed ellipse of four cubic arcs (error below 3e-4 of the radius).
 Path ellipse(Vec2 center, Vec2 major, Vec2 minor);
 Path circle(Vec2 center, double radius);
-/// Hatches hang on the drawing's origin and do not move along.
+/// Moves a shape; hatches are fixed to the drawing's origin and do not move along.
 void move(Shape&, const Vec2& by);
-/// The path as points; the polyline through them stays within `tolerance` of the curve. No point follows its
+/// Returns the path as points; the polyline through them stays within `tolerance` of the curve. No point follows its
 /// equal, and a closed path's start is not repeated at the end.
 std::vector<Vec2> flatten(const Path&, double tolerance = 0.05);
 

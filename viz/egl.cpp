@@ -12,8 +12,8 @@
 namespace isect::viz {
 namespace {
 
-/// While it lives, Mesa chooses its software renderer even where there is a graphics card: the pictures must
-/// be the same everywhere.
+/// While an object of this class lives, Mesa chooses its software renderer even where there is a graphics card: the
+/// pictures must be the same everywhere.
 class SoftwareOnly {
  public:
   SoftwareOnly() {
@@ -34,7 +34,7 @@ class SoftwareOnly {
   std::optional<std::string> before_;
 };
 
-/// EGL gives every caller the same display, so it stays open: closing it would end the other contexts too.
+/// Opens the display. All callers get the same one, so it stays open: closing it would end the other contexts too.
 EGLDisplay open_display() {
   const SoftwareOnly software_only;
   const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);

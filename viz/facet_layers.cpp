@@ -12,7 +12,7 @@ struct Placed {
   Vec2 lo, hi;
 };
 
-/// Whether `other` lies beyond a side of the facet, touching at most. One without area covers nothing.
+/// Whether `other` lies beyond a side of the facet, touching it at most. A facet without area covers nothing.
 bool is_beyond_a_side(const Vec2* facet, const Vec2* other) {
   for (int k = 0; k < 3; ++k) {
     const Vec2 &from = facet[k], along = facet[(k + 1) % 3] - from;

@@ -17,12 +17,12 @@ namespace {
 
 constexpr double verdict_sign = 1.3;  ///< room for the sign before a verdict, in its text's size
 
-/// From baseline to baseline, in the text's size.
+/// Returns the distance from baseline to baseline, in the text's size.
 double line_pitch(const PageLayout& layout) { return layout.wraps ? 1.3 : 1.65; }
-/// For a line of text.
+/// Returns the width that a line of text has.
 double room(const PageLayout& layout) { return layout.width - 2 * layout.theme.sizes.margin; }
 
-/// On as few lines as fit, which are about equally long.
+/// Breaks the text into as few lines as fit, of about equal length.
 std::vector<std::string> balanced(const std::string& markup, double size, bool bold, double room) {
   std::vector<std::string> lines = wrapped(markup, size, bold, room);
   if (lines.size() < 2) return lines;
@@ -66,7 +66,7 @@ class Page {
 
  private:
   const Sizes& s() const { return theme_.sizes; }
-  /// Calls `draw`, and all that it draws is this part of the page.
+  /// Calls `draw`, and makes all that it draws this part of the page.
   template <class Draw>
   void part(const std::string& kind, const Draw& draw) {
     const std::size_t first = out_->drawing.shapes.size();
@@ -83,7 +83,7 @@ class Page {
   Style title_style() const { return {s().title, theme_.ink(Role::text), true}; }
   Style line_style(Role role) const { return {s().label, theme_.ink(role)}; }
 
-  /// In the middle, on as many lines as it takes where lines wrap. Returns the box of the first.
+  /// Draws text in the middle, on as many lines as it takes where lines wrap. Returns the box of the first.
   TextBox text(const std::string& markup, const Vec2& at, const Style& style, double indent = 0) {
     const std::vector<std::string> lines =
         layout_.wraps ? balanced(markup, style.size, style.bold, room(layout_) - indent) : std::vector{markup};
@@ -104,8 +104,8 @@ class Page {
     return box;
   }
 
-  /// The verdict with its sign before it: check, empty ring or diamond, so that colour never speaks alone. A cross
-  /// would say that something is wrong.
+  /// Draws the verdict after its sign: check, empty ring or diamond, so that colour never speaks alone. A cross would
+  /// say that something is wrong.
   void verdict(double baseline) {
     using Kind = Verdict::Kind;
     const Kind kind = step_.verdict.kind;
@@ -192,7 +192,7 @@ PageLayout paper_layout(const Walk& walk, int shown, ThemeName name, const Paper
 
 Figure figure(const Step& step, const Camera& camera, const PageLayout& layout) {
   PageLayout own = layout;
-  own.axis = (own.axis || step.scene.axis) && !step.scene.chart;  // a chart takes its room
+  own.axis = (own.axis || step.scene.axis) && !step.scene.chart;  // a chart takes the axis's room
   return Page(step, own).make(camera);
 }
 

@@ -33,7 +33,7 @@ class Descriptor {
 
   bool open() const { return fd_ >= 0; }
   int get() const { return fd_; }
-  /// Some file systems report a failed write only here.
+  /// Closes the file; some file systems report a failed write only here.
   bool close() {
     const int fd = fd_;
     fd_ = -1;
@@ -44,7 +44,7 @@ class Descriptor {
   int fd_;
 };
 
-/// Sends all bytes; 0, or the reason why not.
+/// Writes all bytes. Returns 0, or the reason why not.
 int send(int descriptor, const std::string& bytes) {
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t n = ::write(descriptor, bytes.data() + done, bytes.size() - done);
@@ -54,7 +54,7 @@ int send(int descriptor, const std::string& bytes) {
   return 0;
 }
 
-/// Standard output or error where that is what `file` is, however it is named; -1 where it is neither.
+/// Returns the descriptor of standard output or error if `file` is one of them, however it is named; -1 otherwise.
 int own_stream(const struct stat& file) {
   for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
     struct stat own;
@@ -63,7 +63,7 @@ int own_stream(const struct stat& file) {
   return -1;
 }
 
-/// Into what is there, as it comes; 0, or the reason why not.
+/// Writes into the existing file, device or pipe. Returns 0, or the reason why not.
 int write_in_place(const std::string& path, const struct stat& there, const std::string& bytes) {
   if (const int stream = own_stream(there); stream >= 0) return send(stream, bytes);
   Descriptor file(path, O_WRONLY | O_NOCTTY);
@@ -72,7 +72,7 @@ int write_in_place(const std::string& path, const struct stat& there, const std:
   return !file.close() && reason == 0 ? errno : reason;
 }
 
-/// A file made anew, which nobody else writes or sweeps away as long as it is open.
+/// A new file that nobody else writes to or sweeps away as long as it is open.
 class NewFile {
  public:
   explicit NewFile(const std::string& path) : file_(path, O_WRONLY | O_CREAT | O_EXCL), path_(path) {
@@ -86,11 +86,11 @@ class NewFile {
 
   int reason() const { return reason_; }  ///< 0, or why there is no such file
 
-  /// Takes these bytes, mode and owner of `old`, if there is one, and another name; 0, or the reason why not, and then
-  /// there is no file.
+  /// Takes these bytes, mode and owner of `old`, if there is one, and another name. Returns 0, or the reason why not,
+  /// and then there is no file.
   int become(const std::string& name, const std::string& bytes, const struct stat* old) {
     int reason = send(file_.get(), bytes);
-    // Another's file stays another's where this user may give files away; the mode last, as a new owner clears bits of
+    // The file keeps its owner where this user may give files away. The mode is set last, as a new owner clears bits of
     // it.
     if (old && reason == 0) {
       [[maybe_unused]] const int given = ::fchown(file_.get(), old->st_uid, old->st_gid);
@@ -103,7 +103,7 @@ class NewFile {
   }
 
  private:
-  /// Some file systems report a failed write only at a close, and this descriptor must stay open: it holds the lock.
+  /// Whether all is written: some file systems tell only at a close, and this descriptor stays open: it holds the lock.
   bool flushed() {
     const int copy = ::dup(file_.get());
     return copy >= 0 && ::close(copy) == 0;
@@ -116,7 +116,7 @@ class NewFile {
 
 constexpr const char* beside_mark = ".tmp-";
 
-/// Removes what writes of this very file left behind that were killed: nobody holds its lock.
+/// Removes what killed writes of this very file left behind: files whose lock nobody holds.
 void sweep(const std::filesystem::path& path) {
   const std::string prefix = path.filename().string() + beside_mark;
   std::error_code unreadable;  // then nothing is swept
@@ -130,13 +130,13 @@ void sweep(const std::filesystem::path& path) {
   }
 }
 
-/// A name beside `path`, another one at each call.
+/// Returns a name beside `path`, another one at each call.
 std::string name_beside(const std::string& path) {
   static std::atomic<unsigned> count = 0;
   return path + beside_mark + std::to_string(::getpid()) + "-" + std::to_string(count++);
 }
 
-/// The file at the end of all links, which need not be there. Loops are found before this is asked.
+/// Returns the file at the end of all links; it need not exist. Loops are found before this is called.
 std::string without_links(std::filesystem::path path) {
   std::error_code no_link;  // this is the file then
   for (std::filesystem::path to; to = std::filesystem::read_symlink(path, no_link), !no_link;)
@@ -144,7 +144,7 @@ std::string without_links(std::filesystem::path path) {
   return path;
 }
 
-/// Beside, then renamed; 0, or the reason why not.
+/// Writes a file beside, then renames it. Returns 0, or the reason why not.
 int replace(const std::string& path, const std::string& bytes, const struct stat* old) {
   sweep(path);
   for (;;) {
@@ -154,7 +154,7 @@ int replace(const std::string& path, const std::string& bytes, const struct stat
   }
 }
 
-/// What is there, if anything. Throws FileError where it may not be written to.
+/// Returns the state of what is there, if anything. Throws FileError where it may not be written to.
 std::optional<struct stat> stat_to_write(const std::string& path) {
   struct stat there;
   const bool exists = ::stat(path.c_str(), &there) == 0;
@@ -174,7 +174,7 @@ void make_folder_of(const std::string& path) {
   if (error) fail("write", path, error.value());
 }
 
-/// All that comes. Throws FileError, also where that is more than `most` bytes.
+/// Reads all that comes. Throws FileError on failure, and on more than `most` bytes.
 std::string receive(int descriptor, const std::string& path, std::size_t most, std::size_t expected = 0) {
   std::string bytes;
   bytes.reserve(expected);

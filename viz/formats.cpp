@@ -10,7 +10,7 @@
 #include "viz/tikz.h"
 
 namespace isect::viz {
-/// No ground is what looks the same on black and on white.
+/// Draws the pixels. Pixels without a ground are computed from how they look on black and on white.
 Picture pixels_of(const Drawing& drawing, const Rasteriser& pixels) {
   if (drawing.background.a > 0) return pixels(drawing);
   Drawing on_black = drawing, on_white = drawing;

@@ -10,7 +10,7 @@
 namespace isect::viz {
 namespace {
 
-/// Of what a walk would take if it were framed alone: below this, one scale for all would leave it lost in its frame.
+/// A walk takes at least this share of what it takes when framed alone, or one scale for all would leave it lost.
 constexpr double least_share = 0.9;
 
 /// The box of a scene's items along the axes of a view.
@@ -37,7 +37,7 @@ class Extent {
     grow({it.corner, it.corner + it.across, it.corner + it.down, it.corner + it.across + it.down});
   }
   void operator()(const Heading& it) { grow(it.at + (0.5 - it.lean) * it.room * view_.right(), {it.room / 2, 0, 0}); }
-  /// The disc reaches as far in each direction as the sine of the angle between that and its normal says.
+  /// In each direction the disc reaches as far as the sine of the angle between that direction and its normal says.
   void operator()(const Circle& it) {
     const Vec3 n = along(it.normal.normalized());
     grow(it.center, it.radius * (Vec3::Ones() - n.cwiseAbs2()).cwiseMax(0).cwiseSqrt());
@@ -57,8 +57,8 @@ class Extent {
   const View& view_;
 };
 
-/// Of the frame's width or height, whichever is more: what a scene is to take. Small multiples are as large as it
-/// allows.
+/// Returns the least share of the frame's width or height, whichever is larger, that a scene must take. Small multiples
+/// are made as large as the frame allows.
 double least_taken(const Scene& scene) {
   const auto headed = std::ranges::count_if(scene.items, [](const Item& item) {
     const Heading* heading = std::get_if<Heading>(&item);
@@ -108,7 +108,7 @@ Camera frame_alike(const Camera& camera, const Walk& walk, const std::vector<Wal
 }
 
 Camera closer(const Camera& framed, const Scene& scene, double aspect) {
-  const Camera alone = frame(framed, {&scene}, aspect, 0);  // which it would fill
+  const Camera alone = frame(framed, {&scene}, aspect, 0);  // the camera whose frame it would fill
   const double least = least_taken(scene);
   if (!(alone.half_height < least * framed.half_height)) return framed;
   Camera nearer = alone;

@@ -13,10 +13,10 @@ namespace {
 
 using Points = std::vector<Vec3>;
 
-/// Of more of them nobody computes along.
+/// Limits of what is told in numbers: nobody would compute along with more.
 constexpr std::size_t most_vertices = 24, most_objects = 20;
 
-/// In full where that is short.
+/// Returns a number in full where that is short.
 std::string number(double x) {
   const std::string full = to_text(x);
   if (full.size() <= 12) return full;
@@ -35,7 +35,7 @@ Limits limits_of(const Points& points) {
   return e;
 }
 
-/// The corners of a box with sides along the axes, each once.
+/// Whether the points are the corners of a box with sides along the axes, each once.
 bool is_box(const Points& points) {
   const Limits e = limits_of(points);
   const auto at_a_corner = [&](const Vec3& p) {
@@ -96,7 +96,7 @@ class Teller {
            (pen == Pen::solid || pen == Pen::thick);
   }
 
-  /// Solid things are objects also in the colours of what is hit or missed.
+  /// Whether a solid thing is an object: also in the colours of what is hit or missed.
   static bool is_body(Role role) { return role != Role::construction && role != Role::highlight; }
 
   bool is_parameter(const Setting& value) const {
@@ -118,7 +118,7 @@ class Teller {
         return plain(label->text);
     return {};
   }
-  /// A length rather than an object: its label runs along it.
+  /// Whether a line is a length rather than an object: its label runs along it.
   bool is_measured(const Line& line) const {
     return std::ranges::any_of(scene_.items, [&](const Item& item) {
       const auto* label = std::get_if<Label>(&item);
@@ -127,7 +127,7 @@ class Teller {
               (label->at == line.to && *label->until == line.from));
     });
   }
-  /// Whether a ball or a circle lies around it, whose name stands there.
+  /// Whether a ball or a circle is centred at `p`: then its name stands there.
   bool is_round_at(const Vec3& p) const {
     return std::ranges::any_of(scene_.items, [&](const Item& item) {
       const auto* ball = std::get_if<Ball>(&item);
@@ -141,10 +141,10 @@ class Teller {
       return dot && dot->at == p;
     });
   }
-  /// What stands in bold is a point or a vector; only balls are called after their centres.
+  /// Whether a label may name an object. In bold it names a point or a vector; only balls are named by their centres.
   static bool names_an_object(const std::string& markup) { return !markup.starts_with("**"); }
-  /// The label at its middle. Else the one label of its own role that stands within it and names no point of it, or the
-  /// one heading of its role: that of a first or second object may stand beside it.
+  /// Returns the label at the middle of the box. Else the one label of the role that stands within it and names no
+  /// point, or the one heading of the role; that of a first or second object may stand beside the box.
   std::string name_within(const Limits& e, Role role, bool is_round = false) const {
     const Vec3 middle = (e.lo + e.hi) / 2;
     if (const std::string centre = name_at(middle); !centre.empty() && (is_round || !is_round_at(middle)))
@@ -162,7 +162,7 @@ class Teller {
     return names.size() == 1 ? *names.begin() : "";
   }
 
-  /// A point that is marked half-way has a name of its own.
+  /// Returns the name of a line; a label at a marked midpoint names that point instead.
   std::string name_along(const Line& it) const {
     return is_dotted((it.from + it.to) / 2) ? "" : name_within(limits_of({it.from, it.to}), it.role);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Where the objects of a scene lie, in numbers, for whoever has no picture.
+// Where the objects of a scene lie, in numbers, for readers without a picture.
 
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace isect::viz {
 
-/// What is drawn of the objects themselves, but for what the parameters tell: "box: (-2, -1.25) to (2, 1.25)". Many
-/// are counted only.
+/// Tells what is drawn of the objects themselves, without what the parameters tell: "box: (-2, -1.25) to (2, 1.25)". If
+/// there are many, they are only counted.
 std::vector<std::string> geometry(const Scene&, const Parameters&, bool flat);
 
 }  // namespace isect::viz

@@ -94,7 +94,7 @@ class Writer {
   GifFileType* file_ = nullptr;
 };
 
-/// What a file is read from.
+/// The bytes that a file is read from.
 struct Source {
   const std::string& bytes;
   std::size_t at = 0;
@@ -122,7 +122,7 @@ class GifReader {
   GifReader(const GifReader&) = delete;
   GifReader& operator=(const GifReader&) = delete;
 
-  /// The first comment of ours; empty if there is none.
+  /// Returns the first comment that is ours; empty if there is none.
   std::string comment() {
     for (GifRecordType kind = UNDEFINED_RECORD_TYPE;;) {
       check(DGifGetRecordType(file_, &kind));
@@ -147,7 +147,7 @@ class GifReader {
     while (block) check(DGifGetCodeNext(file_, &block));
   }
 
-  /// Its text, if it is a comment.
+  /// Returns the extension's text, if it is a comment.
   std::string extension() {
     int code = 0;
     GifByteType* block = nullptr;

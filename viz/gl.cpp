@@ -80,7 +80,7 @@ void Target::resize(int width, int height) {
   if (width < 1 || height < 1 || width > most || height > most)
     throw failure("a picture may be 1 to " + std::to_string(most) + " pixels wide and high, not " +
                   std::to_string(width) + " x " + std::to_string(height));
-  width_ = height_ = 0;  // until all is well
+  width_ = height_ = 0;  // stays so if an exception is thrown
 
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_[0]);
   const auto attach = [&](int i, GLenum format, GLenum where) {

@@ -1,5 +1,5 @@
 #pragma once
-// The few OpenGL objects a Renderer is made of; the window keeps its texts as textures, too.
+// The few OpenGL objects that a Renderer consists of; the window keeps its texts as textures, too.
 
 #include <glad/gl.h>
 
@@ -15,7 +15,7 @@ void load(GetProc);
 
 std::runtime_error failure(const std::string& what);
 
-/// A program of these two shaders. Throws with the compiler's words.
+/// A program of these two shaders. Throws with the compiler's message.
 class Program {
  public:
   Program(const char* vertex_shader, const char* fragment_shader);
@@ -30,7 +30,7 @@ class Program {
   unsigned id_ = glCreateProgram();
 };
 
-/// A framebuffer with so many samples a pixel (0: one) and a stencil, and the texture it is resolved into.
+/// A framebuffer with so many samples per pixel (0: one) and a stencil, and the texture it is resolved into.
 class Target {
  public:
   explicit Target(int samples);
@@ -38,10 +38,10 @@ class Target {
   Target(const Target&) = delete;
   Target& operator=(const Target&) = delete;
 
-  /// Makes it the one drawn into. Throws where it can't have this size.
+  /// Makes it the framebuffer that is drawn into. Throws where it can't have this size.
   void bind(int width, int height);
   void resolve() const;
-  /// The resolved colours, rows from the top, opaque.
+  /// Returns the resolved colours, rows from the top, opaque.
   Picture read() const;
   unsigned texture() const { return texture_; }
 
@@ -52,7 +52,7 @@ class Target {
   int samples_, width_ = 0, height_ = 0;
 };
 
-/// A texture of a picture, shown pixel for pixel.
+/// Makes a texture of a picture, to be shown pixel for pixel.
 unsigned make_texture(const Picture&);
 
 }  // namespace isect::viz::gl

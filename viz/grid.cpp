@@ -63,7 +63,7 @@ std::vector<Item> in_grid(const std::vector<Inset>& insets, int columns, const C
   double middle_y = 0;  // of the row
   for (std::size_t i = 0; i < insets.size(); ++i) {
     const int column = static_cast<int>(i) % columns;
-    if (column == 0 && i > 0) {  // room for headings and notes where there are any
+    if (column == 0 && i > 0) {  // room for headings and notes, if any
       const std::size_t in_row = std::min(insets.size() - i, static_cast<std::size_t>(columns));
       const bool headings = std::ranges::any_of(std::span(insets).subspan(i, in_row),
                                                 [](const Inset& inset) { return !inset.heading.empty(); });

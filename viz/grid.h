@@ -1,5 +1,5 @@
 #pragma once
-// Small drawings side by side, at one scale and in one pose.
+// Small drawings side by side, at one scale and seen from one direction.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace isect::viz {
 
-/// The items moved by `by`.
+/// Returns the items moved by `by`.
 std::vector<Item> moved(std::vector<Item>, const Vec3& by);
 
 /// One small drawing with a bold heading above and a line of text below; either may be empty.
@@ -19,8 +19,8 @@ struct Inset {
   Role role = Role::text;  ///< of the note
 };
 
-/// The insets row by row, on the plane that faces the camera, each in the middle of a cell as large as the largest of
-/// them needs. Headings and notes stand on common lines.
+/// Returns the insets row by row, on the plane that faces the camera, each in the middle of a cell as large as the
+/// largest of them needs. Headings and notes stand on common lines.
 std::vector<Item> in_grid(const std::vector<Inset>&, int columns, const Camera&);
 
 }  // namespace isect::viz

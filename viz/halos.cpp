@@ -12,7 +12,7 @@
 namespace isect::viz {
 namespace {
 
-/// A box around a path: curves stay within their control points.
+/// Returns a box around a path: curves stay within their control points.
 TextBox around(const Path& path) {
   TextBox b = {path.start.x(), path.start.y(), path.start.x(), path.start.y()};
   const auto grow = [&](const Vec2& p) {
@@ -29,7 +29,7 @@ TextBox around(const Path& path) {
   return b;
 }
 
-/// A box around all that a shape covers; texts and strokes are not looked at.
+/// Returns a box around all that a shape covers; texts and strokes are ignored.
 TextBox around(const Shape& shape) {
   if (const Fill* fill = std::get_if<Fill>(&shape)) {
     TextBox b = around(fill->path);
@@ -47,7 +47,7 @@ TextBox around(const Shape& shape) {
   return {INFINITY, INFINITY, -INFINITY, -INFINITY};
 }
 
-/// How often the outline winds round the point.
+/// Returns how often the outline winds around the point.
 int winding(const Path& path, const Vec2& p) {
   if (!holds(around(path), p)) return 0;
   const std::vector<Vec2> ring = flatten(path, 0.5);
@@ -65,7 +65,7 @@ Colour over(const Colour& below, const Colour& c) {
   return {below.r + c.a * (c.r - below.r), below.g + c.a * (c.g - below.g), below.b + c.a * (c.b - below.b), 1};
 }
 
-/// Those of them that meet the box.
+/// Returns the facets whose bounding boxes meet the box.
 Facets within(const Facets& all, const TextBox& box) {
   Facets some;
   for (std::size_t i = 0; i < all.colours.size(); ++i) {
@@ -78,7 +78,7 @@ Facets within(const Facets& all, const TextBox& box) {
   return some;
 }
 
-/// The colour at a point once `shape` is drawn on `below`.
+/// Returns the colour at a point once `shape` is drawn on `below`.
 Colour drawn_on(const Colour& below, const Shape& shape, const Vec2& p) {
   if (const Fill* fill = std::get_if<Fill>(&shape)) {
     int turns = winding(fill->path, p);
@@ -152,7 +152,7 @@ void add_halos(std::vector<Shape>& shapes, const Theme& theme) {
 
 namespace {
 
-/// Whether a line before the text comes nearer to it than this.
+/// Whether a line drawn before the text comes nearer to it than this.
 bool has_line_near(const std::vector<Shape>& shapes, std::size_t text, double near) {
   const TextBox box = grown(measure(std::get<Text>(shapes[text])), near);
   const auto meets = [&](const Stroke& stroke) {

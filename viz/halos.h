@@ -1,5 +1,5 @@
 #pragma once
-// Texts that would not stand out from what lies under them get a halo.
+// Texts with too little contrast to what lies under them get a halo.
 
 #include <vector>
 
@@ -11,18 +11,18 @@ namespace isect::viz {
 /// The least contrast of a text to what lies under it. Source: WCAG 2.1, success criterion 1.4.3.
 constexpr double least_contrast = 4.5;
 
-/// Of two opaque colours, from 1 to 21. Source: WCAG 2.1, "contrast ratio".
+/// Returns the contrast of two opaque colours, from 1 to 21. Source: WCAG 2.1, "contrast ratio".
 double contrast_ratio(const Colour&, const Colour&);
-/// The least contrast of a text to the fills among the shapes before it, on this background.
+/// Returns the least contrast of a text to the fills among the shapes before it, on this background.
 double contrast_of(const std::vector<Shape>&, std::size_t text, const Colour& background);
-/// Gives every text without a halo one in the background's colour where its contrast is less than it should be.
+/// Gives every text without a halo one in the background's colour where its contrast is less than least_contrast.
 void add_halos(std::vector<Shape>&, const Theme&);
 
-/// Whether a line before a text runs through it, or would touch its halo.
+/// Whether a line drawn before a text runs through it, or would touch its halo.
 bool stands_on_line(const std::vector<Shape>&, std::size_t text, const Theme&);
 /// Gives every text without a halo one where a line before it runs through it: in the colour of the fills that lie
-/// under its middle, or in the background's where it would not stand out from that. Beside a line it would cut into
-/// that.
+/// under its middle, or in the background's colour where the text would not stand out from that. If the line only
+/// passes beside the text, there is no halo: it would cut into the line.
 void add_halos_over_lines(std::vector<Shape>&, const Theme&);
 
 }  // namespace isect::viz

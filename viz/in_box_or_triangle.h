@@ -10,7 +10,7 @@ inline bool holds(const TextBox& b, const Vec2& p) {
   return b.left <= p.x() && p.x() <= b.right && b.top <= p.y() && p.y() <= b.bottom;
 }
 
-/// Where p lies in the triangle a b c, whichever way it turns, rounded: for pictures. One without area holds nothing.
+/// Returns where p lies in the triangle a b c, however it turns, rounded: for pictures. Without area it holds nothing.
 inline Location locate(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
   const auto side = [&](const Vec2& from, const Vec2& to) {
     return (to.x() - from.x()) * (p.y() - from.y()) - (to.y() - from.y()) * (p.x() - from.x());

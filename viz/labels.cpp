@@ -18,7 +18,7 @@ struct Candidate {
   bool far;
 };
 
-/// Ties are ties whatever the machine rounds: in pixels, in costs, and for a direction's part.
+/// Differences below this are ties, however a machine rounds: in pixels, in costs, and for a direction's part.
 constexpr double slack = 1e-6;
 
 struct Fit {
@@ -32,7 +32,7 @@ double overlap(const TextBox& a, const TextBox& b) {
   return w > slack && h > slack ? w * h : 0;
 }
 
-/// Half the extent of a box, seen along a direction.
+/// Returns half the extent of a box along a direction.
 double support(const Vec2& half, const Vec2& direction) {
   return half.x() * std::abs(direction.x()) + half.y() * std::abs(direction.y());
 }
@@ -84,13 +84,13 @@ double distance(const Vec2& p, const TextBox& box) {
                     std::max({box.top - p.y(), p.y() - box.bottom, 0.0}));
 }
 
-/// Whether a label without a leader stands about as near to another point as to its own.
+/// Whether a label without a leader stands about as near to another point as to its own point.
 bool is_ambiguous(const Candidate& candidate, const TextBox& box, const std::vector<Vec2>& others, const Sizes& sizes) {
   const double near = distance(candidate.anchor, box) + sizes.label_clear;
   return !candidate.far && std::ranges::any_of(others, [&](const Vec2& p) { return distance(p, box) < near - slack; });
 }
 
-/// Whether the label, or its leader, meets another one's leader, or its leader a name.
+/// Whether the label or its leader meets another label's leader, or its leader meets another label.
 bool is_tangled(const Candidate& candidate, const TextBox& box, const PlacedLabel& other) {
   const Vec2 from = nearest_in(box, candidate.anchor);
   if (candidate.far && length_inside(from, candidate.anchor, other.box) > 0) return true;
@@ -100,7 +100,7 @@ bool is_tangled(const Candidate& candidate, const TextBox& box, const PlacedLabe
          (candidate.far && cross(from, candidate.anchor, begin, *other.leads_to));
 }
 
-/// Those that may touch a label in any of the places.
+/// Returns the obstacles that may touch a label in any of the places.
 std::vector<Obstacle> reached(const std::vector<Candidate>& candidates, const Vec2& half,
                               const std::vector<Obstacle>& obstacles, const Sizes& sizes) {
   if (candidates.empty()) return {};
@@ -117,7 +117,7 @@ std::vector<Obstacle> reached(const std::vector<Candidate>& candidates, const Ve
   return near;
 }
 
-/// What it disturbs, or the first part of that which is no less than `enough`.
+/// Returns what a label at this place disturbs; stops adding once the cost is at least `enough`.
 Fit fit(const Candidate& candidate, const Vec2& half, const std::vector<Vec2>& others,
         const std::vector<PlacedLabel>& placed, const std::vector<Obstacle>& obstacles, const Bounds& bounds,
         const Sizes& sizes, double enough) {
@@ -205,11 +205,11 @@ std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels, const s
     const Candidate* best = nullptr;
     Fit best_fit = {std::numeric_limits<double>::infinity(), false};
     for (const Candidate& candidate : candidates) {
-      const double enough = best_fit.cost - slack;  // of equals, the first
+      const double enough = best_fit.cost - slack;  // of equal places the first one wins
       const Fit f = fit(candidate, half, wanted.others, placed, near, bounds, sizes, enough);
       if (f.cost < enough) best = &candidate, best_fit = f;
     }
-    if (best == nullptr) continue;  // a position that is no number
+    if (best == nullptr) continue;  // the position is NaN
 
     text.at = best->middle - to_middle;
     if (best_fit.crossed) text.halo = sizes.label_halo;
@@ -217,7 +217,7 @@ std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels, const s
     texts.emplace_back(text);
     placed.push_back({plain(wanted.markup), box_around(best->middle, half)});
     if (best->far) placed.back().leads_to = best->anchor;
-    if (best->far && wanted.at_place)  // where nothing else may be
+    if (best->far && wanted.at_place)  // no other place is allowed
       leaders.emplace_back(Fill{.path = circle(best->anchor, 0.4 * sizes.disc),
                                 .colour = theme.ink(Role::construction),
                                 .hatch_colour = {},

@@ -18,7 +18,7 @@ namespace isect::viz {
 
 namespace {
 
-/// The whole of `text` as a number, whatever the locale; a leading '+' is fine.
+/// Reads the whole of `text` as a number, whatever the locale; a leading '+' is fine.
 std::optional<double> number(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0;
@@ -27,7 +27,7 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-/// In the plane the third number may be left out.
+/// Reads a point. In the plane the third number may be left out.
 std::optional<Vec3> point(std::string_view text, bool flat) {
   Vec3 p = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {
@@ -48,7 +48,7 @@ std::string shortest(double x) {
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr};
 }
 
-/// The same, but a large whole number in all its digits.
+/// Returns the shortest text of a number, but a large whole number with all its digits.
 std::string in_digits(double x) {
   return std::abs(x) < 1e15 && x == std::trunc(x) ? fmt::format("{:.0f}", x) : shortest(x);
 }
@@ -59,7 +59,7 @@ std::vector<std::string> parameter_names(const Lesson& lesson) {
   return names;
 }
 
-/// "p2" of "**p**_2" and of "p_2".
+/// Returns "p2" for "**p**_2" and for "p_2".
 std::string letters(std::string symbol) {
   std::erase_if(symbol, [](char c) { return std::string_view("*_{}").find(c) != std::string_view::npos; });
   return symbol;
@@ -75,7 +75,7 @@ const Parameter& parameter(const Lesson& lesson, const std::string& name) {
   throw unknown("parameter", name, parameter_names(lesson));
 }
 
-/// `given` is the value as it was written.
+/// Throws BadInput unless the value is allowed; `given` is the value as it was written.
 void check(const Parameter& p, const Setting& value, const std::string& given) {
   const auto in_range = [&](double x) { return x >= p.lo && x <= p.hi; };  // no for NaN
   bool good = value.index() == p.initial.index();
@@ -93,14 +93,14 @@ void check(const Parameter& p, const Setting& value, const std::string& given) {
   throw BadInput(fmt::format("{}: \"{}\" is not allowed; give {}", p.name, given, wanted(p)));
 }
 
-/// The first condition that these parameters break, if any.
+/// Returns the first condition that these parameters break, if any.
 const Condition* broken(const Lesson& lesson, const Parameters& parameters) {
   const auto found =
       std::ranges::find_if_not(lesson.conditions, [&](const Condition& c) { return c.holds(parameters); });
   return found == lesson.conditions.end() ? nullptr : &*found;
 }
 
-/// What a handle that is dragged to `to` sets, stopped at the ends of the parameter's range.
+/// Returns the parameter's value when its handle is dragged to `to`, clamped to the parameter's range.
 Setting clamped(const Parameter& p, const Handle& handle, const Vec3& to) {
   const Vec3 arm = to - handle.anchor;
   if (handle.kind == Handle::Kind::length) return std::clamp(arm.norm(), p.lo, p.hi);

@@ -30,15 +30,15 @@ struct Parameter {
   double lo = -1e300, hi = 1e300;         ///< allowed range of a number or of each coordinate
   double drag_lo = -10, drag_hi = 10;     ///< comfortable range for a slider
   std::vector<std::string> choices = {};  ///< allowed values of a choice
-  bool optional = false;  ///< may be absent: then all is as the choices have it, and `initial` only gives the type
-  /// The choices with which it counts, by the name of the parameter that makes them: with others it changes nothing.
+  bool optional = false;                  ///< may be absent: then the choices decide, and `initial` only gives the type
+  /// Where it counts: the allowed choices, by the name of the parameter that makes them. Elsewhere it changes nothing.
   std::map<std::string, std::vector<std::string>> where = {};
 };
 
-/// Values by parameter name; always complete for its lesson, but for what is optional.
+/// Values by parameter name; has every parameter of its lesson except the optional ones.
 using Parameters = std::map<std::string, Setting>;
 
-/// What a parameter must keep besides its own range: a direction that is not zero, a side that is not along another.
+/// A condition on a parameter besides its own range: a direction that is not zero, a side that is not along another.
 struct Condition {
   std::string parameter;  ///< the one to blame
   std::string allowed;    ///< what to give, in plain words: "a vector of any length but 0"
@@ -60,25 +60,25 @@ struct Comparison {
   double left = 0, right = 0;
   bool holds = false;
   std::string meaning;  ///< "the line meets the ball"
-  /// The inequalities that a condition joins, "*s* < 0 and *l*^2 > *r*^2", each with its own sides and no meaning; the
-  /// condition's own `left` and `right` say nothing then. Empty: it is one inequality.
+  /// The inequalities that a condition joins, "*s* < 0 and *l*^2 > *r*^2", each with its own sides and no meaning; then
+  /// the condition's own `left` and `right` are unused. Empty: it is one inequality.
   std::vector<Comparison> parts = {};
 };
 
-/// Operations done so far, counted by running the same algorithm on a counting scalar.
+/// Operations done so far, counted by running the same algorithm with a counting scalar type.
 struct Counters {
   int mul = 0, add = 0, div = 0, sqrt = 0, compare = 0;
   bool early_out = false;
 };
 
-/// Predict, then reveal. The answer comes from the predicate itself.
+/// A question for the reader: predict, then reveal. The answer comes from the predicate itself.
 struct Question {
   std::string prompt;                ///< markup
   std::vector<std::string> choices;  ///< markup
   int answer = 0;                    ///< index into choices
   std::string because;               ///< markup, shown with the answer
-  std::optional<Scene> over = {};    ///< what is drawn while it is open; none: see viz/asking.h
-  std::vector<Value> given = {};     ///< numbers that it needs, as they are before its step: shown while it is open
+  std::optional<Scene> over = {};    ///< the scene while it is open; none: see viz/asking.h
+  std::vector<Value> given = {};     ///< the numbers it needs, as before its step: shown while it is open
 };
 
 /// What is known at this step.
@@ -118,10 +118,10 @@ struct Walk {
   std::string method;                   ///< title of the variant, may be empty
   std::vector<std::string> pseudocode;  ///< plain text lines
   std::vector<Step> steps;
-  std::string alt;  ///< what the picture shows, in plain words
+  std::string alt;  ///< the picture in plain words
 };
 
-/// What one of several methods that should agree says of the same setting.
+/// The result of one of several methods that should agree on the same setting.
 struct Opinion {
   std::string method;  ///< markup: "quadratic formula"
   std::string says;    ///< markup: "two roots"
@@ -137,7 +137,7 @@ struct CaseMap {
   int (*branch)(const Parameters&) = nullptr;  ///< index into `branches`
   Vec2 (*place)(const Parameters&) = nullptr;  ///< where the setting lies; NaN: nowhere
   Parameters (*moved)(const Parameters&,
-                      const Vec2&) = nullptr;  ///< the setting brought to a place; the rest stays
+                      const Vec2&) = nullptr;  ///< the setting moved to a place; the rest stays
   std::string told = {};                       ///< markup: what the plane means, in sentences of at most 20 words
   bool one_scale = true;                       ///< both axes count the same lengths; a circle is drawn as one
 };
@@ -147,13 +147,13 @@ struct Exercise {
   std::string prompt;       ///< markup
   std::string solution;     ///< markup
   std::string preset = {};  ///< the setting it speaks of; empty: none
-  /// Where a setting is to be found: whether this is one, as the core decides. Null: words or a number are the answer.
+  /// If a setting is to be found: whether this is one, as the core decides. Null: the answer is words or a number.
   bool (*found)(const Parameters&) = nullptr;
-  /// What to set, starting from `preset`, to find one: {"c", "0,2,0"}.
+  /// The parameters to set, starting from `preset`, to find one: {"c", "0,2,0"}.
   std::vector<std::pair<std::string, std::string>> by = {};
 };
 
-/// What a reader takes along: the card that ends a walk (viz/closing.h). All markup, one or two short sentences each.
+/// The summary of a lesson: the card that ends a walk (viz/closing.h). All markup, one or two short sentences each.
 struct Closing {
   std::string result;                ///< what holds, and why
   std::string cost;                  ///< operations, or growth
@@ -165,16 +165,16 @@ struct Closing {
   std::vector<Exercise> exercises;   ///< three to five
 };
 
-/// Where the pseudocode as published errs.
+/// An error in the pseudocode as published.
 struct Erratum {
   std::string published, corrected;  ///< one of the two stands in a walk's pseudocode
   std::string why;                   ///< markup, one sentence
-  std::string preset;                ///< on which the published line fails
+  std::string preset;                ///< the published line fails on it
 };
 
 struct Lesson;
 
-/// An idea that other lessons have, too.
+/// An idea that other lessons share.
 struct SharedIdea {
   std::string idea;  ///< plain text
   std::vector<const Lesson*> others;
@@ -190,65 +190,65 @@ struct Lesson {
   std::string group_by;         ///< name of the choice parameter that groups the presets, may be empty
   std::vector<Preset> presets;  ///< the first one is loaded at the start
   Camera camera;                ///< see opening(); target and scale are set by framing all presets alike
-  /// Asked by `walk`. Throws BadInput where it refuses a setting that keeps ranges and conditions.
+  /// Called by `walk`. Throws BadInput if the lesson refuses a setting that is in range and keeps the conditions.
   std::function<Walk(const Parameters&)> steps = nullptr;
-  /// All lies in z = 0 and is seen straight on, whatever `camera` says: a drag pans, nothing turns.
+  /// All lies in z = 0 and is seen straight on, whatever `camera` says: a drag pans, nothing rotates.
   bool flat = false;
-  /// Methods that should agree, asked side by side; the first is exact. None where a lesson has one method.
+  /// Calls methods that should agree, side by side; the first is exact. Null where a lesson has one method.
   std::vector<Opinion> (*opinions)(const Parameters&) = nullptr;
-  /// Where the setting lies among all cases; a step of its own in a walk whose setting has a place there.
+  /// The lesson's map of cases; a walk whose setting has a place on it ends with a step that shows it.
   const CaseMap* map = nullptr;
-  /// What is asked, what for, and the idea, in a few sentences of markup: told before the first step's own caption.
+  /// The question, its purpose, and the idea, in a few sentences of markup: told before the first step's own caption.
   std::string opening = {};
   const Closing* closing = nullptr;     ///< the last step of every walk
   std::vector<Erratum> errata = {};     ///< of the pseudocode as published
   std::vector<std::string> after = {};  ///< ids of the lessons that this one builds on
-  std::vector<std::string> ideas = {};  ///< terms of the glossary that it has in common with others
-  /// Which others those are, by idea. Null: the lesson stands alone.
+  std::vector<std::string> ideas = {};  ///< terms of the glossary that it shares with others
+  /// Returns which other lessons these are, by idea. Null: the lesson stands alone.
   std::vector<SharedIdea> (*shared)(const Lesson&) = nullptr;
-  std::string made_from = {};  ///< the text of the scene file that this was made of; empty: it is built in
+  std::string made_from = {};  ///< the text of the scene file that it was made from; empty: it is built in
 
-  /// What the lesson tells of a setting: its steps, its map of cases, its closing card. The lesson must outlive the
+  /// Returns all steps for a setting: the lesson's own, its map of cases, its closing card. The lesson must outlive the
   /// walk. Throws as `steps` does.
   Walk walk(const Parameters&) const;
 };
 
-/// What is wrong with a name or a value: the message names the field, what was given and what is allowed.
+/// An error in a name or a value: the message names the field, what was given and what is allowed.
 struct BadInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The lesson's own view. A flat lesson is seen straight on, whatever its camera says.
+/// Returns the lesson's own view. A flat lesson is seen straight on, whatever its camera says.
 Camera opening(const Lesson&);
-/// Whether some step has a t-axis: then all leave room for it, and the scene stays where it is.
+/// Whether some step has a t-axis: then all steps leave room for it, so that the scene stays in place.
 bool has_axis(const Walk&);
 const Preset& preset(const Lesson&, const std::string& id);  ///< throws BadInput with the nearest name
 /// Sets one parameter from text ("1.5", "1,2,3", "haines"). Throws BadInput; `to` is unchanged then. The lesson's
 /// conditions are left to `validate`, as they may hold only when all parameters are set.
 void set(const Lesson&, Parameters& to, const std::string& name, const std::string& text);
-/// What a parameter takes, in words: "a number from 0 to 10".
+/// Returns what values a parameter takes, in words: "a number from 0 to 10".
 std::string wanted(const Parameter&);
 bool counts(const Parameter&, const Parameters&);
-/// "Counts where walk is test"; empty where it always counts.
+/// Returns "Counts where walk is test"; empty where it always counts.
 std::string told_where(const Parameter&);
 /// Throws BadInput unless every parameter is present, of the right type, finite and in range, and keeps the conditions.
 void validate(const Lesson&, const Parameters&);
-/// Moves what the handle holds to `p`, clamped to the parameter's range. Where a condition forbids that, it stays, and
-/// the condition is returned; else null.
+/// Moves the handle's parameter to `p`, clamped to its range. If a condition forbids that, nothing moves, and the
+/// condition is returned; else null.
 const Condition* drag(const Lesson&, Parameters&, const Handle&, const Vec3& p);
-/// Sets a parameter. Another choice of objects starts anew: what was moved of the old ones is forgotten.
+/// Sets a parameter. Another choice of objects starts anew: moves of the old objects are forgotten.
 void choose(const Lesson&, Parameters&, const std::string& name, const Setting&);
 std::string to_text(const Setting&);  ///< shortest text that `set` reads back exactly
-/// The candidate closest to `word` by edit distance; empty where none is near.
+/// Returns the candidate closest to `word` by edit distance; empty where none is near.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
-/// The answer to a name nobody knows: names the field, what was given, a name near to it, if any, and all that is
+/// Returns the error for an unknown name: it names the field, what was given, a similar name, if any, and all that is
 /// allowed.
 BadInput unknown(const std::string& field, const std::string& given, const std::vector<std::string>& allowed);
-/// The number as shown to readers: about five significant digits, a real minus, no trailing zeros lost.
+/// Returns the number as shown to readers: about five significant digits, a real minus, no trailing zeros lost.
 std::string shown(double value);
-/// The same, but -0 keeps its sign.
+/// Returns the same text, but -0 keeps its sign.
 std::string shown_with_sign(double value);
-/// Both as shown; in full where they would read alike and are not equal.
+/// Returns both numbers as shown; in full where they would read alike without being equal.
 std::pair<std::string, std::string> shown_apart(double a, double b);
 
 }  // namespace isect::viz

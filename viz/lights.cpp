@@ -10,8 +10,8 @@
 namespace isect::viz {
 namespace {
 
-constexpr double pointer_reach = 9;      ///< px from the pointer to what it is at
-constexpr std::size_t most_items = 400;  ///< of more nobody knows the names
+constexpr double pointer_reach = 9;      ///< px from the pointer to the item that it is at
+constexpr std::size_t most_items = 400;  ///< above this, names are not looked for
 
 double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 d = b - a;
@@ -19,7 +19,7 @@ double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (a + t * d - p).norm();
 }
 
-/// From a place to an item with a name of its own, in px; points come before the lines that end in them.
+/// The distance from a place to an item with its own name, in px; points come before the lines that end in them.
 struct Distance {
   const View& view;
   const Vec2 from;

@@ -1,5 +1,5 @@
 #pragma once
-// One name, one light, in the picture: which names stand at a place of it, and what lights up for a name.
+// One name, one light, in the picture: the names at a place of it, and what lights up for a name.
 
 #include <functional>
 #include <optional>
@@ -13,13 +13,13 @@
 
 namespace isect::viz {
 
-/// The keys of the names in a label, and of a handle's parameter.
+/// Return the keys of the names in a label, and of a handle's parameter.
 std::vector<std::string> keys_of(const PlacedLabel&, const std::set<std::string>& known);
 std::vector<std::string> keys_of(const Handle&, const Lesson&);
-/// Calls `each` with every item that has names of its own, and their keys. Charts have none, nor have crowds.
+/// Calls `each` for every item that has its own names, with their keys. Charts and very large scenes have none.
 void each_named(const Scene&, const std::set<std::string>& known,
                 const std::function<void(const Item&, const std::vector<std::string>&)>& each);
-/// The names of the point or line nearest to a place of the picture, within reach of it.
+/// Returns the names of the point or line nearest to a place of the picture, within reach of it.
 std::vector<std::string> names_near(const Scene&, const View&, const Vec2& at, const std::set<std::string>& known);
 
 /// A broad, clear stroke over an item that is lit: a line, or a ring about `a`.

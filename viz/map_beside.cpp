@@ -7,8 +7,8 @@
 namespace isect::viz {
 namespace {
 
-/// Where there is no room for all names, regions too small for theirs go without: the setting's own is told beside the
-/// map, and a pane tells any other's under the pointer.
+/// Whether there is no room for all names; then regions too small for theirs have none: the setting's own name stands
+/// beside the map, and a pane shows any other under the pointer.
 bool crowded(const Cases& cases, const std::vector<PlacedLabel>& labels, double plane_height) {
   const auto is_name = [&](const PlacedLabel& l) { return std::ranges::count(cases.branches, l.text) > 0; };
   for (std::size_t i = 0; i < labels.size(); ++i) {

@@ -1,5 +1,5 @@
 #pragma once
-// The map of cases beside the scene: its regions, kept while they stay, and a setting that is moved over it.
+// The map of cases beside the scene: its regions are kept while they do not change, and a setting can be moved over it.
 
 #include <string>
 
@@ -8,17 +8,17 @@
 
 namespace isect::viz {
 
-/// The map composed with the names of its cases, or without where they would meet or crowd.
+/// Returns the map with the names of its cases, or without them where they would meet or crowd.
 Composed compose_map(const Cases&, const Vec2& corner, double width, double height, const Theme&);
 
-/// From a pixel of the map's plane to its case, and back.
+/// Return the case at a pixel of the map's plane, and the pixel of a case.
 Vec2 case_at(const Cases&, const Box2& plane, const Vec2& pixel);
 Vec2 pixel_of(const Cases&, const Box2& plane, const Vec2& at);
 
 /// The map of a player's lesson, which must have one.
 class MapBeside {
  public:
-  /// The sweep over the plane is made anew only where its regions may have changed. `here` is this setting's place,
+  /// Returns the map. The plane is swept anew only where its regions may have changed. `here` is this setting's place,
   /// unless a question waits.
   const Cases& find(const Player&);
   const Cases& cases() const { return cases_; }
@@ -32,7 +32,7 @@ class MapBeside {
   unsigned found_ = 0;
 };
 
-/// A drag over the map. With `snapping` only as far as where the case changes, next to the pointer.
+/// Drags over the map. With `snapping` only to where the case changes, next to the pointer.
 Moved drag_on_map(Player&, const Vec2& start, const Vec2& to, bool snapping);
 
 }  // namespace isect::viz

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t megabyte = std::size_t{1} << 20;
 constexpr std::size_t least_room = 448 * megabyte;  // see viz/resources.h
-/// Sixteen at most that draw, and those that Mesa and Pango start beside.
+/// At most sixteen threads draw; Mesa and Pango start a few more.
 constexpr int ample_threads = 24;
 
 void refuse_unless(const char* variable, const std::vector<std::string>& allowed, const char* why) {

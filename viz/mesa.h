@@ -1,10 +1,10 @@
 #pragma once
-// Mesa crashes in surroundings that it does not expect. What can be known beforehand is refused in words.
+// Mesa crashes in some environments. Those that can be detected beforehand are refused with a message.
 
 namespace isect::viz {
 
-/// Before a context is made; where memory or threads are short, Mesa is told to do with one thread. Throws NoBackend
-/// where a variable is set to what Mesa does not survive, or where there is too little room for it.
+/// Call it before a context is made. Where memory or threads are short, it limits Mesa to one thread. Throws NoBackend
+/// where a variable is set to a value on which Mesa crashes, or where there is too little memory.
 void prepare_mesa();
 
 }  // namespace isect::viz

@@ -5,10 +5,10 @@
 
 namespace isect::viz {
 
-/// What a file claims to carry beyond this is hostile: no figure's comes near.
+/// A file that claims to carry more than this is hostile: no figure's metadata comes near.
 inline constexpr std::size_t most_metadata = std::size_t{1} << 20;
 
-/// Before our own among what a file carries.
+/// The prefix of our own metadata in a file.
 inline constexpr std::string_view metadata_mark = "isect:";
 
 }  // namespace isect::viz

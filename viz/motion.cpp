@@ -7,7 +7,7 @@
 namespace isect::viz {
 namespace {
 
-/// All points and lengths that tell where an item stands. Of two alike they are as many, in the same order.
+/// All points and lengths that tell where an item stands. Items of one shape have equally many, in the same order.
 struct Numbers {
   std::vector<Vec3*> points;
   std::vector<double*> lengths;

@@ -1,18 +1,18 @@
 #pragma once
-// From one picture to the next: what has the same name in both moves, and what is new appears on its way.
+// Transitions between two pictures: what has the same name in both moves, and what is new appears on the way.
 
 #include "viz/scene.h"
 
 namespace isect::viz {
 
-/// The scene `to`, but each of its objects as far from where it stands in `from` as `share` says: 0 there, 1 here.
-/// What is only in one of the two, or of another shape in them, does not move; nor does a page of small drawings.
+/// Returns the scene `to` with each of its objects moved `share` of the way from its place in `from`: 0 there, 1 here.
+/// Objects in only one of the two, or of different shapes in them, do not move; nor does a page of small drawings.
 Scene between(const Scene& from, const Scene& to, double share);
 
-/// Whether anything moves from one to the other, as between() has it: charts and pages stand still.
+/// Whether anything moves from one to the other in between(): charts and pages stand still.
 bool may_move(const Scene& from, const Scene& to);
 
-/// How an animation runs: slow at both ends, from 0 to 1.
+/// Returns the course of an animation: slow at both ends, from 0 to 1.
 double eased(double share);
 
 }  // namespace isect::viz

@@ -59,7 +59,7 @@ Moved nudge(Player& player, const View& view, const Handle& handle, const Vec2& 
   player.remember((snapping ? "snap " : "nudge ") + handle.parameter);
   if (snapping) return snapping_nudge(player, view, handle, way).settle(player);
   Vec3 to = brought(view, handle, view.project(handle.at).at + step * way);
-  const double rounding = 1e-9 * (to - handle.at).norm();  // of a view: what is not meant to move stays
+  const double rounding = 1e-9 * (to - handle.at).norm();  // of a view: coordinates that are not meant to move stay
   for (int i = 0; i < 3; ++i)
     if (std::abs(to[i] - handle.at[i]) <= rounding) to[i] = handle.at[i];
   return refused_by(player.drag_handle(handle, to));

@@ -1,5 +1,5 @@
-// MP4 by ffmpeg, a program of its own: pictures go to it through a socket, the file comes back through memory, so that
-// nothing is left lying about however either of them ends.
+// MP4 by ffmpeg, a separate program: pictures go to it through a socket, the file comes back through memory, so that no
+// file is left behind however either of them ends.
 
 #include <fmt/format.h>
 #include <spawn.h>
@@ -24,12 +24,12 @@
 namespace isect::viz {
 namespace {
 
-constexpr int frames_a_second = 25;                 ///< pictures a second: players stumble over slower ones
+constexpr int frames_a_second = 25;                 ///< players stumble over slower videos
 constexpr std::size_t most_mp4_metadata = 1 << 20;  ///< far above any figure's
 
 FileError failure(const std::string& why) { return FileError("mp4: " + why); }
 
-/// A file descriptor, closed in the end.
+/// A file descriptor that is closed by the destructor.
 class OwnedNumber {
  public:
   explicit OwnedNumber(int number) : number_(number) {
@@ -49,12 +49,12 @@ class OwnedNumber {
   int number_;
 };
 
-/// A file that has no name, and goes with whoever holds it.
+/// A file without a name, which disappears with its last holder.
 class Nameless {
  public:
   Nameless() : file_(::memfd_create("isect", 0)) {}
   int number() const { return file_.number(); }
-  /// Its name for a child that inherits it.
+  /// Returns its path for a child that inherits it.
   std::string path() const { return fmt::format("/proc/self/fd/{}", number()); }
   std::string contents() const {
     std::string all;
@@ -89,7 +89,7 @@ std::vector<std::string> command(int width, int height, const Metadata& metadata
   return words;
 }
 
-/// Three bytes a pixel. Sides are made even, as the format needs them, by the last row or column once more.
+/// Returns three bytes a pixel. The format needs even sides: where needed, the last row or column is repeated.
 std::string rgb_of(const Picture& picture, int width, int height) {
   std::string bytes;
   bytes.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
@@ -102,7 +102,7 @@ std::string rgb_of(const Picture& picture, int width, int height) {
   return bytes;
 }
 
-/// Whether all was taken. A reader that has gone is no signal here.
+/// Whether all was sent. A reader that has gone raises no signal here.
 bool send_all(int to, const std::string& bytes) {
   for (std::size_t at = 0; at < bytes.size();) {
     const ssize_t sent = ::send(to, bytes.data() + at, bytes.size() - at, MSG_NOSIGNAL);
@@ -113,7 +113,7 @@ bool send_all(int to, const std::string& bytes) {
   return true;
 }
 
-/// A running ffmpeg, waited for in the end.
+/// A running ffmpeg; the destructor waits for it.
 class Encoder {
  public:
   Encoder(const std::vector<std::string>& words, const Nameless& said) {
@@ -138,7 +138,7 @@ class Encoder {
   Encoder& operator=(const Encoder&) = delete;
 
   int in() const { return in_->number(); }
-  /// Ends its input. How it ended, as a shell tells it.
+  /// Ends its input and waits. Returns its exit status as a shell gives it.
   int wait() {
     in_->close();
     if (child_ == 0) return status_;

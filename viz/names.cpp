@@ -16,14 +16,14 @@ namespace {
 
 using Chars = std::string_view;
 
-/// Latin and Greek ones; the sign of a sum is none.
+/// Whether it is a Latin or Greek letter; the sign of a sum is none.
 bool is_name_letter(Chars c) {
   if (c.size() == 1) return (c[0] >= 'a' && c[0] <= 'z') || (c[0] >= 'A' && c[0] <= 'Z');
   const auto first = static_cast<unsigned char>(c[0]);
   return (first == 0xCE || first == 0xCF) && c != "Σ";
 }
 
-/// A small letter or digit below the line, as an ordinary one; empty: it is none.
+/// Returns a small letter or digit below the line as an ordinary one; empty for other characters.
 Chars lowered(Chars c) {
   static const std::map<Chars, Chars> forms = {{"₀", "0"}, {"₁", "1"}, {"₂", "2"}, {"₃", "3"}, {"₄", "4"}, {"₅", "5"},
                                                {"₆", "6"}, {"₇", "7"}, {"₈", "8"}, {"₉", "9"}, {"ₐ", "a"}, {"ₑ", "e"},
@@ -34,7 +34,7 @@ Chars lowered(Chars c) {
   return found == forms.end() ? Chars() : found->second;
 }
 
-/// Short words of a sentence or of pseudocode are no names, nor are long ones.
+/// Whether the letters may be a name: short words of a sentence or of pseudocode are none, nor are long ones.
 bool may_be_a_name(Chars letters) {
   constexpr std::array words = {"as", "at", "by", "do", "go", "if", "in", "is",
                                 "it", "no", "of", "on", "or", "so", "to"};
@@ -43,19 +43,19 @@ bool may_be_a_name(Chars letters) {
   return (count <= 2 || letters == "mid") && std::ranges::find(words, letters) == words.end();
 }
 
-/// "a" before a word.
+/// Whether this is the article "a" before a word.
 bool is_article(Chars text, std::size_t begin, std::size_t end) {
   if (text.substr(begin, end - begin) != "a" || end + 3 >= text.size() || text[end] != ' ') return false;
   return std::ranges::all_of(text.substr(end + 1, 3), [](char c) { return c >= 'a' && c <= 'z'; });
 }
 
-/// The end of the letters that begin at i.
+/// Returns the end of the letters that begin at i.
 std::size_t end_of_letters(Chars text, std::size_t i) {
   while (i < text.size() && is_name_letter(character_at(text, i))) i += character_at(text, i).size();
   return i;
 }
 
-/// A subscript behind a name: small signs, or `_` with a word or a group. Moves `i` behind it.
+/// Reads a subscript after a name: small signs, or `_` with a word or a group. Moves `i` behind it.
 std::string subscript(Chars text, std::size_t& i) {
   std::string below;
   for (Chars small; i < text.size() && !(small = lowered(character_at(text, i))).empty();
@@ -87,7 +87,7 @@ Chars trimmed(Chars text) {
   return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
 }
 
-/// "s ← l · d"
+/// An assignment in pseudocode: "s ← l · d".
 struct Assignment {
   int line;
   std::string left, right;
@@ -110,7 +110,7 @@ std::vector<Assignment> assignments(const std::string& line, int number) {
   return all;
 }
 
-/// How the walk has computed a name up to a step or, where it has not yet, how it will.
+/// Returns how the walk has computed a name up to a step or, where it has not yet, how it will.
 std::optional<Assignment> assignment_of(const Walk& walk, int step, const std::string& key) {
   std::optional<Assignment> found;
   for (int line = 0; line < static_cast<int>(walk.pseudocode.size()); ++line)
@@ -124,7 +124,7 @@ std::optional<Assignment> assignment_of(const Walk& walk, int step, const std::s
   return found;
 }
 
-/// Of a knob, or of a point that the picture calls by this name.
+/// Describes a knob, or a point that the picture calls by this name.
 std::string given(const Lesson& lesson, const Parameters& parameters, const Scene& scene, const std::string& key) {
   for (const Parameter& p : lesson.parameters)
     if (const auto value = parameters.find(p.name);

@@ -1,5 +1,5 @@
 #pragma once
-// The names of mathematics in a walk's texts, so that one name can be lit wherever it occurs, and what is known of it.
+// The names of mathematics in a walk's texts, so that a name can be lit wherever it occurs, and what is known of it.
 
 #include <set>
 #include <string>
@@ -16,25 +16,25 @@ struct Name {
   bool vector = false;             ///< set in bold
 };
 
-/// Of markup, where letters are italic or bold; places in the text of its runs, one after the other.
+/// Returns the names in markup, which are italic or bold; places are in the text of its runs, one after the other.
 std::vector<Name> names_in(const std::string& markup);
-/// Of plain text or a line of pseudocode: whatever may be a name, also a short word. `known`: only these.
+/// Return all that may be a name in plain text or in pseudocode, also a short word. `known`: only these.
 std::vector<Name> names_in_line(const std::string& text);
 std::vector<Name> names_in_line(const std::string& text, const std::set<std::string>& known);
-/// The keys of some names, each once.
+/// Returns the keys of some names, each once.
 std::vector<std::string> keys(const std::vector<Name>&);
 
-/// All that the lesson's knobs and the walk's markup and pictures call by a name.
+/// Returns all names that the lesson's knobs and the walk's markup and pictures use.
 std::set<std::string> names_of(const Lesson&, const Walk&);
 
-/// What a line of pseudocode is about: what it assigns or, where it assigns nothing, all it names.
+/// Returns the names that a line of pseudocode assigns or, where it assigns nothing, all it contains.
 std::vector<std::string> subject_of_line(const std::string& line, const std::set<std::string>& known);
 
-/// "0.25", "(1, 2)" in the plane, "(1, 2, 0)" in space, or the word.
+/// Returns "0.25", "(1, 2)" in the plane, "(1, 2, 0)" in space, or the word.
 std::string value_in_words(const Setting&, bool flat);
 
-/// What is known of a name at a step, in plain words: how the pseudocode computes it, and its number: "s = l · d =
-/// 4.472"; of a knob, its value and what it is. Empty: nothing is.
+/// Returns what is known of a name at a step, in plain words: how the pseudocode computes it, and its number: "s = l ·
+/// d = 4.472"; for a knob, its value and its meaning. Empty if nothing is known.
 std::string sum_of(const Lesson&, const Parameters&, const Walk&, int step, const std::string& key);
 
 }  // namespace isect::viz

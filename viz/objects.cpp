@@ -7,7 +7,7 @@
 namespace isect::viz {
 namespace {
 
-/// The text of the label at this point, or of the one beside this segment, either way round.
+/// Returns the text of the label at this point, or of the one beside this segment, in either direction.
 std::string label_at(const Scene& scene, const Vec3& at, const std::optional<Vec3>& until = {}) {
   for (const Item& item : scene.items) {
     const Label* label = std::get_if<Label>(&item);
@@ -22,7 +22,7 @@ std::string given_or(const auto& item, const std::string& label) {
   return item.name.empty() ? label : plain(item.name);
 }
 
-/// Kind, name and role of an item.
+/// Finds the kind, name and role of an item.
 struct Namer {
   const Scene& scene;
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the items of a scene are called, so that a drawing can say what each of its shapes belongs to.
+// The names of a scene's items, so that a drawing can say what each of its shapes belongs to.
 
 #include <vector>
 
@@ -7,10 +7,10 @@
 
 namespace isect::viz {
 
-/// One object for each item, in order: named by the label that stands at it, else by a number.
+/// Returns one object for each item, in order: named by the label that stands at it, else by a number.
 std::vector<Object> objects_of(const Scene&);
 
-/// Small drawings under headings are a page: nothing stands on a floor there, and nothing moves from one to another.
+/// Whether the scene is a page of small drawings under headings: without a floor, and nothing moves between pages.
 bool is_page(const Scene&);
 
 }  // namespace isect::viz

@@ -12,21 +12,21 @@
 namespace isect::viz {
 namespace {
 
-/// The context made current last, by whichever library. One library's must be released before another's is
-/// bound: they share Mesa's notion of the current context.
+/// The context made current last, of any library. One library's context must be released before another's is bound:
+/// they share Mesa's notion of the current context.
 Context* current = nullptr;
 
 std::unique_ptr<Context> make_context(Backend backend) {
   return backend == Backend::osmesa ? osmesa_context() : egl_context();
 }
 
-/// Side of the parts a picture is drawn in, in pixels of the result. A snapshot fits in one.
+/// Size of the parts in which a picture is drawn, in pixels of the result. A snapshot fits in one.
 constexpr int part_width = 1024, part_height = 640;
 
-/// What Mesa may still take for one picture.
+/// The memory that Mesa may still take for one picture.
 constexpr std::size_t needed_room = std::size_t{64} << 20;
 
-/// The means of 2 x 2 pixels, rounded to nearest, written into `to` with the top left corner at (left, top).
+/// Writes the means of 2 x 2 pixels, rounded to nearest, into `to` with the top left corner at (left, top).
 void reduce(const Picture& from, Picture& to, int left, int top) {
   const int width = std::min(from.width / 2, to.width - left);
   const int height = std::min(from.height / 2, to.height - top);
@@ -70,7 +70,7 @@ struct Offscreen::Impl {
     if (renderer) renderer->reload();
   }
 
-  /// After the renderer has gone and before the context goes, also when the constructor throws.
+  /// Releases the context after the renderer is gone and before the context is, also when the constructor throws.
   struct Release {
     Context& context;
     ~Release() {

@@ -13,15 +13,15 @@ namespace isect::viz {
 enum class Backend { automatic, osmesa, egl };
 
 std::vector<std::string> backend_names();  ///< "auto", "osmesa", "egl"
-/// Throws BadInput naming the nearest.
+/// Returns the back end. Throws BadInput naming the nearest.
 Backend backend_named(const std::string&);
 
-/// Why no back end could be had: what was tried and what is missing.
+/// The message says why no back end is available: what was tried and what is missing.
 struct NoBackend : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Several may live at once, in one thread: each makes itself current when it is used. A window's context
+/// Several may exist at once, in one thread: each makes itself current when it is used. A window's context
 /// must be released before (`glfwMakeContextCurrent(nullptr)`), and made current and its Renderer reloaded
 /// afterwards.
 class Offscreen {

@@ -14,8 +14,8 @@
 namespace isect::viz {
 namespace {
 
-/// OSMesa, loaded at its first use. It brings a compiler along, LLVM, whose loading takes longer than all else that
-/// `isect --help` does; most commands draw nothing in pixels.
+/// OSMesa, loaded at its first use. It needs a compiler, LLVM, and loading that takes longer than all else that `isect
+/// --help` does; most commands draw no pixels.
 class Library {
  public:
   static const Library& get() {

@@ -5,7 +5,7 @@
 
 namespace isect::viz {
 
-/// Throws NoBackend; always, where it was built without OSMesa.
+/// Creates a context. Throws NoBackend; always, where it was built without OSMesa.
 std::unique_ptr<Context> osmesa_context();
 
 }  // namespace isect::viz

@@ -27,7 +27,7 @@ bool same_path(const Path& a, const Path& b) {
   return a.start == b.start && a.closed == b.closed && std::ranges::equal(a.segments, b.segments, same_segment);
 }
 
-/// Whether both are the same mark on the page, in whatever colours.
+/// Whether both make the same mark on the page, whatever their colours.
 struct SamePlace {
   bool operator()(const Fill& a, const Fill& b) const {
     return same_path(a.path, b.path) && std::ranges::equal(a.more, b.more, same_path);
@@ -47,13 +47,13 @@ struct SamePlace {
   bool operator()(const auto&, const auto&) const { return false; }
 };
 
-/// A shape in both themes; null: the theme has none.
+/// A shape in both themes; null where the theme lacks it.
 struct Pair {
   const Shape *light, *dark;
   const Shape& any() const { return light ? *light : *dark; }
 };
 
-/// Goes through both in order. What has no counterpart within the next few stands alone.
+/// Pairs the shapes of both in order. A shape without a counterpart within the next few stands alone.
 std::vector<Pair> paired(const std::vector<Shape>& light, const std::vector<Shape>& dark) {
   constexpr std::size_t reach = 4;
   const auto alike = [&](std::size_t i, std::size_t j) {
@@ -79,12 +79,12 @@ std::vector<Pair> paired(const std::vector<Shape>& light, const std::vector<Shap
   return all;
 }
 
-/// Which property a class of this beginning sets.
+/// Returns the property that a class with this prefix sets.
 std::string property(const std::string& what) {
   return what == "line" ? "stroke" : what == "stop" ? "stop-color" : what;
 }
 
-/// A paint that one theme lacks is seen through there.
+/// The paint of a shape in the theme that lacks it.
 constexpr Colour invisible = {0, 0, 0, 0};
 
 }  // namespace
@@ -163,8 +163,8 @@ class PageWriter {
     return shape ? std::get_if<Part>(shape) : nullptr;
   }
 
-  /// The class, or the colour of a picture that stands alone, and, where it is not opaque, the opacity. A theme whose
-  /// colour is null has no such paint; where the themes differ in opacity, the class has it.
+  /// Returns the class, or the colour in a picture that stands alone, and the opacity if there is any. A theme whose
+  /// colour is null has no such paint; where the themes differ in opacity, the class contains it.
   std::string paint(const std::string& what, const Colour* light, const Colour* dark, const std::string& more = {}) {
     const Colour &a = light ? *light : *dark, &b = dark ? *dark : *light;
     if (!page_.colours_) return painted(what, a) + more + opacity(what, a.a);
@@ -175,7 +175,7 @@ class PageWriter {
     return fmt::format("class=\"{}{}\"{}", page_.colours_->of(what, c), more, alike ? opacity(what, a.a) : "");
   }
 
-  /// `fill="#0b60c8"`
+  /// Returns `fill="#0b60c8"`.
   static std::string painted(const std::string& what, const Colour& c) {
     return fmt::format("{}=\"{}\"", property(what), svg_colour(c));
   }
@@ -185,7 +185,7 @@ class PageWriter {
     return alpha < 1 ? fmt::format(" {}-opacity=\"{}\"", name, svg_number(alpha)) : "";
   }
 
-  /// How much of the grid's ink there is in a colour between it and the background; nothing for any other colour.
+  /// Returns how much of the grid's ink is in a colour between it and the background; nothing for any other colour.
   static std::optional<double> ink(const Colour& c, const Theme& in) {
     const Colour &full = in.ink(Role::grid), &ground = in.background;
     const double share = (c.g - ground.g) / (full.g - ground.g);
@@ -198,7 +198,7 @@ class PageWriter {
     return {a.r + share * (b.r - a.r), a.g + share * (b.g - a.g), a.b + share * (b.b - a.b)};
   }
 
-  /// The paint of a line that fades into the background, in one of twelve shades.
+  /// Returns the paint of a line that fades into the background, in one of twelve shades.
   std::optional<std::string> fading(const Colour& light, const Colour& dark) const {
     static const Theme day = theme(ThemeName::screen, 960, 600), night = theme(ThemeName::dark, 960, 600);
     const auto shade = [](double share) { return std::ceil(12 * share) / 12; };
@@ -245,7 +245,7 @@ class PageWriter {
     (out_ += "<path ") += attributes, (out_ += " d=\"") += letters, out_ += "\"/>";
   }
 
-  /// The attributes of a fill and of a stroke for one element, which has one class.
+  /// Merges the attributes of a fill and of a stroke for one element, which has one class.
   static std::string joined(const std::string& fill, const std::string& stroke) {
     const std::string_view own = "class=\"";
     if (!fill.starts_with(own) || !stroke.starts_with(own)) return fill + " " + stroke;
@@ -253,8 +253,8 @@ class PageWriter {
     return fill.substr(0, end) + " " + stroke.substr(own.size()) + fill.substr(end + 1);
   }
 
-  /// Strokes that look alike, one after the other, are one path; so are all of a grid that fade as much. One around the
-  /// area just filled is one with it.
+  /// Writes strokes that look alike and follow each other as one path, as well as all grid lines that fade equally. A
+  /// stroke around the area just filled is merged with it.
   void end_stroke() {
     for (const auto& [attributes, paths] : std::exchange(grid_, {})) write(attributes, svg_letters(paths));
     const Area area = std::exchange(area_, {});
@@ -293,7 +293,7 @@ class PageWriter {
                         svg_letters({ellipse(g.center, g.major, g.minor)}));
   }
 
-  /// Those of one layer and colour are one path.
+  /// Writes facets; those of one layer and colour are one path.
   void add(const Facets&, const Facets* light, const Facets* dark) {
     end_stroke();
     const Facets& facets = light ? *light : *dark;
@@ -310,7 +310,7 @@ class PageWriter {
     for (const auto& [place, paths] : gathered) write(place.second, svg_letters(paths));
   }
 
-  /// A script stands on a line of its own height, and what follows comes back from it.
+  /// Writes a text; a script is moved to a line of its own height, and what follows is moved back.
   void add(const Text&, const Text* light, const Text* dark) {
     end_stroke();
     const Text& text = light ? *light : *dark;
@@ -361,7 +361,7 @@ class PageWriter {
   std::string out_, stroke_;
   std::vector<Path> paths_;
   std::map<std::string, std::vector<Path>> grid_;  ///< strokes that fade, by their attributes
-  /// What was filled last, if nothing was written since.
+  /// The area filled last, if nothing was written since.
   struct Area {
     std::size_t begin = 0;  ///< of its element in out_
     std::string attributes, letters;

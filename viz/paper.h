@@ -13,10 +13,10 @@ struct OnPaper {
   PaperSize size;
 };
 
-/// The step on paper of this size. Where its labels would meet or leave the figure, the paper grows, in its shape,
-/// until they don't: none if eight times the width are too few. Where headings cut through shapes or run together, it
-/// grows further if they stand clear on paper up to 1.6 times as wide, and no wider than 36 text sizes. `camera`: for a
-/// picture of this width to height.
+/// Returns the step on paper of this size. Where its labels would meet or leave the figure, the paper grows, in its
+/// shape, until they don't: none if eight times the width is not enough. Where headings cut through shapes or run
+/// together, it grows further if they stand clear on paper up to 1.6 times as wide, and no wider than 36 text sizes.
+/// `camera`: for a picture of this aspect.
 std::optional<OnPaper> readable_figure(const Walk&, int step, ThemeName, const PaperSize&, bool title,
                                        const std::function<Camera(double aspect)>& camera);
 

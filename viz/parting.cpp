@@ -9,7 +9,7 @@
 namespace isect::viz {
 namespace {
 
-/// The first place at which two lists differ, as an index into each; -1 where one has ended, or both agree to the end.
+/// Returns the first place where two lists differ, as indices; -1 where one has ended, or both agree to the end.
 template <class T, class Same>
 std::pair<int, int> first_apart(const std::vector<T>& a, const std::vector<T>& b, const Same& same) {
   const auto [at_a, at_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end(), same);
@@ -17,7 +17,7 @@ std::pair<int, int> first_apart(const std::vector<T>& a, const std::vector<T>& b
           at_b == b.end() ? -1 : static_cast<int>(at_b - b.begin())};
 }
 
-/// The lines that a walk has run up to a step, in order; what stays at its line or has none does not count.
+/// Returns the lines that a walk has run up to a step, in order, without steps that have none or stay at theirs.
 std::vector<int> run(const Walk& walk, int at) {
   std::vector<int> lines;
   for (int i = 0; i <= at; ++i) {

@@ -23,7 +23,7 @@ cairo_status_t append(void* out, const unsigned char* data, unsigned length) {
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// In ASCII: cairo then writes it byte by byte, or as UTF-16 where there is a bracket in it.
+/// Returns the keywords in ASCII: cairo then writes them byte by byte, or as UTF-16 if they contain a bracket.
 std::string keywords(const Metadata& metadata) { return std::string(metadata_mark) + metadata_text(metadata); }
 
 void tell(cairo_surface_t* surface, const Metadata& metadata, const Imprint& imprint) {
@@ -34,10 +34,10 @@ void tell(cairo_surface_t* surface, const Metadata& metadata, const Imprint& imp
   set(CAIRO_PDF_METADATA_SUBJECT, imprint.alt);
   set(CAIRO_PDF_METADATA_CREATOR, "isect");
   if (!metadata.empty()) set(CAIRO_PDF_METADATA_KEYWORDS, keywords(metadata));
-  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, nullptr);  // the same bytes tomorrow
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, nullptr);  // so that the bytes stay the same
 }
 
-/// The string of a PDF that begins at `at`: "(...)" with escapes, or "<...>" in hexadecimal.
+/// Returns the string of a PDF that begins at `at`: "(...)" with escapes, or "<...>" in hexadecimal.
 std::string string_at(std::string_view pdf, std::size_t at) {
   std::string text;
   if (pdf[at] == '(') {
@@ -63,7 +63,7 @@ std::string string_at(std::string_view pdf, std::size_t at) {
   return {};
 }
 
-/// UTF-16 with its mark as the ASCII it holds; what is ASCII already stays.
+/// Converts UTF-16 with its byte order mark to the ASCII it holds; ASCII text stays.
 std::string as_ascii(const std::string& text) {
   if (!text.starts_with("\xFE\xFF")) return text;
   std::string ascii;
@@ -81,7 +81,7 @@ std::string pdf(const Drawing& drawing, const Metadata& metadata, const Imprint&
   std::string bytes;
   cairo_surface_t* surface =
       cairo_pdf_surface_create_for_stream(append, &bytes, drawing.width * scale, drawing.height * scale);
-  cairo_pdf_surface_restrict_to_version(surface, CAIRO_PDF_VERSION_1_4);  // its properties lie open
+  cairo_pdf_surface_restrict_to_version(surface, CAIRO_PDF_VERSION_1_4);  // its properties are not compressed
   tell(surface, metadata, imprint);
   cairo_t* cr = cairo_create(surface);
   cairo_scale(cr, scale, scale);

@@ -1,5 +1,5 @@
 #pragma once
-// What the pointer is on: the first item along a viewing ray, by the core's own ray tests.
+// The item under the pointer: the first one along a viewing ray, by the core's own ray tests.
 
 #include <optional>
 
@@ -9,10 +9,10 @@ namespace isect::viz {
 
 struct Picked {
   const Item* item;
-  Vec3 at;  ///< where the viewing ray meets it first
+  Vec3 at;  ///< where the viewing ray hits it first
 };
 
-/// Among balls, solids, meshes and regions. Of those that are met at the same place the one drawn last.
+/// Picks among balls, solids, meshes and regions. Of items hit at the same place it returns the one drawn last.
 std::optional<Picked> pick(const Scene&, const View::ViewingRay&);
 
 }  // namespace isect::viz

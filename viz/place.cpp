@@ -34,7 +34,7 @@ Json json(const Parameters& parameters) {
 
 double in_radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-/// The number of fewest digits that is read as this angle, so that 30 stays 30; the nearest where none is.
+/// Returns the number of fewest digits that is read as this angle, so that 30 stays 30; else the nearest one.
 double in_degrees(double radians) {
   const double near = radians / std::numbers::pi * 180;
   for (int digits = 1; digits <= 17; ++digits) {
@@ -65,10 +65,10 @@ Json json(const Camera& camera) {
           {"field_of_view", in_degrees(camera.field_of_view)}};
 }
 
-/// Nothing of ours nests deeper. What does would crash whoever shows it: the library writes JSON by recursion.
+/// Our files never nest deeper; deeper JSON would overflow the stack: the library writes JSON by recursion.
 constexpr int deepest = 16;
 
-/// All that stands there counts: the library would take the last of two fields, and end at a NUL byte.
+/// Parses the whole text strictly: the library would take the last of two fields, and end at a NUL byte.
 Json parse(const std::string& field, const std::string& text) try {
   if (text.find('\0') != text.npos) throw BadInput(fmt::format("{}: not JSON; there is a NUL byte in it", field));
   std::vector<std::set<std::string>> open;  // the keys of each object that has not ended yet
@@ -85,7 +85,7 @@ Json parse(const std::string& field, const std::string& text) try {
   throw BadInput(fmt::format("{}: not JSON; {}", field, why.substr(why.find(']') + 2)));
 }
 
-/// Fields of an object, each asked for by name; `path` says where it stands.
+/// Throws BadInput unless the object has only these fields; `path` says where it stands.
 void only_fields(const Json& object, const std::string& path, const std::vector<std::string>& allowed) {
   if (!object.is_object()) throw BadInput(fmt::format("{}: {} is no JSON object", path, object.dump()));
   for (const auto& item : object.items())
@@ -134,8 +134,8 @@ Parameters parameters_of(const Json& object, const Lesson& lesson, Parameters pa
 enum class Angles { degrees, radians };
 constexpr double widest_in_radians = 3.1;
 
-/// Degrees, but that isect wrote radians once. Its files of that time name the field of view, which is at most 3.1
-/// there and no such slit in degrees; what people wrote themselves may be either where all angles are as small as
+/// Angles are in degrees; files of older versions had radians. Those name the field of view, at most 3.1 in radians,
+/// which in degrees would be a mere slit. What people wrote themselves may be either, if all angles are as small as
 /// radians are.
 Angles angles_of(const Json& camera, const Lesson& lesson) {
   if (camera.contains("angles")) {
@@ -157,12 +157,12 @@ Angles angles_of(const Json& camera, const Lesson& lesson) {
                   field, camera[field].dump()));
 }
 
-/// All of the walk in the frame.
+/// Returns a camera in this direction with the whole walk in the frame.
 Camera framed(const Camera& direction, const Walk& walk) {
   return frame_alike(direction, walk, {walk}, picture_aspect(walk, ThemeName::screen, 960, 600));
 }
 
-/// Where only a direction is given, in degrees, the walk is framed from there.
+/// Reads a camera. Where only a direction is given, in degrees, the walk is framed from there.
 Camera camera_of(const Json& object, const Lesson& lesson, const Parameters& parameters) {
   only_fields(object, "camera",
               {"angles", "target", "azimuth", "elevation", "half_height", "perspective", "field_of_view"});

@@ -12,7 +12,7 @@
 
 namespace isect::viz {
 
-/// What stands beside it in a second pane: a method, or a preset; the other one is empty.
+/// What a second pane shows: another method, or another preset; one of the two is empty.
 struct OtherSide {
   std::string method, preset;
   bool operator==(const OtherSide&) const = default;
@@ -27,21 +27,21 @@ struct Place {
 };
 
 std::string to_json(const Place&);
-/// Reads what to_json writes, and less: what is left out is the preset's, or the lesson's own. A camera's angles are in
-/// degrees; those of older files, in radians, are read as such (viz/direction.h). Throws BadInput naming the field.
+/// Reads what to_json writes; missing fields are the preset's, or the lesson's own. A camera's angles are in degrees;
+/// those of older files, in radians, are read as such (viz/direction.h). Throws BadInput naming the field.
 Place place_from_json(const std::string& text, const std::vector<const Lesson*>&);
 
-/// What a figure carries inside: lesson, preset, step, parameters, camera and version.
+/// Returns what a figure carries inside: lesson, preset, step, parameters, camera and version.
 Metadata metadata(const Place&);
-/// The place a figure was made at. Throws BadInput naming the field, also where the metadata is another
+/// Returns the place where a figure was made. Throws BadInput naming the field, also where the metadata is another
 /// program's.
 Place place_from_metadata(const Metadata&, const std::vector<const Lesson*>&);
 
-/// The parameters as a JSON object on one line.
+/// Returns the parameters as a JSON object on one line.
 std::string to_json(const Parameters&);
-/// The lesson called `id`. Throws BadInput with the nearest name.
+/// Returns the lesson called `id`. Throws BadInput with the nearest name.
 const Lesson& lesson_named(const std::vector<const Lesson*>&, const std::string& id);
-/// Version of isect, carried by everything it writes.
+/// Returns the version of isect, which everything it writes carries.
 std::string version();
 
 }  // namespace isect::viz

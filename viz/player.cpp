@@ -9,7 +9,7 @@
 namespace isect::viz {
 namespace {
 
-constexpr double seconds_a_step = 1.6, seconds_to_read = 3.2;  ///< the latter: why an answer was right
+constexpr double seconds_a_step = 1.6, seconds_to_read = 3.2;  ///< the latter to read why an answer was right
 constexpr double seconds_to_light = 0.120;
 constexpr std::size_t memories_kept = 100;
 
@@ -26,7 +26,7 @@ std::string matching_preset(const Lesson& lesson, const Parameters& parameters) 
   return {};
 }
 
-/// The titles of the variants come from their walks, so that they are written down in one place.
+/// Returns the variants with the titles of their walks, so that titles are written down in one place.
 std::vector<Method> methods_of(const Lesson& lesson, Parameters parameters) {
   std::vector<Method> methods;
   for (const Parameter& p : lesson.parameters) {
@@ -79,7 +79,7 @@ void Player::choose(int step) {
   look();
 }
 
-/// The one way the state changes.
+/// Changes the state; nothing else does.
 void Player::show(State next, bool same_lesson) {
   const Lesson& lesson = *lessons_[next.lesson];
   walk_ = std::make_shared<const Walk>(walk_of(lesson, next.parameters));
@@ -370,7 +370,7 @@ void Player::go(const Place& place) {
 
 void Player::remember(const std::string& action, bool with_step) {
   if (!action.empty() && action == action_) return;
-  std::string name = action;  // what may fail comes first
+  std::string name = action;  // what may throw comes first
   memory_.push_back({state_, camera_.goal(), moved_, with_step});
   if (memory_.size() > memories_kept) memory_.erase(memory_.begin());
   undone_.clear();

@@ -1,6 +1,6 @@
 #pragma once
-// What the window shows and what a reader's actions do to it. No ImGui and no OpenGL, so tests drive it as it
-// is.
+// What the window shows, and what a reader's actions do to it. It uses no ImGui and no OpenGL, so that tests can drive
+// it directly.
 
 #include <map>
 #include <memory>
@@ -21,7 +21,7 @@ struct Method {
   std::string choice, title;
 };
 
-/// From one step's picture, and its view, to the next.
+/// The time in which a step's picture, and its view, become the next.
 constexpr double seconds_to_move = 0.220;
 
 class Player {
@@ -35,38 +35,39 @@ class Player {
   const Walk& walk() const { return *walk_; }
   int count() const { return static_cast<int>(walk().steps.size()); }
   int index() const { return at_; }
-  /// The last step that was told.
+  /// Returns the last step that was told.
   const Step& step() const { return walk().steps[index()]; }
-  /// What is on show, all of one step: that one or, while a question is open, what is known of its own (viz/asking.h).
+  /// Returns what is shown: step() or, while a question is open, what is known of the step it asks about
+  /// (viz/asking.h).
   const Step& shown() const { return asking_ ? *asked_step_ : step(); }
-  /// What is drawn.
+  /// Returns the scene that is drawn.
   const Scene& scene() const { return shown().scene; }
-  /// The scene that this one is coming from, for the moments after a step; null at rest.
+  /// Returns the scene that this one is coming from, for the moments after a step; null at rest.
   const Scene* scene_before() const { return before_.get(); }
-  /// How far it has come: 0 there, 1 here. Lights come up faster than things move.
+  /// Returns how far the motion has come: 0 at the old scene, 1 at this one. Lights change faster than things move.
   double motion() const;
   double light() const;
   void reduce_motion(bool);  ///< all is there at once
-  /// What moves is where it is to be: a scene that takes long to draw does not move smoothly anyway.
+  /// Ends the motion at once: a scene that takes long to draw does not move smoothly anyway.
   void arrive();
-  /// What the lesson's methods say of these parameters, where it has several that should agree.
+  /// Returns what the lesson's methods say of these parameters, if it has several that should agree.
   const std::vector<Opinion>& opinions() const { return opinions_; }
   bool methods_differ() const;
-  /// The preset whose parameters these are; empty when they were changed by hand.
+  /// Returns the preset that has these parameters; empty if they were changed by hand.
   const std::string& preset_id() const { return preset_; }
-  /// The title of a preset; while a question is open, whose answer it may tell, "preset 2" by its place in the group.
+  /// Returns a preset's title, or "preset 2", its place in the group, while a question is open that it may answer.
   std::string told_title(const Preset&) const;
-  /// The preset that was loaded last.
+  /// Returns the preset that was loaded last.
   const std::string& origin() const { return state_.origin; }
-  /// The presets of the current group, in order: what the keys 1 to 9 load.
+  /// Returns the presets of the current group, in order: the keys 1 to 9 load them.
   std::vector<const Preset*> group() const;
   const std::vector<Method>& methods() const { return overview_->methods; }
-  /// The value of the grouping parameter; empty if the lesson has none.
+  /// Returns the value of the grouping parameter; empty if the lesson has none.
   std::string method() const;
   Place place() const;
-  /// Another one with every other walk.
+  /// Returns another number for every other walk.
   unsigned walk_number() const { return walks_; }
-  /// Grows with every change of what is shown, the camera excepted.
+  /// Returns a number that grows with every change of what is shown, except the camera's.
   unsigned revision() const { return revision_; }
 
   // Stepping. A step with a question is asked about before it is shown; stepping on again skips the question.
@@ -76,26 +77,26 @@ class Player {
   void first() { go_to(0); }
   void last() { go_to(count() - 1); }
   bool at_end() const { return index() + 1 == count(); }
-  /// Whether a step's title gives no answer away: its question, if it has one, is behind the reader.
+  /// Whether a step's title gives no answer away: its question, if any, has been passed.
   bool tells_title(int step) const { return step <= index() || (!asking_ && !walk().steps[step].question); }
 
   bool playing() const { return playing_; }
-  /// Play goes on by itself: not while a question waits for its answer, where it stops at questions.
+  /// Whether play goes on by itself: not while a question is open, if play stops at questions.
   bool running() const { return playing_ && !(asking_ && stops_); }
   /// Whether play stops at questions, as it does at first, or passes over them.
   bool stops_at_questions() const { return stops_; }
   void stop_at_questions(bool wanted) { stops_ = wanted; }
-  /// Until play shows another step.
+  /// Returns the time until play shows another step.
   double seconds_to_step() const;
   void toggle_play();
   double speed() const { return speed_; }
-  /// 0.5x, 1x, 1.5x, 2x and round again.
+  /// Goes through 0.5x, 1x, 1.5x, 2x and round again.
   void next_speed();
   void set_speed(double);
   /// Lets time pass for play and for the camera.
   void advance(double seconds);
 
-  /// The question to be answered now, if any.
+  /// Returns the question to be answered now, if any.
   const Question* asked() const;
   void answer(int choice);
   /// The question of the current step, once it was answered, and the answer that was given.
@@ -105,40 +106,40 @@ class Player {
     bool right() const { return choice == question->answer; }
   };
   std::optional<Answered> answered() const;
-  /// Goes before that step, which has a question, and asks it, whatever came of it before.
+  /// Goes to just before that step, which has a question, and asks it, whatever the answer was before.
   void ask_again(int step);
 
-  /// Where the pseudocode as published errs: at the current line, or else anywhere in this walk.
+  /// Returns an error in the pseudocode as published: at the current line, or else anywhere in this walk.
   const Erratum* erratum() const;
   /// Loads the preset on which that line fails, at the step that runs it.
   void show_erratum();
 
-  // A setting to be found. It is over with another lesson.
+  // An exercise: a setting to be found. It ends when another lesson is opened.
   void begin_exercise(int index);
   void end_exercise() { exercise_.reset(); }
   const Exercise* exercise() const;
   bool exercise_solved() const;
 
-  // Other lessons, presets and parameters. What can't be had throws BadInput. Where one of these throws, for whatever
-  // reason, nothing has changed: neither what is shown, nor the camera, nor what undo() knows.
+  // Other lessons, presets and parameters. They throw BadInput on what does not exist. If one of them throws, for
+  // whatever reason, nothing has changed: neither what is shown, nor the camera, nor what undo() knows.
   void open(const Lesson&);
   void open_neighbour(int by);
   void load(const Preset&);
   void load_method(const std::string& choice);
   void restart();
-  /// Its lesson has other presets now.
+  /// Reads the lesson again, which has other presets now.
   void reread();
   void edit(const std::string& name, const Setting&);
   void set_parameters(Parameters);
-  /// What forbids it, if anything: then nothing moves.
+  /// Drags a handle. Returns the condition that forbids it, if any: then nothing moves.
   const Condition* drag_handle(const Handle&, const Vec3& to);
-  /// Brings the setting to a place on the lesson's map of cases; what lies beyond it is taken to its rim.
+  /// Moves the setting to a place on the lesson's map of cases; a place beyond the map is moved to its rim.
   void go_to_case(const Vec2&);
   void go(const Place&);
 
   const CameraRig& camera() const { return camera_; }
   bool camera_moved() const { return moved_; }  ///< by the reader: no preset frames it anew
-  /// Width / height of the scene; a view that nobody has moved is framed anew.
+  /// Sets width / height of the scene; a view that nobody has moved is framed anew.
   void set_aspect(double);
   void orbit(const Vec2& pixels);  ///< a flat lesson does not turn
   void pan(const View&, const Vec2& from, const Vec2& to);
@@ -147,23 +148,23 @@ class Player {
   void frame_all();
   void set_perspective(bool);  ///< a flat lesson has none
 
-  // Two panes. (player_pair.cpp)
-  /// Becomes one that shows these parameters at the lead's step and through the lead's camera. Throws BadInput, and
-  /// nothing has changed.
+  // Becomes a player with these parameters at the lead's step and
+  // through the lead's camera. If it throws BadInput, nothing has
+  // changed.
   void follow(const Player& lead, const Parameters&);
-  /// Does what a reader has done to `other` since it last followed this one: its step, its camera, and the parameters
-  /// that this player has `shared` with it.
+  /// Takes over what a reader has done to `other` since it last followed this one: its step, its camera, and the
+  /// parameters that this player has `shared` with it.
   void take_from(const Player& other, const Parameters& shared);
-  /// Frames views so that the other's walk is in them, too; null: no longer.
+  /// From now on frames views so that the other's walk is in them, too; null: no longer.
   void accompany(const Player* other);
 
   /// Remembers the present state for undo(). A run of actions of one name counts as one, until end_action().
   void remember(const std::string& action) { remember(action, false); }
   void end_action() { action_.clear(); }
-  /// Takes the last change of parameters, lesson or camera back; false if there is none. The step stays, unless that
-  /// change had chosen one.
+  /// Undoes the last change of parameters, lesson or camera; returns false if there is none. The step stays, unless
+  /// that change had chosen one.
   bool undo() { return travel(&Player::memory_, &Player::undone_); }
-  /// Does it again; false if nothing was taken back, or something else was done since.
+  /// Does it again; returns false if nothing was undone, or something else was done since.
   bool redo() { return travel(&Player::undone_, &Player::memory_); }
   bool can_undo() const { return !memory_.empty(); }
   bool can_redo() const { return !undone_.empty(); }
@@ -173,8 +174,8 @@ class Player {
     std::size_t lesson = 0;
     Parameters parameters;
     std::string origin;  ///< the preset loaded last: where restart() returns
-    // The step the reader chose. Another setting's walk shows the one of the same role: its outcome for an outcome,
-    // else the step of the same name, else that of the same number.
+    // The step the reader chose. The walk of another setting shows the corresponding step: its outcome for an outcome,
+    // else the step of the same name, else the one of the same number.
     int wanted = 0;
     std::string slug;
     bool outcome = false;
@@ -186,7 +187,7 @@ class Player {
     bool with_step;  ///< the change chose a step, too
   };
 
-  /// What is known of a lesson whatever its parameters.
+  /// What is known of a lesson regardless of its parameters.
   struct Overview {
     std::vector<Walk> samples;  ///< one of each preset
     std::vector<Method> methods;
@@ -194,8 +195,8 @@ class Player {
 
   static std::shared_ptr<const Overview> overview_of(const Lesson&, const Walk&, const Parameters&);
   std::size_t index_of(const std::string& lesson_id) const;
-  /// Calls action(copy of this player), and becomes that copy if nothing was thrown. A copy is cheap, as what is large
-  /// in it is shared.
+  /// Calls action(copy of this player), and becomes that copy if nothing was thrown. A copy is cheap, as its large
+  /// parts are shared.
   template <class Action>
   void all_or_nothing(const Action& action) {
     static_assert(std::is_nothrow_move_assignable_v<Player>);
@@ -211,7 +212,7 @@ class Player {
   void look();            ///< towards what is drawn now, unless the reader has moved the camera
   void begin_motion();    ///< from what is shown now
   void ask(bool);         ///< about the next step, if it has a question
-  /// The lesson's view of the walk, at the scale that all presets share.
+  /// Returns the lesson's view of the walk, at the scale that all presets share.
   Camera opening_view() const;
 
   std::vector<const Lesson*> lessons_;

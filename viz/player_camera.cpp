@@ -1,4 +1,4 @@
-// How a player's reader looks at the scene.
+// The camera of a player's reader.
 
 #include "viz/compose.h"
 #include "viz/player.h"

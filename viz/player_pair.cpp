@@ -22,7 +22,7 @@ void Player::follow(const Player& lead, const Parameters& parameters) {
     at_ = at;
     ++revision_;
   }
-  // A question stands over both scenes: neither shows more than it asks.
+  // A question covers both scenes: neither shows more than the question does.
   const bool asks = lead.asking_ && !at_end() && walk().steps[index() + 1].question;
   if (asks != asking_) ask(asks), ++revision_;
   playing_ = false;

@@ -51,7 +51,7 @@ std::string encode(const Picture& picture, const Imprint& imprint, bool rgb) {
   if (!png_image_write_to_memory(&png.image, bytes.data(), &size, 0, pixels.data(), 0, nullptr))
     throw FileError(std::string("cannot write PNG: ") + png.image.message);
   bytes.resize(size);
-  const double dpi = imprint.dpi > 0 ? imprint.dpi : 96;  // as CSS has it: as wide on a page as the SVG of its size
+  const double dpi = imprint.dpi > 0 ? imprint.dpi : 96;  // as in CSS: as wide on a page as an SVG of its size
   return bytes.insert(png_signature_size + header_chunk_size, png_density_chunk(dpi));
 }
 
@@ -63,8 +63,8 @@ void need_size(const Picture& picture) {
                     std::to_string(picture.height) + " pixels with " + std::to_string(picture.rgba.size()) + " bytes");
 }
 
-/// How a picture of an animation follows the one before: number, size, place, time as a fraction, and that it replaces
-/// all of it.
+/// Describes how a picture of an animation follows the one before: number, size, place, time as a fraction, and that it
+/// replaces all of it.
 std::string frame_control(std::uint32_t number, const Picture& picture, double seconds) {
   const auto size = [](int pixels) { return big_endian(static_cast<std::uint32_t>(pixels)); };
   const auto two_bytes = [](long n) { return big_endian(static_cast<std::uint32_t>(n)).substr(2); };

@@ -16,8 +16,8 @@
 namespace isect::viz {
 namespace {
 
-constexpr std::size_t around_data = 12;  ///< of a chunk: length and type before, CRC after
-/// Far above any figure's; a text that unpacks to more is hostile.
+constexpr std::size_t around_data = 12;  ///< bytes of a chunk: length and type before, CRC after
+/// Far more than any figure has; a text that unpacks to more is hostile.
 constexpr std::size_t most_text = std::size_t{1} << 20;
 
 std::uint32_t read_big_endian(std::string_view bytes) {
@@ -30,7 +30,7 @@ std::uint32_t crc(std::string_view bytes) {
   return static_cast<std::uint32_t>(::crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-/// iTXt: keyword, 0, uncompressed, method 0, no language, no translated keyword, UTF-8 text.
+/// Returns an iTXt chunk: keyword, 0, uncompressed, method 0, no language, no translated keyword, UTF-8 text.
 std::string text_chunk(const std::string& key, const std::string& text) {
   const std::string keyword = std::string(metadata_mark) + key;
   const bool printable = std::all_of(key.begin(), key.end(), [](char c) { return c > ' ' && c <= '~'; });
@@ -58,7 +58,7 @@ std::string unpacked(std::string_view packed) {
   return text;
 }
 
-/// tEXt and zTXt are Latin-1 by the standard, though some programs write UTF-8 all the same.
+/// Converts text to UTF-8. tEXt and zTXt are Latin-1 by the standard, but some programs write UTF-8.
 std::string as_utf8(const std::string& text) {
   if (g_utf8_validate(text.data(), static_cast<gssize>(text.size()), nullptr)) return text;
   std::string utf8;
@@ -74,7 +74,7 @@ std::string as_utf8(const std::string& text) {
   return utf8;
 }
 
-/// Cuts the text up to the next 0 off the front, with that 0.
+/// Cuts the text up to the next 0 off the front, together with that 0.
 std::string_view cut(std::string_view& data) {
   const std::size_t end = data.find('\0');
   if (end == data.npos) throw FileError("broken PNG: a text lacks its keyword");
@@ -83,7 +83,7 @@ std::string_view cut(std::string_view& data) {
   return part;
 }
 
-/// What stands after the keyword of a chunk of this type.
+/// Returns the text after the keyword of a chunk of this type.
 std::string text_of(std::string_view type, std::string_view data) {
   if (type == "tEXt") return as_utf8(std::string(data));
   const std::size_t flags = type == "zTXt" ? 1 : 2;

@@ -56,7 +56,7 @@ void main() {
 
 }  // namespace
 
-/// A text's pixels on the card. Texts move more often than they change, so its place is kept apart.
+/// The textures of texts. Texts move more often than they change, so their places are not part of the key.
 class TextCache {
  public:
   struct Entry {
@@ -80,7 +80,7 @@ class TextCache {
     return entry;
   }
 
-  /// Ends a frame: when too many pixels are kept, those of texts that this frame did not use go.
+  /// Ends a frame: if too many pixels are kept, it drops those of texts that this frame did not use.
   void trim() {
     for (auto it = entries_.begin(); it != entries_.end();) {
       Entry& entry = it->second;
@@ -103,7 +103,7 @@ class TextCache {
   }
 
   void upload(Entry& entry, const Text& text, double scale) {
-    Text at_zero = text;  // the same pixels wherever it stood first
+    Text at_zero = text;  // its pixels do not depend on where it stood first
     at_zero.at = Vec2::Zero();
     const Rastered pixels = raster(at_zero, scale);
     entry = {gl::make_texture(pixels.picture), pixels.picture.width, pixels.picture.height, pixels.corner};
@@ -117,7 +117,7 @@ class TextCache {
 
 namespace {
 
-/// A facet's pixels are those whose middles lie in it; neighbours share none, and leave none out.
+/// Fills the pixels whose middles lie in the facet; neighbouring facets share none, and leave none out.
 void fill(Picture& picture, std::array<Vec2, 3> p, const std::array<std::uint8_t, 4>& colour) {
   std::ranges::sort(p, [](const Vec2& a, const Vec2& b) { return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x(); });
   const auto first = [](double from, int count) {  // pixel whose middle is not before
@@ -137,8 +137,8 @@ void fill(Picture& picture, std::array<Vec2, 3> p, const std::array<std::uint8_t
   }
 }
 
-/// Facets by the pixel: thousands of them, of a few pixels each, take a software renderer with four samples six times
-/// as long. Nothing where none is seen.
+/// Draws facets pixel by pixel: thousands of facets of a few pixels each would take a software renderer with four
+/// samples six times as long. Returns nothing if none is visible.
 Rastered raster(const Facets& facets, double scale, const PixelBox& part) {
   const auto finite = [&](std::size_t i) {
     return std::all_of(&facets.corners[3 * i], &facets.corners[3 * i] + 3, [](const Vec2& p) { return p.allFinite(); });
@@ -163,7 +163,7 @@ Rastered raster(const Facets& facets, double scale, const PixelBox& part) {
   return out;
 }
 
-/// What the pass does to the stencil and whether it colours. `mark`: of `once`.
+/// Sets what the pass does to the stencil and whether it writes colour. `mark`: for `once`.
 void set_pass(Pass pass, int mark) {
   const bool coloured = pass != Pass::winding && pass != Pass::parity && pass != Pass::wipe;
   glColorMask(coloured, coloured, coloured, coloured);
@@ -269,7 +269,7 @@ struct Renderer::Impl {
       set_uniform(program->uniform("units"), units);
       set_uniform(program->uniform("origin"), origin);
     }
-    int marks = 255;  // on the stencil, from 1 up; as many as there can be before it is first cleared
+    int marks = 255;  // on the stencil, from 1 up; the maximum, as the stencil has not been cleared yet
     for (const Call& call : batch.calls()) {
       const bool once = call.pass == Pass::once, plain = call.pass == Pass::paint || call.pass == Pass::opaque ||
                                                          call.pass == Pass::image || call.pass == Pass::gradient;
@@ -310,13 +310,13 @@ struct Renderer::Impl {
 
   gl::Target fine{4}, coarse{0};
   TextCache texts;
-  bool sketched = false;  ///< the last drawing: by the pixel, not by its four samples
+  bool sketched = false;  ///< whether the last drawing was drawn by the pixel, without four samples
   std::vector<unsigned> facet_textures;
 };
 
 PixelBox pixels(const Drawing& drawing, double scale) {
   const auto count = [&](double length) {
-    constexpr double rounding = 1e-6;  // no pixel for the last digits of a product
+    constexpr double rounding = 1e-6;  // the last digits of a product add no pixel
     const double exact = std::ceil(length * scale - rounding);
     if (!(exact > 0 && exact < 1e6)) throw gl::failure("a picture can't have the size of this drawing");
     return static_cast<int>(exact);

@@ -9,7 +9,7 @@
 
 namespace isect::viz {
 
-/// How a context finds OpenGL's functions.
+/// Looks up OpenGL's functions in a context.
 using GetProc = void* (*)(const char*);
 
 /// A rectangle of a picture, in pixels from its top left corner.
@@ -17,7 +17,7 @@ struct PixelBox {
   int left = 0, top = 0, width = 0, height = 0;
 };
 
-/// The pixels a drawing covers at this scale. Throws std::runtime_error unless both sides are positive.
+/// Returns the pixels that a drawing covers at this scale. Throws std::runtime_error unless both sides are positive.
 PixelBox pixels(const Drawing&, double scale);
 
 /// Needs a current context; loads the functions with `get_proc` (again for every context). Throws
@@ -34,15 +34,15 @@ class Renderer {
   /// Draws into an own multisampled framebuffer, `scale` pixels per unit of the drawing. The result stays in
   /// texture() until the next call; nothing else of the context's state is promised.
   void draw(const Drawing&, double scale = 1);
-  /// The same in less time: by the pixel, so that what is not upright or level has jagged edges.
+  /// Draws the picture in less time: by the pixel, so that slanted edges are jagged.
   void sketch(const Drawing&, double scale = 1);
-  /// The same picture's `part` alone; beyond the drawing's edge lies background.
+  /// Draws only the picture's `part`; beyond the drawing's edge lies background.
   void draw(const Drawing&, double scale, const PixelBox& part);
   unsigned texture() const;     ///< resolved colour, for ImGui::Image (v runs upwards)
   Picture read() const;         ///< the last drawing as a picture
   std::string name() const;     ///< GL_RENDERER
   std::string version() const;  ///< GL_VERSION, which names Mesa's own
-  /// Loads the functions again, after another context's were loaded.
+  /// Loads the functions again, after those of another context were loaded.
   void reload();
 
  private:

@@ -17,7 +17,7 @@ bool is_escape(std::string_view text, std::size_t i) {
   return text[i] == '\\' && i + 1 < text.size() && std::string_view("*_^\\").find(text[i + 1]) != text.npos;
 }
 
-/// Latin and Greek letters: what mathematics sets in italic. Digits, signs and brackets stay upright.
+/// Whether it is a Latin or Greek letter, which mathematics sets in italic. Digits, signs and brackets stay upright.
 bool is_letter(std::string_view character) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
   if (character.size() == 1) return (byte(0) | 32) >= 'a' && (byte(0) | 32) <= 'z';
@@ -60,7 +60,7 @@ class Parser {
     }
   }
 
-  /// Reads the marked text that begins at i; where it ends, or none if nothing is marked here.
+  /// Reads the marked text that begins at i. Returns its end, or none if nothing is marked here.
   std::size_t mark(std::size_t i, std::size_t end, const Run& style) {
     if (text_[i] == '*') return emphasis(i, end, style);
     if ((text_[i] == '_' || text_[i] == '^') && style.script == Script::base) return script(i, end, style);
@@ -78,12 +78,12 @@ class Parser {
     return close + stars;
   }
 
-  /// Where the mark of one or two stars that opened before `i` closes. As in "2 * 3 * 4", a star beside a
-  /// space on its inner side marks nothing.
+  /// Returns where the mark of one or two stars that opened before `i` closes. As in "2 * 3 * 4", a star beside a space
+  /// on its inner side marks nothing.
   std::size_t closing_stars(std::size_t i, std::size_t end, std::size_t stars) const {
     if (i >= end || text_[i] == ' ') return none;
     const std::size_t begin = i;
-    bool other_open = false;  // the other kind of mark, which a row of three stars closes first
+    bool other_open = false;  // the other kind of mark; a row of three stars closes it first
     while (i < end) {
       if (text_[i] != '*') {
         i += is_escape(text_, i) ? 2 : 1;
@@ -100,7 +100,7 @@ class Parser {
     return none;
   }
 
-  /// A script's text is a group in braces, a marked text, or one character.
+  /// Reads a script: a group in braces, a marked text, or one character.
   std::size_t script(std::size_t i, std::size_t end, Run style) {
     style.script = text_[i] == '_' ? Script::sub : Script::super;
     ++i;
@@ -122,7 +122,7 @@ class Parser {
   std::vector<Run> runs_;
 };
 
-/// Unicode's small digits and signs. A comma has no small form and is near enough as it is.
+/// Returns Unicode's small digits and signs. A comma has no small form; the full-size one is near enough.
 const std::map<std::string_view, const char*>& small_forms(Script script) {
   static const std::map<std::string_view, const char*> sub = {
       {"0", "₀"}, {"1", "₁"}, {"2", "₂"}, {"3", "₃"}, {"4", "₄"}, {"5", "₅"}, {"6", "₆"}, {"7", "₇"}, {"8", "₈"},
@@ -133,7 +133,7 @@ const std::map<std::string_view, const char*>& small_forms(Script script) {
   return script == Script::sub ? sub : super;
 }
 
-/// `text` in small forms, or as "_text" and "^text" where one is missing.
+/// Returns `text` in small forms, or as "_text" and "^text" where one is missing.
 std::string plain_script(const std::string& text, Script script) {
   const auto& forms = small_forms(script);
   std::string small;
@@ -165,7 +165,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// Whole numbers only: Pango reads percentages by the locale's decimal point.
+/// Returns a whole number: Pango reads percentages by the locale's decimal point.
 std::string whole(double value) { return std::to_string(std::lround(value)); }
 
 }  // namespace
@@ -216,7 +216,7 @@ std::vector<std::string> unbreakable(const std::string& markup) {
   std::vector<std::string> parts;
   for (std::size_t at = 0; at < markup.size();) {
     std::size_t end = std::min(markup.find(' ', at), markup.size());
-    const auto splits_mark = [&] {  // a mark that opened before and closes behind is no mark any more
+    const auto splits_mark = [&] {  // whether the end of a line here would break a mark
       return plain(markup.substr(at, end - at)) + plain(markup.substr(end)) != plain(markup.substr(at));
     };
     const auto relation_follows = [&] {

@@ -14,25 +14,25 @@ struct Run {
   Script script = Script::base;
 };
 
-/// Never fails: an unclosed mark is ordinary text. Only letters slant: in italic text digits, signs and
-/// brackets stay upright. A script holds one character, a group in braces, or marked text: `*t*_1`,
+/// Splits markup into runs. Never fails: an unclosed mark is ordinary text. Only letters slant: in italic text digits,
+/// signs and brackets stay upright. A script holds one character, a group in braces, or marked text: `*t*_1`,
 /// `*n*_{*i*}`, `*n*_*i*`, `*n_i*`.
 std::vector<Run> parse_markup(const std::string& markup);
-/// Plain text as markup that shows it as it is.
+/// Returns plain text as markup that shows it as it is.
 std::string as_markup(const std::string& text);
-/// A line of pseudocode without its indentation.
+/// Returns a line of pseudocode without its indentation.
 std::string unindented(const std::string& line);
-/// For terminals and screen readers: marks dropped, digits and signs in scripts as Unicode (t₁, m²) where
-/// they exist.
+/// Returns the text for terminals and screen readers: marks dropped, digits and signs in scripts as Unicode (t₁, m²)
+/// where they exist.
 std::string plain(const std::string& markup);
-/// Hyphens before numbers as minus signs, "(−2, 1.5)".
+/// Turns hyphens before numbers into minus signs, "(−2, 1.5)".
 std::string with_minus_signs(std::string text);
-/// The parts between which a line may end, in place of the space there: words, but for marks that span several, and
-/// for relations (=, ≤), which end a line rather than begin one, as in print.
+/// Returns the parts between which a line may break, without the space there: words, but marks that span several words
+/// stay whole, and relations (=, ≤) end a line rather than begin one, as in print.
 std::vector<std::string> unbreakable(const std::string& markup);
 /// Scripts: how large they are, and how far above the baseline, in em of the text around them.
 constexpr double script_size = 0.70, sub_rise = -0.16, super_rise = 0.34;
-/// Pango markup. Escapes &, < and >.
+/// Returns Pango markup. Escapes &, < and >.
 /// `math_font`: the family for italic and bold runs and for scripts, empty for the surrounding one,
 /// `math_scale` times its size. `em`: the layout's font size in device units, which Pango needs for the
 /// rises.

@@ -29,17 +29,17 @@ enum class Mark {
   ring,         ///< exit
   double_disc,  ///< a double root: disc in ring
   cross,        ///< wrong
-  no,           ///< large empty ring: outside, missed, ruled out; as before a verdict
+  no,           ///< large empty ring, as before a verdict: outside, missed, ruled out
   diamond,      ///< exactly on
   excluded,     ///< dashed ring: a root outside the ray's range
   uncounted     ///< small ring: seen, not counted
 };
 
-/// How a line is drawn. What of a `solid` line lies behind something is dashed and thinner by itself; of a chain, a
-/// circle or a region's outline also where it is `thick`.
+/// How a line is drawn. Where a `solid` line lies behind something, it is dashed and thinner automatically; the lines
+/// of a chain, a circle or a region's outline also where they are `thick`.
 enum class Pen {
   solid,         ///< an object's own outline or the ray
-  thick,         ///< the shared part, drawn thickest; as a line or an arrow never hidden
+  thick,         ///< the shared part, drawn thickest; never hidden as a line or an arrow
   highlight,     ///< as thick, widest: the one thing this step is about
   construction,  ///< dashed, never hidden
   excluded,      ///< thick and dashed: seen, but left out
@@ -69,7 +69,7 @@ struct Ball {
   Vec3 center;
   double radius = 1;
   Role role = Role::second;
-  std::string name = {};  ///< of the object that it is a part of, as markup; here and below, where no label tells it
+  std::string name = {};  ///< of the object that it belongs to, as markup; here and below: if no label says it
 };
 /// Lines from point to point, in the plane or in space: the chain of a hull, the curve where two surfaces meet.
 struct Chain {
@@ -87,12 +87,12 @@ struct Circle {
   bool filled = false;
   Vec3 normal = Vec3::UnitZ();
 };
-/// An interval on a number line: a dot at an end that belongs to it, an arrow head where it goes on for ever.
+/// An interval on a number line: a dot at an end that belongs to it, an arrow head where it is unbounded.
 struct Span {
   Vec3 from, to;
   Role role = Role::first;
   Pen pen = Pen::thick;
-  bool open_from = false, open_to = false;  ///< goes on for ever
+  bool open_from = false, open_to = false;  ///< unbounded
 };
 /// A filled polygon in one plane, by the even-odd rule: an outline, or several with holes.
 struct Region {
@@ -104,20 +104,20 @@ struct Region {
   bool hides = false;    ///< what lies behind is dashed, as behind a solid: a plane, a polygon in space
   std::string name = {};
 };
-/// A cylinder, or a cone that is pointed where it begins.
+/// A cylinder, or a cone with its apex at `from`.
 struct RoundSolid {
   Vec3 from, to;
   double radius = 1;
   bool pointed = false;
 };
-/// A convex polyhedron: a box, a k-DOP, a hull, a frustum, a wedge. A face lists its vertices in order, either way
-/// round; edges between faces of one plane are not drawn. viz/solids.h makes one from the core's shapes.
+/// A convex polyhedron: a box, a k-DOP, a hull, a frustum, a wedge. A face lists its vertices in order, in either
+/// orientation; edges between coplanar faces are not drawn. viz/solids.h makes one from the core's shapes.
 struct Solid {
   std::vector<Vec3> vertices;
   std::vector<std::vector<int>> faces;
   Role role = Role::second;
   std::string name = {};
-  std::optional<RoundSolid> round = {};  ///< what it stands for: no edge is drawn where its side bends
+  std::optional<RoundSolid> round = {};  ///< the shape it stands for: no edge is drawn where its side bends
 };
 /// A surface of triangles, counter-clockwise seen from outside; opaque, so it need not be convex: what a bounding
 /// volume contains.
@@ -154,13 +154,13 @@ struct Label {
   bool at_handle = false;  ///< it keeps off the ring that a handle has there
 };
 
-/// A heading, bold or not, whose middle stands at `at`, come what may: labels keep off it. It shrinks to `room` world
+/// A heading, bold or not, with its middle at `at` in any case: labels keep off it. It shrinks to `room` world
 /// units.
 struct Heading {
   Vec3 at;
   std::string text;
   Role role = Role::text;
-  double room = 0;  ///< 0: as wide as it is
+  double room = 0;  ///< 0: its natural width
   bool bold = true;
   double lean = 0.5;  ///< the share of it that stands left of `at`; 0 beside a mark that it explains
 };
@@ -184,12 +184,12 @@ struct Handle {
   Vec3 anchor = Vec3::Zero();
   Role role = Role::first;
   Vec3 direction = Vec3::UnitX();  ///< for `along` and both planes
-  std::string one_of = {};         ///< where there are many alike: "a corner"
+  std::string one_of = {};         ///< its name if there are many alike: "a corner"
   Vec3 across = Vec3::UnitY();     ///< for both planes: not along `direction`
   double scale = 1;                ///< for `vector`: how large the parameter is drawn
 };
 
-/// The same marks in one dimension: the ray's own t-axis under its picture. Positions are values of t.
+/// The ray's own t-axis under its picture, with the same marks in one dimension. Positions are values of t.
 struct Axis {
   struct Tick {
     double t;

@@ -17,11 +17,11 @@ namespace isect::viz {
 namespace {
 
 constexpr int asked_places = 40;
-/// A lesson that takes longer over each of two settings is not searched: a frame that asks about one would be late, and
-/// a hundred take seconds. By processor time, so that a busy machine snaps as an idle one does.
+/// A lesson that takes longer over each of the first two settings is not searched: a frame that asks about one would be
+/// late, and a hundred take seconds. Processor time, so that a busy machine snaps like an idle one.
 constexpr std::clock_t most_a_setting = CLOCKS_PER_SEC / 30;
 
-/// Nor are what is counted, one or several, two cases.
+/// Returns the words without numbers. Singular and plural of a counted noun are the same case.
 std::string without_numbers(const std::string& text) {
   std::string words;
   std::istringstream in(text);
@@ -46,7 +46,7 @@ std::vector<double*> numbers(Parameters& setting) {
   return all;
 }
 
-/// The only number in which two settings differ; none where there are several.
+/// Returns the index of the only number in which two settings differ; none if there are several.
 std::optional<std::size_t> only_difference(Parameters a, Parameters b) {
   const std::vector<double*> left = numbers(a), right = numbers(b);
   if (left.size() != right.size()) return {};
@@ -59,14 +59,14 @@ std::optional<std::size_t> only_difference(Parameters a, Parameters b) {
   return found;
 }
 
-/// How many letters its numbers take.
+/// Returns how many characters the setting's numbers take.
 std::size_t digits_in(Parameters setting) {
   std::size_t count = 0;
   for (const double* x : numbers(setting)) count += to_text(*x).size();
   return count;
 }
 
-/// Of a way, what does not change much less than something else.
+/// Returns the way without its coordinates that change much less than another one.
 Vec3 main_part(Vec3 way) {
   constexpr double little = 0.09;  // five degrees
   const double most = way.cwiseAbs().maxCoeff();
@@ -75,7 +75,7 @@ Vec3 main_part(Vec3 way) {
   return way;
 }
 
-/// Where other handles, dots and the corners of areas are.
+/// Returns where other handles, dots and the corners of areas are.
 std::vector<Vec3> marked_points(const Scene& scene, const Handle& handle) {
   std::vector<Vec3> points;
   for (const Handle& other : scene.handles)
@@ -88,7 +88,7 @@ std::vector<Vec3> marked_points(const Scene& scene, const Handle& handle) {
   return points;
 }
 
-/// In plain words: the last of the walk or, of a scene with several questions, all of them.
+/// Returns the verdicts in plain words: the last one of the walk or, for a scene with several questions, all.
 std::vector<std::string> verdicts_of(const Lesson& lesson, const Parameters& setting) {
   std::vector<std::string> all;
   for (const Step& s : lesson.steps(setting).steps)
@@ -97,7 +97,7 @@ std::vector<std::string> verdicts_of(const Lesson& lesson, const Parameters& set
   return all;
 }
 
-/// Its case as it is told: a verdict with its numbers, the first that is another at `beyond`.
+/// Returns how its case is described: a verdict with its numbers, the first that differs from those at `beyond`.
 std::string told_case(const Lesson& lesson, const Parameters& setting, const Parameters& beyond) {
   if (lesson.map && lesson.map->place(setting).allFinite()) return case_of(lesson, setting);
   const std::vector<std::string> here = verdicts_of(lesson, setting);
@@ -136,7 +136,7 @@ BorderSearch::BorderSearch(const Lesson& lesson, Way way, double begin, double e
 
 bool BorderSearch::go_on() { return (this->*next_)(); }
 
-/// Where the lesson refuses a setting there is none.
+/// Returns a place of the way; it has no setting if the lesson refuses it.
 BorderSearch::Place BorderSearch::of(double share, std::optional<Parameters> setting) const {
   Place place = {share, std::move(setting)};
   if (!place.setting) return place;
@@ -152,7 +152,7 @@ BorderSearch::Place BorderSearch::at(double share) const { return of(share, way_
 
 bool BorderSearch::end() { return false; }
 
-/// False: that was asked before.
+/// Asks about one end of a part; returns false if that was asked before.
 bool BorderSearch::ask_at(int i) {
   if (places_.contains(i)) return false;
   const std::clock_t begun = std::clock();
@@ -162,7 +162,7 @@ bool BorderSearch::ask_at(int i) {
   return true;
 }
 
-/// False: all is asked. The ends of its part come first: where one of them is of its case, it is none of its own.
+/// Returns false when done. Asks about its part's ends first: if one has its case, the landmark is no case by itself.
 bool BorderSearch::ask_at(const Landmark& landmark) {
   const double where = (landmark.share - begin_) / (end_ - begin_) * asked_places;
   const int part = std::clamp(static_cast<int>(where), 0, asked_places - 1);
@@ -185,7 +185,7 @@ bool BorderSearch::ask_at(const Landmark& landmark) {
   return false;
 }
 
-/// From `wish` outwards, until the case changes between two places.
+/// Looks at the parts from `wish` outwards, until the case changes between two places.
 bool BorderSearch::look_for_change() {
   for (; looked_at_ < order_.size() && !found_; ++looked_at_) {
     const int part = order_[looked_at_];
@@ -215,7 +215,7 @@ bool BorderSearch::bisect() {
   return go_on();
 }
 
-/// Where they differ in one number, until that is a pair of neighbouring doubles.
+/// If they differ in one number only, bisects until that is a pair of neighbouring doubles.
 bool BorderSearch::bisect_number() {
   if (only_different_) {
     const auto number = [&](Place& place) -> double& { return *numbers(*place.setting)[*only_different_]; };
@@ -236,12 +236,12 @@ bool BorderSearch::bisect_number() {
 
 bool BorderSearch::tell() {
   next_ = &BorderSearch::end;
-  // The first setting of another case is the border itself where it is neither of the two that meet there.
+  // The first setting of another case is the border itself if its case is neither of the two that meet there.
   if (far_.is != beyond_) {
     found_ = Snapped{*far_.setting, true, told_case(lesson_, *far_.setting, *near_.setting) + ", exactly"};
     return false;
   }
-  // A border on a short number is that number, whichever case it belongs to: who looks for it wants to stand on it.
+  // Of the two neighbours the shorter number is taken, whichever case it has: readers want to stand on it.
   const std::size_t near_digits = digits_in(*near_.setting), far_digits = digits_in(*far_.setting);
   const Place& side = near_digits != far_digits ? (near_digits < far_digits ? near_ : far_)
                       : near_.share < wish_     ? far_
@@ -288,7 +288,7 @@ std::vector<Landmark> landmarks(const Lesson& lesson, const Parameters& setting,
   for (const Level& level : levels) {
     if (found.size() == most) break;
     Vec3 place = from + level.share * way;
-    place[level.axis] = level.value;  // without what the product is rounded by
+    place[level.axis] = level.value;  // exact, without the product's rounding
     Parameters dragged = setting;
     if (drag(lesson, dragged, handle, place)) continue;
     if (std::ranges::none_of(found, [&](const Landmark& l) { return l.setting == dragged; }))

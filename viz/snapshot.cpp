@@ -17,14 +17,14 @@ using snap::at, snap::Changes, snap::Json;
 
 constexpr int format_version = 3;
 
-/// A list with one element on a line.
+/// Returns a list with one element per line.
 std::string lines_of(const Json& list) {
   std::string text = "[";
   for (std::size_t i = 0; i < list.size(); ++i) text += (i ? ",\n  " : "\n  ") + list[i].dump();
   return text + "\n]";
 }
 
-/// One member on a line; the objects of the drawing, too.
+/// Returns the text with one member per line, and one object of the drawing per line.
 std::string text_of(const Json& said, const Json& drawing) {
   std::string text = "{";
   for (const auto& item : said.items())
@@ -41,7 +41,7 @@ std::string text_of(const Json& said, const Json& drawing) {
   return text + "}}}";
 }
 
-/// The pseudocode line by line, if there are as many lines.
+/// Compares the pseudocode line by line, if there are as many lines.
 void compare_pseudocode(const Json& was, const Json& is, Changes& changes) {
   if (!was.is_array() || was.size() != is.size()) return changes.add("the pseudocode has other lines");
   for (std::size_t i = 0; i < is.size(); ++i) changes.compare(fmt::format("pseudocode line {}", i + 1), was[i], is[i]);
@@ -58,7 +58,7 @@ void compare_opinions(const Json& was, const Json& is, Changes& changes) {
   }
 }
 
-/// Lists of texts, member by member: "prompt of exercise 2 was ..., is ...".
+/// Compares lists of texts, member by member: "prompt of exercise 2 was ..., is ...".
 void compare_lists(const std::string& what, const Json& was, const Json& is, Changes& changes) {
   if (was == is) return;
   if (!was.is_array() || !is.is_array() || was.size() != is.size())
@@ -101,7 +101,7 @@ std::string trace_json(const Lesson& lesson, const std::string& preset, const Pa
   text += fmt::format("\"alt\": {},\n", Json(walk.alt).dump());
   if (lesson.opinions) text += fmt::format("\"opinions\": {},\n", lines_of(snap::said(lesson.opinions(parameters))));
   if (tells == Tells::lesson && !lesson.presets.empty() &&
-      preset == lesson.presets.front().id) {  // what is the same for all, said once
+      preset == lesson.presets.front().id) {  // the same for all presets, so recorded once
     if (lesson.closing) text += fmt::format("\"exercises\": {},\n", lines_of(snap::said(lesson.closing->exercises)));
     if (!lesson.errata.empty()) text += fmt::format("\"errata\": {},\n", lines_of(snap::said(lesson.errata)));
   }

@@ -1,6 +1,6 @@
 #pragma once
 // A baseline is what a walk said and drew (trace.json) and how its steps looked (PNG). The trace is compared first: it
-// names what changed in words, where a picture only says how many pixels.
+// names in words what changed, whereas a picture only says how many pixels.
 
 #include <string>
 #include <vector>
@@ -16,13 +16,13 @@ struct Stamp {
   std::string renderer, font, theme, size;
 };
 
-/// Whether a trace tells, besides its walk, what the lesson says of itself: exercises and errata, which stand in that
-/// of its first preset.
+/// Whether a trace also contains what the lesson says of itself: exercises and errata, which the trace of its first
+/// preset has.
 enum class Tells { lesson, walk };
 
-/// One walk as JSON: all that its steps say, numbers to nine significant digits, and what their drawings show, object
-/// by object (viz/snapshot/look.h), each told where it is first drawn and where it changes. Same walk, same bytes.
-/// `drawings`: one a step.
+/// Returns one walk as JSON: all that its steps say, numbers to nine significant digits, and what their drawings show,
+/// object by object (viz/snapshot/look.h), where it is first drawn and where it changes. Same walk, same bytes.
+/// `drawings`: one per step.
 std::string trace_json(const Lesson&, const std::string& preset, const Parameters&, const Walk&,
                        const std::vector<Drawing>& drawings, const Stamp&, Tells = Tells::lesson);
 
@@ -30,18 +30,18 @@ std::string trace_json(const Lesson&, const std::string& preset, const Parameter
 struct Change {
   int step = -1;  ///< from 0; -1: not of one step
   std::string what;
-  /// What it is a change of, what explains most first: what the walk was made with, what its steps compute and decide,
-  /// how they put it, what they show.
+  /// What changed, ordered by how much it explains: what the walk was made with, what its steps compute and decide, how
+  /// they put it, what they show.
   enum class Of { setting, course, wording, drawing } of = Of::course;
 };
-/// What leads from the accepted trace to the new one: stamp and parameters, then steps in order, then pseudocode and
-/// what belongs to no step. Empty if the traces say the same, though a drawing's
-/// numbers may be rounded otherwise. An accepted trace that is damaged or of another format is one change.
+/// Returns what leads from the accepted trace to the new one: stamp and parameters, then steps in order, then
+/// pseudocode and what belongs to no step. Empty if the traces say the same, though the numbers of a drawing may be
+/// rounded differently. An accepted trace that is damaged or of another format is one change.
 std::vector<Change> compare_traces(const std::string& accepted, const std::string& fresh);
 
-/// "03-foot": the name of a step's files.
+/// Returns "03-foot": the name of a step's files.
 std::string file_stem(int step, const Step&);
-/// One colour throughout: nothing was drawn.
+/// Whether the picture has one colour throughout: nothing was drawn.
 bool blank(const Picture&);
 
 }  // namespace isect::viz

@@ -62,7 +62,7 @@ namespace {
 
 constexpr int round_sides = 72;
 
-/// A regular polygon about `middle`, across `axis`, counter-clockwise as seen from where the axis points.
+/// Returns a regular polygon around `middle`, across `axis`, counter-clockwise as seen from where the axis points.
 std::vector<Vec3> circle(const Vec3& middle, const Vec3& axis, double radius) {
   int least = 0;
   axis.cwiseAbs().minCoeff(&least);
@@ -75,7 +75,7 @@ std::vector<Vec3> circle(const Vec3& middle, const Vec3& axis, double radius) {
   return points;
 }
 
-/// From the first point to the last.
+/// Returns the numbers from the first point to the last.
 std::vector<int> numbered(int first, int last) {
   std::vector<int> all(static_cast<std::size_t>(last - first));
   std::iota(all.begin(), all.end(), first);

@@ -1,5 +1,5 @@
 #pragma once
-// Which name a word that is none may be a slip of. Header-only, as the query library includes nothing else of viz.
+// Finds the name that a misspelt word may mean. Header-only, as the query library includes nothing else of viz.
 
 #include <algorithm>
 #include <cctype>
@@ -16,7 +16,7 @@ inline bool same_letter(char a, char b) {
   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
-/// Edits that turn `a` into `b`: insert, delete, replace, swap neighbours. Case counts for nothing. Source: Wagner,
+/// Returns how many edits turn `a` into `b`: insert, delete, replace, swap neighbours; case is ignored. Source: Wagner,
 /// Lowrance, An extension of the string-to-string correction problem, J. ACM 22 (1975).
 inline std::size_t edits(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
@@ -33,8 +33,8 @@ inline std::size_t edits(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-/// A slip changes a third of the letters at most, a swap in "no" or a missing letter of "eg" included; or it leaves out
-/// the end of a name.
+/// Whether the word may be a slip: it changes at most a third of the letters, a swap in "no" or a missing letter of
+/// "eg" included; or it leaves out the end of a name.
 inline bool is_near(std::string_view word, std::string_view name) {
   const std::size_t longer = std::max(word.size(), name.size());
   const bool begins =
@@ -42,12 +42,12 @@ inline bool is_near(std::string_view word, std::string_view name) {
   return begins || 3 * edits(word, name) <= longer + 1;
 }
 
-/// The name with the fewest edits, if it is near; else nothing. A word is compared by its first letters, as many as a
-/// name may have.
+/// Returns the name with the fewest edits, if it is near; else nothing. Only the first letters of a word are compared,
+/// as many as a name may have.
 inline std::string nearest(std::string_view word, const std::vector<std::string>& names) {
   word = word.substr(0, 40);
   const auto rank = [&](const std::string& name) {
-    // Of equally distant names the one that begins alike is meant more often.
+    // Of equally distant names, the one with the same beginning is more likely.
     const auto [end, unused] = std::mismatch(word.begin(), word.end(), name.begin(), name.end());
     return std::tuple{!is_near(word, name), edits(word, name), word.end() - end};
   };
@@ -55,13 +55,13 @@ inline std::string nearest(std::string_view word, const std::vector<std::string>
   return found == names.end() || !is_near(word, *found) ? std::string() : *found;
 }
 
-/// `; did you mean "grey"?`, or nothing where no name is near.
+/// Returns `; did you mean "grey"?`, or nothing if no name is near.
 inline std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {
   const std::string name = nearest(word, names);
   return name.empty() ? name : "; did you mean \"" + name + "\"?";
 }
 
-/// That, and what there is, "allowed: print, grey": `; did you mean "grey"? Allowed: print, grey`.
+/// Returns that and "allowed: print, grey", what there is: `; did you mean "grey"? Allowed: print, grey`.
 inline std::string instead(std::string_view word, const std::vector<std::string>& names, std::string there_is) {
   const std::string question = did_you_mean(word, names);
   if (question.empty()) return "; " + there_is;
@@ -69,7 +69,7 @@ inline std::string instead(std::string_view word, const std::vector<std::string>
   return question + " " + there_is;
 }
 
-/// "a, b, c"
+/// Returns "a, b, c".
 inline std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double caption_pitch = 1.3;  ///< of captions, in their text's size
 constexpr double above_caption = 1;    ///< from a figure's foot to the first baseline, likewise
-constexpr double ink_slack = 1;        ///< of a line: its ink is not quite in its middle
+constexpr double ink_slack = 1;        ///< for a line, whose ink is not quite centred
 
 class Rows {
  public:
@@ -66,7 +66,7 @@ class Rows {
       out_.drawing.shapes.push_back(std::move(text));
       baseline += caption_pitch * size;
     }
-    return baseline - 0.65 * caption_pitch * size;  // what hangs below it
+    return baseline - 0.65 * caption_pitch * size;  // including descenders
   }
 
   const Theme& theme_;

@@ -1,5 +1,5 @@
 #pragma once
-// Several figures as one: side by side in rows, each with its letter and caption below.
+// Several figures in one: side by side in rows, each with its letter and caption below.
 
 #include <string>
 #include <vector>
@@ -18,8 +18,8 @@ struct Strip {
   std::vector<PlacedLabel> labels;
 };
 
-/// A gap between columns or rows is `gap` wide. Figures of a row stand on one line, whatever their heights. Letters
-/// run from (a); a single frame has none. `columns` is at least 1.
+/// Arranges the frames; the gap between columns and rows is `gap` wide. Figures of a row stand on one line, whatever
+/// their heights. Letters begin with (a); a single frame has none. `columns` is at least 1.
 Strip strip(const std::vector<Frame>&, int columns, const Theme&, double gap);
 
 }  // namespace isect::viz

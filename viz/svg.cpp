@@ -1,4 +1,4 @@
-// Drawings as SVG: plain paths in groups that are called as the objects are, so that an editor shows what is what.
+// Drawings as SVG: plain paths in groups with the names of the objects, so that an editor shows which is which.
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 namespace isect::viz {
 namespace {
 
-/// "label t₁" as "label-t1": ids in ASCII are understood everywhere.
+/// Returns "label t₁" as "label-t1": every program understands ids in ASCII.
 std::string ascii_id(const std::string& name) {
   std::string id;
   for (std::size_t i = 0; i < name.size(); ++i) {
@@ -46,7 +46,7 @@ class SvgWriter {
     const int objects = static_cast<int>(drawing_.objects.size());
     int open = no_object;
     for (const Shape& shape : drawing_.shapes) {
-      const int own = object_of(shape), object = own < objects ? own : no_object;  // some drawings name none
+      const int own = object_of(shape), object = own < objects ? own : no_object;  // some drawings have no objects
       if (object != open) {
         if (open != no_object) out_ += "</g>\n";
         if (object != no_object) begin(object);
@@ -59,7 +59,7 @@ class SvgWriter {
   }
 
  private:
-  /// What an object draws in one go: it may be gone on with above others.
+  /// Begins a group of shapes that an object draws in a row; it may have more groups above other objects.
   void begin(int object) {
     const std::string name = full_name(drawing_.objects.at(static_cast<std::size_t>(object)));
     out_ += fmt::format("<g id=\"{}\" inkscape:label=\"{}\">\n", fresh_id(ascii_id(name)), xml_escaped(name));
@@ -145,7 +145,7 @@ class SvgWriter {
     for (const Shape& shape : expanded(facets)) std::visit([this](const auto& s) { add(s); }, shape);
   }
 
-  /// Text that stays text. A script stands on a line of its own height, and what follows comes back from it.
+  /// Writes text that stays text. A script is moved to a line of its own height, and what follows is moved back.
   void editable(const Text& text, const TypesetLine& line, const std::string& halo) {
     const char* const anchor = text.align == 0.5 ? "middle" : text.align == 1 ? "end" : "start";
     const double x = text.align == 0.5 || text.align == 1 ? text.at.x() : line.start();
@@ -177,8 +177,9 @@ class SvgWriter {
   std::set<std::string> ids_ = {"background", "title", "alt"};
 };
 
-/// As an attribute of the root: Inkscape, SVGO and scour keep it, whereas most that make a file small drop a <metadata>
-/// element. JSON in ASCII, escaped for XML: control characters and broken UTF-8 never leave JSON's own escapes.
+/// Returns an attribute of the root: Inkscape, SVGO and scour keep it, whereas most that make a file small drop a
+/// <metadata> element. JSON in ASCII, escaped for XML: control characters and broken UTF-8 never leave JSON's own
+/// escapes.
 std::string metadata_attribute(const Metadata& metadata) {
   std::string json = metadata_text(metadata);
   const auto replace_all = [&](const std::string& from, const std::string& to) {

@@ -1,5 +1,5 @@
-// What an SVG of ours says about itself. It is read as XML, because an editor that saved the file may have put
-// its own line breaks, quotes and prefixes.
+// The metadata in our SVG files. It is read as XML, because an editor that saved the file may have used its own line
+// breaks, quotes and prefixes.
 
 #include <expat.h>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 namespace isect::viz {
 namespace {
 
-/// The name without its namespace, which Expat writes before it.
+/// Returns the name without its namespace, which Expat puts before it.
 std::string_view local_name(std::string_view name) { return name.substr(name.rfind(' ') + 1); }
 
 /// One pass over a file. No handler throws: Expat is C.
@@ -33,7 +33,7 @@ class MetadataReader {
     });
   }
 
-  /// The metadata as JSON; empty if there is none.
+  /// Returns the metadata as JSON; empty if there is none.
   std::string read(const std::string& bytes) {
     constexpr std::size_t block = 1 << 16;  // Expat counts in int
     XML_Status status = XML_STATUS_OK;
@@ -83,7 +83,7 @@ class MetadataReader {
   const char* trouble_ = nullptr;
   bool svg_ = false;
   int depth_ = 0;
-  int ours_ = 0;  ///< depth of the <metadata> that is being read; 0: of none
+  int ours_ = 0;  ///< depth of the <metadata> that is being read; 0: none
 };
 
 }  // namespace

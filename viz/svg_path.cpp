@@ -9,7 +9,7 @@
 namespace isect::viz {
 namespace {
 
-/// `digits` after the point at most, and nothing that says nothing: "12", "-0.5".
+/// Returns a number with at most `digits` after the point, and nothing superfluous: "12", "-0.5".
 std::string short_number(double x, int digits) {
   std::string text = fmt::format("{:.{}f}", x, digits);
   text.erase(text.find_last_not_of('0') + 1);
@@ -31,7 +31,7 @@ class RelativePen {
   std::string take() { return std::move(out_); }
 
  private:
-  /// In hundredths.
+  /// Rounds to hundredths, and returns their number.
   static Vec2 rounded(const Vec2& p) { return (100 * p).array().round(); }
   void tell(const Vec2& p) {
     to_ = rounded(p);

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers, colours and paths as SVG writes them. Short: no digit that could not be seen.
+// Numbers, colours and paths as SVG writes them. Short: no digit that makes no visible difference.
 
 #include <string>
 #include <vector>
@@ -8,21 +8,21 @@
 
 namespace isect::viz {
 
-/// To a thousandth of a unit, without trailing zeros.
+/// Returns a number to a thousandth of a unit, without trailing zeros.
 std::string svg_number(double);
-/// "#0b60c8"
+/// Returns "#0b60c8".
 std::string svg_colour(const Colour&);
-/// "fill:#0b60c8;fill-opacity:0.14;" for what = "fill"
+/// Returns "fill:#0b60c8;fill-opacity:0.14;" for what = "fill".
 std::string svg_paint(const std::string& what, const Colour&);
-/// The `d` of a <path>, in absolute coordinates.
+/// Returns the `d` of a <path>, in absolute coordinates.
 std::string svg_path(const Path&);
-/// The outlines of letters: many and small, so each point is told from the one before, to a hundredth of a unit.
+/// Returns outlines of letters: many and small, so each point is relative to the one before, to hundredths of a unit.
 std::string svg_letters(const std::vector<Path>&);
-/// For data inside an address.
+/// Encodes data for use inside an address.
 std::string base64(const std::string& bytes);
-/// A whole SVG as an image's `src`: as an image of its own, no id in it meets another picture's.
+/// Returns a whole SVG as an image's `src`: as an image of its own, it shares no id with another picture.
 std::string svg_address(const std::string& svg);
-/// For text and for attributes in either quotes. XML has no control characters; they become spaces.
+/// Escapes text, also for attributes in either quotes. XML has no control characters; they become spaces.
 std::string xml_escaped(const std::string&);
 
 }  // namespace isect::viz

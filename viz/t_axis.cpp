@@ -67,7 +67,7 @@ class AxisPart {
         texts.push_back(
             text(tick.label, {x(tick.t), y_ - 0.45 * s().axis - mark_radius(tick.mark, s())}, theme_.ink(Role::text)));
     std::sort(texts.begin(), texts.end(), [](const Text& a, const Text& b) { return a.at.x() < b.at.x(); });
-    for (std::size_t i = 1; i < texts.size(); ++i) {  // neighbours make room: two names side by side read as one
+    for (std::size_t i = 1; i < texts.size(); ++i) {  // neighbours move apart: two adjacent names would read as one
       const double gap = measure(texts[i]).left - measure(texts[i - 1]).right - 2 * s().label_clear;
       if (gap >= 0) continue;
       texts[i - 1].at.x() += gap / 2;

@@ -5,13 +5,13 @@
 
 namespace isect::viz {
 
-/// What it takes below a picture, in the size of its texts.
+/// The height of the axis below a picture, in the size of its texts.
 inline constexpr double axis_height = 3.1;
-/// From there down to its line.
+/// The distance from its top down to its line.
 inline constexpr double axis_line = 1.75;
 
-/// The axis from `left` to `right` at height y, in the theme's sizes: marks above the line named above it, the ends of
-/// the ray's range below. A text is no wider than `most`.
+/// Draws the axis from `left` to `right` at height y, in the theme's sizes: marks on the line with their names above
+/// it, the ends of the ray's range below. A text is no wider than `most`.
 Composed compose_axis(const Axis&, double left, double right, double y, double most, const Theme&);
 
 }  // namespace isect::viz

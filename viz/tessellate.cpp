@@ -9,15 +9,15 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// More pieces than this in one shape cannot be told apart on any picture; they would only cost time.
+/// More pieces than this in one shape cannot be told apart in any picture; they would only cost time.
 constexpr double most_pieces = 20000;
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// `v` turned by a quarter, towards +y from +x.
+/// Returns `v` turned by a quarter turn, from +x towards +y.
 Vec2 turned(const Vec2& v) { return {-v.y(), v.x()}; }
 
-/// The signed angle from direction `a` to direction `b`, in (-pi, pi].
+/// Returns the signed angle from direction `a` to direction `b`, in (-pi, pi].
 double angle(const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), a.dot(b)); }
 
 void add(Triangles& to, const Vec2& a, const Vec2& b, const Vec2& c) { to.insert(to.end(), {a, b, c}); }
@@ -27,7 +27,7 @@ void add_quad(Triangles& to, const Vec2& a, const Vec2& b, const Vec2& c, const 
   add(to, a, c, d);
 }
 
-/// The sector that `arm` sweeps about `center` when turned by `sweep`.
+/// Adds the sector that `arm` sweeps about `center` when turned by `sweep`.
 void add_sector(Triangles& to, const Vec2& center, const Vec2& arm, double sweep, double tolerance) {
   const double radius = arm.norm();
   const double step = 2 * std::acos(1 - std::min(0.5, tolerance / radius));
@@ -41,7 +41,7 @@ void add_sector(Triangles& to, const Vec2& center, const Vec2& arm, double sweep
   }
 }
 
-/// The length of the line up to each of its points, the closing edge included.
+/// Returns the length of the line up to each of its points, the closing edge included.
 std::vector<double> arc_lengths(const Polyline& line) {
   std::vector<double> lengths = {0};
   const std::size_t n = line.points.size();
@@ -50,7 +50,7 @@ std::vector<double> arc_lengths(const Polyline& line) {
   return lengths;
 }
 
-/// The piece of the line between two arc lengths, from <= to.
+/// Returns the piece of the line between two arc lengths, from <= to.
 Polyline piece(const Polyline& line, const std::vector<double>& lengths, double from, double to) {
   const std::size_t n = line.points.size();
   const auto at = [&](double s, std::size_t edge) -> Vec2 {
@@ -89,10 +89,10 @@ Polyline flat(const Path& path, double tolerance) {
 Polyline thinned(const Polyline& line, double tolerance) {
   if (line.points.size() < 3) return line;
   Polyline out{{line.points.front()}, line.closed};
-  // From the point kept last, a chord in any of the directions between `right` and `left` passes by all that came
-  // since.
+  // From the point kept last, a chord in any of the directions between `right` and `left` passes all points since,
+  // within the tolerance.
   Vec2 right, left;
-  double far = 0;  // of what came since
+  double far = 0;  // of the points since
   for (std::size_t i = 1; i < line.points.size(); ++i) {
     Vec2 way = line.points[i] - out.points.back();
     if (far > 0 && !(way.norm() >= far && cross(right, way) >= 0 && cross(way, left) >= 0)) {
@@ -123,7 +123,7 @@ bool is_convex(const std::vector<Vec2>& outline) {
     if (turn != 0) sign = turn;
     turns += turn;
   }
-  return std::abs(std::abs(turns) - 2 * pi) < 0.1;  // a star that turns one way goes round twice or more
+  return std::abs(std::abs(turns) - 2 * pi) < 0.1;  // a star that turns one way only goes round twice or more
 }
 
 Triangles triangulated(std::vector<Vec2> outline) {

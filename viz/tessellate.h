@@ -8,7 +8,7 @@
 
 namespace isect::viz {
 
-/// Three corners a triangle. Triangles of one shape may overlap.
+/// Three corners per triangle. Triangles of one shape may overlap.
 using Triangles = std::vector<Vec2>;
 
 /// A flattened path: no two neighbours are equal, and a closed one does not repeat its first point.
@@ -17,23 +17,23 @@ struct Polyline {
   bool closed = false;
 };
 
-/// Empty when the path has no segment or a coordinate that is not finite.
+/// Flattens a path. Empty if the path has no segment or a coordinate that is not finite.
 Polyline flat(const Path&, double tolerance);
 
-/// The line with fewer of its points, no point of it moved by more than the tolerance; ends and reversals stay. What
-/// has thousands of corners, several to a pixel, is drawn as quickly as what has hundreds.
+/// Returns the line with fewer of its points, no point of it moved by more than the tolerance; ends and reversals stay.
+/// A line with thousands of corners, several per pixel, is then drawn as quickly as one with hundreds.
 Polyline thinned(const Polyline&, double tolerance);
 
-/// True when the closed outline turns one way only, and once round.
+/// Whether the closed outline turns one way only, and goes round once.
 bool is_convex(const std::vector<Vec2>& outline);
 
 /// Triangles between the corners whose signed areas add up to the winding number at every point. Where the
 /// outline is convex, no two overlap.
 Triangles triangulated(std::vector<Vec2> outline);
 
-/// The pieces of a line that lie under the pen: `dash[0]` on, `dash[1]` off, measured along the line from its
-/// start. On a closed line, a dash that runs over the start is one piece. The line itself unless both are
-/// positive and finite, or when they are so short that no one could see them.
+/// Returns the pieces of a line that the pen draws: `dash[0]` on, `dash[1]` off, measured along the line from its
+/// start. On a closed line, a dash that runs over the start is one piece. Returns the line itself unless both are
+/// positive and finite, or if they are too short to be seen.
 std::vector<Polyline> dashes(const Polyline&, const std::array<double, 2>& dash);
 
 /// A line of constant width with round joins; open ends are round or cut off square. A single point is a disc
@@ -43,7 +43,7 @@ Triangles stroke(const Polyline&, double width, bool round_cap, double tolerance
 struct Box {
   Vec2 low, high;
 };
-/// The smallest box round at least one point.
+/// Returns the smallest box around at least one point.
 Box bounds(const std::vector<Vec2>& points);
 Triangles cover(const Box&);
 

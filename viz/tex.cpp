@@ -117,7 +117,7 @@ const std::map<std::string_view, Atom>& symbols() {
   return all;
 }
 
-/// Small digits and signs as the ordinary ones that they stand for; 0 for any other character.
+/// Returns '_' or '^' for a small digit or sign, and sets `base` to the ordinary one; 0 for any other character.
 char script_of(std::string_view character, std::string& base) {
   static const std::map<std::string_view, std::pair<char, const char*>> small = {
       {"₀", {'_', "0"}}, {"₁", {'_', "1"}}, {"₂", {'_', "2"}}, {"₃", {'_', "3"}}, {"₄", {'_', "4"}}, {"₅", {'_', "5"}},
@@ -131,7 +131,7 @@ char script_of(std::string_view character, std::string& base) {
   return found->second.first;
 }
 
-/// Two scripts of one kind in a row would be an error of TeX's, so they become one.
+/// Adds a script. Two scripts of one kind in a row would be an error in TeX, so they become one.
 void add_script(Atoms& atoms, char script, const std::string& tex) {
   if (!atoms.empty() && atoms.back().script == script)
     atoms.back().tex.insert(atoms.back().tex.size() - 1, tex);
@@ -139,7 +139,7 @@ void add_script(Atoms& atoms, char script, const std::string& tex) {
     atoms.push_back({Atom::Kind::math, std::string(1, script) + "{" + tex + "}", script});
 }
 
-/// What stands in a script, or under a root: mathematics throughout.
+/// Returns the contents of a script or a root: mathematics throughout.
 std::string all_math(const Atoms& atoms);
 
 void add_characters(Atoms& atoms, std::string_view text) {
@@ -157,7 +157,7 @@ void add_characters(Atoms& atoms, std::string_view text) {
   }
 }
 
-/// Letters in italics or bold. Signs among them, and spaces between, are as elsewhere.
+/// Adds letters in italics or bold. Signs among them, and spaces between, are treated as elsewhere.
 void add_letters(Atoms& atoms, const Run& run) {
   for (std::size_t i = 0; i < run.text.size();) {
     std::size_t end = i;
@@ -192,7 +192,7 @@ void add(Atoms& atoms, const Run& run) {
   }
 }
 
-/// The bracket that closes the one at `open`; the end where none does.
+/// Returns the bracket that closes the one at `open`; the end if none does.
 std::size_t closing(const Atoms& atoms, std::size_t open) {
   int depth = 0;
   for (std::size_t i = open; i < atoms.size(); ++i) {
@@ -202,7 +202,7 @@ std::size_t closing(const Atoms& atoms, std::size_t open) {
   return atoms.size();
 }
 
-/// Roots with what stands under them: a bracket, a number, or a letter with its scripts.
+/// Joins roots with what stands under them: a bracket, a number, or a letter with its scripts.
 Atoms with_roots(const Atoms& atoms) {
   Atoms out;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
@@ -251,21 +251,21 @@ std::string all_math(const Atoms& atoms) {
 
 bool is_math(const Atom& a) { return a.kind == Atom::Kind::math || a.kind == Atom::Kind::relation; }
 
-/// Whether atom i, a space, stands beside a sign that has space of its own, so that mathematics may go on over it.
+/// Whether atom i, a space, stands beside a sign with space of its own, so that mathematics may continue across it.
 bool joins(const Atoms& atoms, std::size_t i) {
   return i > 0 && i + 1 < atoms.size() &&
          (atoms[i].tex == "\\," || atoms[i - 1].kind == Atom::Kind::relation ||
           atoms[i + 1].kind == Atom::Kind::relation);
 }
 
-/// A comma or full stop that ends a clause, not one within a number or a bracket.
+/// Whether atom i is a comma or full stop that ends a clause, not one within a number or a bracket.
 bool ends_clause(const Atoms& atoms, std::size_t i) {
   const bool mark = atoms[i].tex == "," || atoms[i].tex == ".";
   return mark && (i + 1 == atoms.size() || atoms[i + 1].kind == Atom::Kind::space);
 }
 
-/// Where the mathematics that begins at `begin` ends: before a word, before a space between words, before the end of a
-/// clause.
+/// Returns where the mathematics that begins at `begin` ends: before a word, before a space between words, before the
+/// end of a clause.
 std::size_t end_of_math(const Atoms& atoms, std::size_t begin) {
   std::size_t end = begin;
   while (end < atoms.size()) {
@@ -277,8 +277,8 @@ std::size_t end_of_math(const Atoms& atoms, std::size_t begin) {
   return end;
 }
 
-/// Mathematics that begins or ends with a sign between two sides, one of which is a word, as in "count + 1". TeX would
-/// take it for a sign of its own, and set it close; the empty group is the other side.
+/// Whether a sign at the beginning or end of mathematics stands between two sides, one of which is a word, as in "count
+/// + 1". TeX would take it for a unary sign, and set it close; an empty group serves as the other side.
 bool stands_between(const Atoms& atoms, std::size_t i) {
   return atoms[i].kind == Atom::Kind::relation && i > 0 && atoms[i - 1].kind == Atom::Kind::space &&
          i + 1 < atoms.size() && atoms[i + 1].kind == Atom::Kind::space;

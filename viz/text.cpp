@@ -37,7 +37,7 @@ class TextCanvas {
 
   cairo_t* cr() const { return cr_; }
 
-  /// What was drawn, as straight alpha. Where nothing was, the colour is `under`: a filtered texture then has
+  /// Returns what was drawn, as straight alpha. Where nothing was, the colour is `under`: a filtered texture then has
   /// no dark rim.
   Picture picture(const Colour& under) const {
     if (cairo_surface_status(surface_) != CAIRO_STATUS_SUCCESS) throw std::runtime_error("no memory for a text");
@@ -70,7 +70,7 @@ class TextCanvas {
   cairo_t* cr_;
 };
 
-/// The first of `candidates` that fontconfig has, or its own choice for the last one.
+/// Returns the first of `candidates` that fontconfig has, or its own choice for the last one.
 std::string installed_family(const std::vector<const char*>& candidates) {
   std::string substitute;
   for (const char* wanted : candidates) {
@@ -109,7 +109,7 @@ std::vector<std::string> installed_families() {
   return all;
 }
 
-/// What use_figure_font has set; empty: as usual.
+/// The family that use_figure_font has set; empty: the usual one.
 std::string& wanted_for_figures() {
   static std::string family;
   return family;
@@ -123,8 +123,8 @@ struct Block {
   double height = 0;
 };
 
-/// No line ends within "50 %", "[0.25, 0.75]", after the sign of "-O3", or within a product of two names, such as *t*
-/// **d**.
+/// Forbids line breaks within "50 %", "[0.25, 0.75]", after the sign of "-O3", or within a product of two names, such
+/// as *t* **d**.
 void keep_together(PangoLayout* layout, const std::string& markup) {
   const std::string text = pango_layout_get_text(layout);
   const std::unique_ptr<PangoAttrList, decltype(&pango_attr_list_unref)> all(
@@ -138,7 +138,7 @@ void keep_together(PangoLayout* layout, const std::string& markup) {
     keep(at == 0 ? 0 : at - 1, at + 2);
   for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at + 1))
     if (at == 0 || text[at - 1] == ' ') keep(at, std::min(text.find(' ', at), text.size()));
-  constexpr std::size_t longest = 30;  // of an interval; of a longer one each end may have a line
+  constexpr std::size_t longest = 30;  // the longest interval on one line; the ends of a longer one may stand on two
   for (std::size_t at = text.find('['); at != std::string::npos; at = text.find('[', at + 1))
     if (const std::size_t end = text.find(']', at); end != std::string::npos && end - at < longest) keep(at, end + 1);
   const std::vector<Run> runs = parse_markup(markup);
@@ -183,7 +183,7 @@ Block lay_out(const Paragraph& paragraph) {
   return block;
 }
 
-/// Of the picture of a paragraph that is at least `width` px wide.
+/// Returns the pixels across and down of the picture of a paragraph that is at least `width` px wide.
 Vec2 pixels(const Block& block, double width, double scale) {
   return {std::ceil(std::max(width, block.right - block.left) * scale), std::ceil(block.height * scale)};
 }

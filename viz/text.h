@@ -17,13 +17,13 @@ struct Picture {
   std::vector<std::uint8_t> rgba;
 };
 
-/// The box a Text covers in its drawing's units, halo excluded.
+/// Returns the box that a Text covers in its drawing's units, halo excluded.
 TextBox measure(const Text&);
-/// Makes a long line smaller rather than wider than `most`. Its box then.
+/// Makes a long line smaller if it is wider than `most`. Returns its box then.
 TextBox fit_width(Text&, double most);
 
-/// Words of markup on as few lines as fit into `room`; a word wider than that stands alone. What is marked as one stays
-/// on one line, and no line begins with = or another relation.
+/// Breaks words of markup into as few lines as fit into `room`; a word wider than that gets a line of its own. Words
+/// under one mark stay on one line, and no line begins with = or another relation.
 std::vector<std::string> wrapped(const std::string& markup, double size, bool bold, double room);
 
 /// A Text as pixels at `scale` pixels per unit, with the position of its top left corner in the drawing.
@@ -45,10 +45,10 @@ struct Paragraph {
   bool math = false;  ///< a formula: STIX throughout
   Colour colour;
 };
-/// `width` px wide (as wide as its text on one line); one pitch high for each line, capitals in the middle of
-/// it.
+/// Draws a paragraph `width` px wide (as wide as its text on one line); each line is one pitch high, with capitals in
+/// the middle of it.
 Picture raster(const Paragraph&, double scale = 1);
-/// The pixels across and down of that picture, which is not drawn for it.
+/// Returns the pixels across and down of that picture, without drawing it.
 Vec2 extent(const Paragraph&, double scale = 1);
 
 /// Where a name (viz/names.h) stands in a paragraph, in px from its top left corner.
@@ -63,14 +63,14 @@ struct Fonts {
   std::string figure, window;
   bool exact = true;
 };
-/// No font is installed at all, so nothing that has letters can be drawn.
+/// Thrown if no font is installed at all, so that nothing with letters can be drawn.
 struct NoFonts : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-/// Whatever sets a text asks here first. Throws NoFonts.
+/// Returns the families; all code that sets a text calls this first. Throws NoFonts.
 Fonts fonts();
-/// Sets figures in this family from now on; to be called before any text is measured. Throws BadInput, with the nearest
-/// name, where fontconfig has none of this name.
+/// Sets figures in this family from now on; call it before any text is measured. Throws BadInput, with the nearest
+/// name, if fontconfig has none of this name.
 void use_figure_font(const std::string& family);
 
 }  // namespace isect::viz

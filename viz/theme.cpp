@@ -11,7 +11,7 @@
 namespace isect::viz {
 namespace {
 
-/// One colour a role, in the order of Role: first, second, hit, miss, construction, highlight, text, muted,
+/// One colour per role, in the order of Role: first, second, hit, miss, construction, highlight, text, muted,
 /// grid.
 struct Palette {
   std::array<unsigned, 9> inks;
@@ -25,7 +25,7 @@ constexpr Palette dark_palette = {
 constexpr Palette grey_palette = {
     {0x111111, 0x5A5A5A, 0x000000, 0x111111, 0x6E6E6E, 0xE2E2E2, 0x111111, 0x555555, 0xDDDDDD}, 0xFFFFFF, 0xF4F4F4};
 
-/// Points, for a figure 227 x 142: 8 cm wide on paper.
+/// Sizes in points, for a figure of 227 x 142: 8 cm wide on paper.
 constexpr Sizes paper = {.outline = 0.75,
                          .ray = 0.85,
                          .shared = 1.7,
@@ -54,7 +54,7 @@ constexpr Sizes paper = {.outline = 0.75,
                          .hatch_gap = 2,
                          .hatch_line = 0.2};
 
-/// Pixels at 1x, for a picture 960 x 600.
+/// Sizes in pixels at 1x, for a picture of 960 x 600.
 constexpr Sizes in_pixels = {.outline = 2,
                              .ray = 2.5,
                              .shared = 3,
@@ -83,7 +83,7 @@ constexpr Sizes in_pixels = {.outline = 2,
                              .hatch_gap = 8,
                              .hatch_line = 0.8};
 
-/// Sizes holds lengths and nothing else, so all of them scale.
+/// Scales all sizes: Sizes holds lengths and nothing else.
 Sizes scaled(const Sizes& sizes, double by) {
   using Lengths = std::array<double, sizeof(Sizes) / sizeof(double)>;
   Lengths lengths = std::bit_cast<Lengths>(sizes);

@@ -1,5 +1,5 @@
 #pragma once
-// Roles become ink here and nowhere else. Blue meets orange; green is where they meet.
+// Roles get their colours here and nowhere else. Blue meets orange; green is where they meet.
 
 #include <array>
 #include <string>
@@ -35,7 +35,7 @@ struct Sizes {
 struct Theme {
   ThemeName name;
   Colour ink(Role) const;
-  /// The fill of a flat area: translucent, densest where objects overlap.
+  /// Returns the fill of a flat area: translucent, densest where objects overlap.
   Colour tint(Role) const;
   /// Whether an area of this role carries the 45 degree hatch.
   bool hatched(Role role) const { return hatch_second && role == Role::second; }
@@ -47,19 +47,19 @@ struct Theme {
   std::array<Colour, 9> inks;
 };
 
-/// Of labels on paper, in points: what reads well beside a text of ten.
+/// The size of labels on paper, in points: it reads well beside a text of ten points.
 constexpr double usual_text_size = 9;
 
-/// The theme with all lengths for a drawing of the given size. print and grey are designed at 227 x 142 pt,
+/// Returns the theme with all lengths for a drawing of the given size. print and grey are designed at 227 x 142 pt,
 /// screen and dark at 960 x 600 px, and scale with the smaller ratio.
 Theme theme(ThemeName, double width, double height);
-/// On paper: lengths in points, and texts of one size, however large the figure.
+/// Returns a theme for paper: lengths in points, and texts of one size, however large the figure.
 Theme paper_theme(ThemeName, double text_size = usual_text_size);
-/// The window's: px sizes at 1x, whatever the size of the scene, times `scale`.
+/// Returns a theme for the window: px sizes at 1x, whatever the size of the scene, times `scale`.
 Theme window_theme(ThemeName, double scale = 1);
 
 std::vector<std::string> theme_names();
-/// Throws BadInput naming the nearest theme.
+/// Returns the theme with this name. Throws BadInput naming the nearest one.
 ThemeName theme_named(const std::string&);
 std::string name_of(ThemeName);
 std::string name_of(Role);

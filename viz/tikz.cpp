@@ -65,7 +65,7 @@ class TikzWriter {
     const std::string fresh = fmt::format("isect{}", colours_.size() + 1);
     return colours_.try_emplace(html, fresh).first->second;
   }
-  /// "isect2, fill opacity=0.14"
+  /// Returns "isect2, fill opacity=0.14".
   std::string paint(const std::string& what, const Colour& c) {
     if (!(c.a < 1)) return colour(c);
     return fmt::format("{}, {}opacity={}", colour(c), what.empty() ? "" : what + " ", svg_number(c.a));
@@ -133,14 +133,14 @@ class TikzWriter {
         path(ellipse(g.center, g.major, g.minor)));
   }
 
-  /// A verdict's first line and the sign before it: one node in the middle, whatever font the document has.
+  /// A verdict's first line and the sign before it: one centred node, whatever font the document has.
   struct Signed {
     int number = 0;  ///< of the node's name
     const Text* text = nullptr;
     double left = INFINITY;  ///< of the sign
   };
 
-  /// The outlines of a sign: what of a verdict is no text.
+  /// Moves `left` to the leftmost point of a sign's outlines; texts are ignored.
   static void reach_left(const Shape& shape, double& left) {
     const auto look = [&](const Path& path, double by) {
       for (const Vec2& p : flatten(path)) left = std::min(left, p.x() - by);
@@ -170,7 +170,7 @@ class TikzWriter {
     }
   }
 
-  /// It hangs on its verdict's node.
+  /// Adds a sign, placed relative to its verdict's node.
   void add_sign(Shape shape, const Signed& verdict) {
     move(shape, {-verdict.left, -verdict.text->at.y()});
     out_ += fmt::format("\\begin{{scope}}[shift={{(isectverdict{}.base west)}}]\n", verdict.number);
@@ -178,19 +178,19 @@ class TikzWriter {
     out_ += "\\end{scope}\n";
   }
 
-  /// A label as LaTeX is to set it: where it is held, and how wide it may become.
+  /// A label as LaTeX will set it: its anchor, and the width it may have.
   struct Label {
     TextBox box;
     double at = 0;
     std::string anchor = {};
     double scale = 1;
     double room = 0;
-    double before = 0;  ///< it begins with so much space, for a sign
+    double before = 0;  ///< the space at its beginning, for a sign
   };
 
-  /// Held where its middle stood: whatever font the document has, it grows to both sides alike; away from an edge of
-  /// the picture that it would run over. What stands in a chart, a map or a card keeps its own end, and is small enough
-  /// for its room.
+  /// Anchors a label at its middle: whatever font the document has, it grows equally to both sides; or at an edge of
+  /// the picture that it would cross, and it grows away from that. Texts in a chart, a map or a card keep their own
+  /// ends, and are small enough for their room.
   Label held(const Text& text) const {
     Label label = {measure(text)};
     if (const auto verdict = signed_.find(&text); verdict != signed_.end())
@@ -209,7 +209,7 @@ class TikzWriter {
     return label;
   }
 
-  /// Each label may grow up to the edges of the picture, and nearly halfway to a label beside it.
+  /// Places the labels: each may grow up to the edges of the picture, and nearly halfway to a label beside it.
   void place_labels() {
     std::vector<TextBox> boxes;
     for (const Shape& shape : drawing_.shapes)
@@ -262,11 +262,11 @@ class TikzWriter {
     for (const Shape& shape : expanded(facets)) std::visit([this](const auto& s) { add(s); }, shape);  // no texts
   }
 
-  /// What is smaller than this beside the largest text was made so, to fit into its room: LaTeX is told.
+  /// Texts smaller than this beside the largest text were made so to fit into their room: LaTeX is told.
   static constexpr double shrunk = 0.9;
-  /// How much wider LaTeX's usual letters run than those that the picture was made for.
+  /// How much wider LaTeX's usual letters are than those for which the picture was made.
   static constexpr double wider = 1.12;
-  /// A label that is wider in the document's font than there is room for is made smaller.
+  /// A macro that makes a label smaller if it is wider in the document's font than its room.
   static constexpr const char* fitted =
       "\\def\\isectfitted#1#2{\\setbox0\\hbox{#2}\\ifdim\\wd0>#1\\resizebox{#1}{!}{\\box0}\\else\\box0\\fi}\n";
 
@@ -274,7 +274,7 @@ class TikzWriter {
   const double scale_;
   double largest_ = 0;
   std::map<const Text*, Label> labels_;   ///< of the drawing's texts
-  std::map<const Shape*, Signed> signs_;  ///< what is drawn before a verdict
+  std::map<const Shape*, Signed> signs_;  ///< the signs before verdicts
   std::map<const Text*, Signed> signed_;
   int verdicts_ = 0;
   std::string out_;
@@ -282,7 +282,7 @@ class TikzWriter {
   int shadings_ = 0;
 };
 
-/// As comments, one a line.
+/// Returns the text as comments, one per line.
 std::string commented(const std::string& text) {
   std::string out = "% ";
   for (const char c : text) out += c == '\n' ? std::string("\n% ") : std::string(1, c);

@@ -6,10 +6,10 @@
 
 namespace isect::viz {
 
-/// A `tikzpicture` to be input, in ASCII but for its comments; metadata in its first line, as a comment in JSON. Labels
-/// are set by LaTeX where their middles were, in the document's font and size. Same input, same bytes.
+/// Returns a `tikzpicture` for \input, in ASCII except for its comments; metadata in its first line, as a comment in
+/// JSON. LaTeX sets the labels where their middles were, in the document's font and size. Same input, same bytes.
 std::string tikz(const Drawing&, const Metadata& = {}, const Imprint& = {});
-/// Throws FileError on anything that is no TikZ picture; empty if it carries none of ours.
+/// Reads our metadata; empty if there is none. Throws FileError on anything that is no TikZ picture.
 Metadata tikz_metadata(const std::string& bytes);
 
 }  // namespace isect::viz

@@ -11,7 +11,7 @@
 namespace isect::viz {
 namespace {
 
-/// Large enough that FreeType's and Pango's fixed-point positions lose nothing that could be seen.
+/// So large that the fixed-point positions of FreeType and Pango lose nothing visible.
 constexpr double reference_em = 100;
 
 struct Unref {
@@ -24,7 +24,7 @@ struct FreeOptions {
   void operator()(cairo_font_options_t* options) const { cairo_font_options_destroy(options); }
 };
 
-/// A context whose results depend on the font files alone, never on the desktop's settings.
+/// Makes a context whose results depend on the font files alone, never on the desktop's settings.
 std::unique_ptr<PangoContext, Unref> make_context() {
   std::unique_ptr<PangoContext, Unref> context(pango_font_map_create_context(pango_cairo_font_map_get_default()));
   const std::unique_ptr<cairo_font_options_t, FreeOptions> options(cairo_font_options_create());
@@ -49,7 +49,7 @@ void set_markup(PangoLayout* layout, const std::string& markup) {
   pango_layout_set_markup(layout, valid.get(), -1);
 }
 
-/// The line at an em of `reference_em`.
+/// Lays out the line at an em of `reference_em`.
 Layout laid_out(const Text& text) {
   Layout layout = make_layout(pango(text.markup, {}, 1, reference_em), fonts().figure, reference_em, text.bold);
   pango_layout_set_single_paragraph_mode(layout.get(), TRUE);
@@ -96,7 +96,7 @@ Layout make_layout(const std::string& pango_markup, const std::string& family, d
 }
 
 TextBox ink_box(const Text& text) {
-  constexpr std::size_t most = 20'000;  // those of all lessons are some thousands
+  constexpr std::size_t most = 20'000;  // all lessons have some thousands
   thread_local std::map<std::pair<std::string, bool>, Extents> known;
   const auto found = known.find({text.markup, text.bold});
   if (found != known.end()) return placed(found->second, text);
@@ -132,7 +132,7 @@ std::vector<Path> TypesetLine::outlines() const {
     const cairo_path_data_t* const data = &path->data[i];
     switch (data->header.type) {
       case CAIRO_PATH_MOVE_TO:
-        if (!all.empty() && all.back().segments.empty()) all.pop_back();  // moved on without a line
+        if (!all.empty() && all.back().segments.empty()) all.pop_back();  // a move without a line
         all.push_back({at(data[1]), {}, false});
         break;
       case CAIRO_PATH_LINE_TO:

@@ -19,10 +19,10 @@ struct LayoutDeleter {
 };
 using Layout = std::unique_ptr<_PangoLayout, LayoutDeleter>;
 
-/// A layout of Pango markup in `family` with an em of `em` device units.
+/// Makes a layout of Pango markup in `family` with an em of `em` device units.
 Layout make_layout(const std::string& pango_markup, const std::string& family, double em, bool bold);
 
-/// What is drawn next on a cairo context has this colour.
+/// Sets the colour of what is drawn next on a cairo context.
 void set_source(_cairo*, const Colour&);
 
 /// A line of markup at an em of `reference_em`, from its start on the baseline.
@@ -31,7 +31,7 @@ struct Extents {
   double advance = 0;
 };
 
-/// The box of a text's ink, as TypesetLine gives it. A line that was measured before is not laid out again.
+/// Returns the box of a text's ink, as TypesetLine computes it. A line that was measured before is not laid out again.
 TextBox ink_box(const Text&);
 
 class TypesetLine {
@@ -43,7 +43,7 @@ class TypesetLine {
   double start() const { return start_; }  ///< x where it begins
   std::vector<Path> outlines() const;      ///< of its letters, in the drawing's units, without the halo
   enum class As { outlines, glyphs };
-  /// `outlines` are placed exactly, `glyphs` are letters of a font to whoever reads the file.
+  /// Draws the line: `outlines` are placed exactly, `glyphs` are a font's letters for readers of the file.
   void draw(_cairo*, As) const;
 
  private:

@@ -10,7 +10,7 @@ namespace isect::viz {
 /// Whether a byte belongs to a character that has begun before it.
 constexpr bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
-/// The bytes of the character that begins at text[i], which exists.
+/// Returns the bytes of the character that begins at text[i], which must exist.
 constexpr std::string_view character_at(std::string_view text, std::size_t i) {
   std::size_t n = 1;
   while (i + n < text.size() && continues_character(text[i + n])) ++n;
@@ -20,12 +20,12 @@ constexpr std::string_view character_at(std::string_view text, std::size_t i) {
 /// Whether it is one of 0 to 9.
 constexpr bool is_digit(std::string_view c) { return c.size() == 1 && c[0] >= '0' && c[0] <= '9'; }
 
-/// How many there are.
+/// Returns the number of characters.
 constexpr std::size_t count_characters(std::string_view text) {
   return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues_character));
 }
 
-/// Their code points. What is no UTF-8 gives some code or other for each byte that begins none.
+/// Returns the code points of a text. In invalid UTF-8, each byte that begins no character gives some code point.
 inline std::u32string code_points(std::string_view text) {
   std::u32string all;
   for (std::size_t i = 0; i < text.size();) {

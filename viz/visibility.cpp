@@ -27,8 +27,8 @@ std::vector<double> even(int samples) {
   return places;
 }
 
-/// Looks at a curve over s in [0, 1] in the given places, finds each change between visible and hidden by bisection,
-/// and cuts there. What holds in the first and the last place holds up to the ends.
+/// Tests a curve over s in [0, 1] at the given places, finds each change between visible and hidden by bisection, and
+/// cuts there. The results at the first and the last place hold up to the ends.
 std::vector<Stretch> split(const Curve& at, const Test& is_hidden, const std::vector<double>& places) {
   std::vector<Stretch> result;
   double s = places.front();
@@ -53,7 +53,7 @@ std::vector<Stretch> split(const Curve& at, const Test& is_hidden, const std::ve
   return result;
 }
 
-/// Whether the line passes the ball around the solid, by more than it may be rounded. Most do.
+/// Whether the line passes the ball around the solid by more than its possible rounding. Most lines do.
 bool passes_far(const Ray<double, 3>& sight, const Shell& solid) {
   constexpr double more = 1.001;
   const double reach = more * solid.size;
@@ -61,8 +61,8 @@ bool passes_far(const Ray<double, 3>& sight, const Shell& solid) {
          reach * reach * sight.direction.squaredNorm();
 }
 
-/// By rounded arithmetic, where its errors leave no doubt; else exactly by the half-spaces that they do not show to be
-/// implied by others. These are of unit normals.
+/// Whether the ray runs through the solid: by rounded arithmetic, where its errors leave no doubt; else exactly, by the
+/// half-spaces that rounded arithmetic does not show to be implied by others. The half-spaces have unit normals.
 bool runs_through(Ray<double, 3> sight, const Shell& solid) {
   if (solid.inside.empty() || passes_far(sight, solid)) return false;
   constexpr double share = 1e-13;  // some hundred roundings
@@ -94,14 +94,14 @@ bool runs_through(Ray<double, 3> sight, const Shell& solid) {
   return sight.range.hi > sight.range.lo;
 }
 
-/// Twice the area of an outline, along its normal (Newell).
+/// Returns twice the area of an outline, along its normal (Newell).
 Vec3 area(const std::vector<Vec3>& points) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < points.size(); ++i) sum += (points[i] - points[0]).cross(points[i + 1] - points[0]);
   return sum;
 }
 
-/// Whether the ray passes the ball by, or leaves it behind, by more than may be rounded.
+/// Whether the ray passes the ball, or leaves it behind, by more than the possible rounding.
 bool misses(const Ray<double, 3>& sight, const Vec3& center, double radius) {
   const Vec3 ahead = center - sight.origin;
   const double far = ahead.norm(), reach = 1.001 * radius + 1e-9 * (far + sight.origin.norm());
@@ -109,8 +109,8 @@ bool misses(const Ray<double, 3>& sight, const Vec3& center, double radius) {
          (far > reach && ahead.dot(sight.direction) < 0);
 }
 
-/// Whether the ray misses the screen by more than may be rounded: most pass the ball around it, or leave its plane
-/// behind, as those that begin on it do. False where rounded arithmetic does not tell.
+/// Whether the ray misses the screen by more than the possible rounding: most rays pass the ball around it, or leave
+/// its plane behind, as those that begin on it do. False if rounded arithmetic cannot decide.
 bool misses(const Ray<double, 3>& sight, const Polygon<double, 3>& screen) {
   if (screen.rings.empty() || screen.rings[0].empty()) return true;
   const std::vector<Vec3>& outline = screen.rings[0];
@@ -134,8 +134,8 @@ bool misses(const Ray<double, 3>& sight, const Polygon<double, 3>& screen) {
 Vec3 middle_of(const Capsule<double, 3>& c) { return (c.p + c.q) / 2; }
 double reach_of(const Capsule<double, 3>& c) { return (c.q - c.p).norm() / 2 + c.radius; }
 
-/// The distance between the points o + s d, s in [0, end], |d| = 1, and the segment p q (Ericson, Real-Time Collision
-/// Detection, 2005, 5.1.9).
+/// Returns the distance between the points o + s d, s in [0, end], |d| = 1, and the segment p q (Ericson, Real-Time
+/// Collision Detection, 2005, 5.1.9).
 double distance(const Vec3& o, const Vec3& d, double end, const Vec3& p, const Vec3& q) {
   const Vec3 axis = q - p, r = o - p;
   const double e = axis.squaredNorm(), f = axis.dot(r), c = d.dot(r), b = d.dot(axis), apart = e - b * b;
@@ -170,7 +170,7 @@ class Cuts {
     add(n.dot(screen.rings[0][0] - from_) / n.dot(d_));
   }
 
-  /// A place in each stretch between two cuts that are more than a rounding apart.
+  /// Returns a place in each stretch between two cuts that are more than a rounding apart.
   std::vector<double> places() {
     std::sort(found_.begin(), found_.end());
     std::vector<double> middles;
@@ -188,7 +188,7 @@ class Cuts {
     const Vec3 across_edge = (b - a).cross(sight(a)), across = d_.cross(sight(from_));
     const double s = -across_edge.dot(from_ - a) / across_edge.dot(d_);
     const double on_edge = -across.dot(a - from_) / across.dot(b - a);
-    if (on_edge > -1e-6 && on_edge < 1 + 1e-6) add(s);  // a place too many does no harm
+    if (on_edge > -1e-6 && on_edge < 1 + 1e-6) add(s);  // an extra place does no harm
   }
 
   Vec3 from_, d_;
@@ -196,8 +196,8 @@ class Cuts {
   std::vector<double> found_ = {0, 1};
 };
 
-/// Whether the eye sees the ball apart from the segment, by more than that may be rounded: then nothing in it hides any
-/// of that. False where parallel sights do not tell.
+/// Whether the eye sees the ball apart from the segment, by more than the possible rounding: then nothing in the ball
+/// hides any of the segment. False in perspective, where this is not decided.
 bool seen_apart(const Vec3& from, const Vec3& to, const View& view, const Vec3& center, double radius) {
   if (view.camera().perspective) return false;
   constexpr double more = 1.001;
@@ -208,7 +208,7 @@ bool seen_apart(const Vec3& from, const Vec3& to, const View& view, const Vec3& 
   return (a + t * d).norm() > more * radius + 1e-9 * (from.norm() + to.norm());
 }
 
-/// What may hide some of a segment, or of a circle of radius `reach` about a point. Ball number `own` is left out.
+/// What may hide part of a segment, or of a circle of radius `reach` about a point. Ball number `own` is left out.
 struct Near {
   Near(const Vec3& from, const Vec3& to, const View& view, const Occluders& all, double reach = 0, int own = -1)
       : screens(all.screens) {
@@ -234,7 +234,7 @@ struct Near {
 const Shell& of(const Shell& solid) { return solid; }
 const Shell& of(const Shell* solid) { return *solid; }
 
-/// As hidden(); `among`: Occluders, or what is Near.
+/// Does what hidden() does; `among`: Occluders, or only those that are Near.
 bool hidden_among(const Vec3& p, const View& view, const auto& among, int own) {
   const Vec3 direction = view.towards_eye(p);
   const double to_eye = view.camera().perspective ? (view.eye() - p).norm() : HUGE_VAL;
@@ -259,7 +259,7 @@ bool hidden_among(const Vec3& p, const View& view, const auto& among, int own) {
   return false;
 }
 
-/// The places to look at on a segment.
+/// Returns the places to test on a segment.
 std::vector<double> places(const Vec3& from, const Vec3& to, const View& view, const Near& near) {
   if (near.solids.empty() && near.screens.empty()) return even(near.round() ? 64 : 1);
   Cuts cuts(from, to, view);
@@ -354,7 +354,7 @@ std::vector<Stretch> stretches(const std::vector<Vec3>& points, bool closed, con
     }
   }
   const bool around = closed && all.size() > 1 && all.front().hidden == all.back().hidden;
-  if (around) {  // the start is no end
+  if (around) {  // a closed chain has no end
     all.back().points.insert(all.back().points.end(), all.front().points.begin() + 1, all.front().points.end());
     all.erase(all.begin());
   }
@@ -413,8 +413,8 @@ Outline outline(const Ball& ball, const View& view) {
     return {middle, {r, 0}, {0, r}};
   }
 
-  // The tangent cone of half angle alpha, its axis at theta to the view direction, is cut by the picture plane in an
-  // ellipse of eccentricity sin theta / cos alpha, between tan(theta - alpha) and tan(theta + alpha).
+  // The picture plane cuts the tangent cone of half angle alpha, its axis at theta to the view direction, in an ellipse
+  // of eccentricity sin theta / cos alpha, between tan(theta - alpha) and tan(theta + alpha).
   const Vec3 to_center = ball.center - view.eye();
   const double distance = to_center.norm(), along = to_center.dot(view.forward());
   const double alpha = std::asin(std::min(1.0, ball.radius / distance)), theta = std::acos(along / distance);

@@ -1,5 +1,5 @@
 #pragma once
-// What a viewer sees of a curve: the core's own ray tests decide which part lies behind a solid.
+// The parts of a curve that a viewer sees: the core's own ray tests decide which part lies behind a solid.
 
 #include <optional>
 #include <vector>
@@ -16,12 +16,12 @@ struct Stretch {
   bool hidden;
 };
 
-/// A solid as viewing rays meet it: its half-spaces n.x + d >= 0, moved inwards by a rounding, and its edges.
+/// A solid for viewing rays: its half-spaces n.x + d >= 0, moved inwards by a rounding, and its edges.
 struct Shell {
   std::vector<Plane<double, 3>> inside;
   struct Edge {
     Vec3 from, to;
-    std::vector<int> faces;  ///< those it borders, by their index in `normals`
+    std::vector<int> faces;  ///< the faces at this edge, by their index in `normals`
   };
   std::vector<Edge> edges;
   Vec3 middle = Vec3::Zero();  ///< of the vertices
@@ -30,10 +30,10 @@ struct Shell {
 };
 Shell shell(const Solid&);
 
-/// What is rounded on a surface may lie a little inside: bodies are drawn in by this share of their size here.
+/// Points rounded on a surface may lie a little inside: for this test bodies are shrunk by this share of their size.
 inline constexpr double drawn_in = 0x1p-30;
 
-/// What hides: the balls, the solids, the regions that say so and the capsules of one scene.
+/// What hides lines: the balls, the solids, the regions with `hides`, and the capsules of one scene.
 struct Occluders {
   std::vector<Ball> balls = {};
   std::vector<Shell> solids = {};
@@ -43,19 +43,19 @@ struct Occluders {
   bool none() const { return balls.empty() && solids.empty() && screens.empty() && capsules.empty(); }
 };
 
-// Contents are seen through their container, whatever both are: what lies in a ball, a solid or a capsule wholly is
-// drawn as if that were not there. What reaches out of it is hidden as far as it is within.
+// Contents are seen through their container, whatever both are: what lies wholly in a ball, a solid or a capsule is
+// drawn as if that were not there. What reaches out of it is hidden as far as it is inside.
 
-/// What hides ball, solid or capsule number `index`: all but what it lies in wholly. `itself`: the solid counts, too,
-/// as it does for its far edges.
+/// Return what hides ball, solid or capsule number `index`: all except the bodies that contain it wholly. `itself`: the
+/// solid itself counts, too, as it does for its far edges.
 Occluders around_ball(const Occluders&, int index);
 Occluders around_solid(const Occluders&, int index, const std::vector<Vec3>& vertices, bool itself = true);
 Occluders around_capsule(const Occluders&, int index, bool itself = true);
-/// What hides lines between these points, or the area between them: all but what they lie in wholly, off its surface;
-/// a line on a surface is no content. Nothing if that is all there is: to ask is cheap.
+/// Returns what hides lines between these points, or the area between them: all except the bodies that contain them,
+/// off their surface; a line on a surface is no content. Nothing if no body does: this is cheap.
 std::optional<Occluders> around_contents(const Occluders&, const std::vector<Vec3>& points);
 
-/// Whether all bodies, if there are any, stand before the screen's plane or on it: none is behind any of it.
+/// Whether all bodies, if there are any, stand before the screen's plane or on it: no part of any is behind it.
 bool lies_behind(const Polygon<double, 3>& screen, const View&, const Occluders&);
 
 /// Whether the viewing ray from `p` to the eye runs through the inside of a body, or through a screen. Ball
@@ -65,7 +65,7 @@ bool hidden(const Vec3& p, const View&, const Occluders&, int own = -1);
 /// Splits the segment where it passes behind an outline. Behind solids and screens no stretch is missed that
 /// is longer than 1e-9 of it, behind balls and capsules none longer than 1/64.
 std::vector<Stretch> stretches(const Vec3& from, const Vec3& to, const View&, const Occluders&);
-/// Splits a chain of segments; stretches run on over the vertices.
+/// Splits a chain of segments; stretches continue across the vertices.
 std::vector<Stretch> stretches(const std::vector<Vec3>& points, bool closed, const View&, const Occluders&);
 /// Splits a circle around `center`, spanned by two perpendicular radii. Points on ball number `own` are hidden where
 /// its surface turns away from the eye.
@@ -77,10 +77,10 @@ struct Outline {
   Vec2 center, major, minor;
 };
 Outline outline(const Ball&, const View&);
-/// A capsule's: a closed chain of points on its surface whose picture is its outline, but for what a chord of a circle
-/// of 96 corners cuts off.
+/// Returns a capsule's outline: a closed chain of points on its surface whose picture is the outline, except for what a
+/// chord of a circle of 96 corners cuts off.
 std::vector<Vec3> outline(const Capsule<double, 3>&, const View&);
-/// The circle on a ball's surface that is its outline: two perpendicular radii around its middle.
+/// A ball's outline as a circle on its surface: two perpendicular radii around its middle.
 struct Rim {
   Vec3 middle, u, v;
 };

@@ -33,7 +33,7 @@ std::string glfw_words() {
   return glfwGetError(&words) != GLFW_NO_ERROR && words ? words : "no reason given";
 }
 
-/// GLFW with its one window, the context of which is current.
+/// GLFW with its one window, whose context is current.
 class Window {
  public:
   Window(int width, int height) {
@@ -64,7 +64,7 @@ class Window {
 
   GLFWwindow* handle() const { return handle_; }
 
-  /// Framebuffer pixels per px of the layout.
+  /// Returns framebuffer pixels per px of the layout.
   double scale() const {
     float x = 1, y = 1;
     glfwGetWindowContentScale(handle_, &x, &y);
@@ -74,7 +74,7 @@ class Window {
   struct Size {
     int width, height;
   };
-  /// Goes to the whole of the first screen, and back to where it was.
+  /// Fills the whole first screen, or goes back to the old place.
   void fill_screen(bool wanted) {
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
@@ -90,7 +90,7 @@ class Window {
     filling_ = wanted;
   }
 
-  /// In px of the layout, whatever the screen's density; of a window that fills the screen, as it was before.
+  /// Returns the size in px of the layout, whatever the screen's density; if the window fills the screen, the old size.
   Size size() const {
     if (filling_) return before_;
     int across = 0, down = 0;
@@ -99,7 +99,7 @@ class Window {
   }
 
  private:
-  /// No larger than the first screen, if there is one to ask.
+  /// Limits a size to the first screen, if there is one to ask.
   static Size within_monitor(int width, int height) {
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
     if (!monitor) return {width, height};
@@ -120,7 +120,7 @@ class Window {
   int x_ = 0, y_ = 0, width_ = 0, height_ = 0;  ///< before it filled the screen, in GLFW's coordinates
 };
 
-/// GLFW numbers keys by their place on a US keyboard; Ctrl+Z means the key that says Z, Ctrl++ the one that says +.
+/// Returns the key by its letter: GLFW numbers keys by their place on a US keyboard; Ctrl+Z means the key that says Z.
 int by_layout(int code, int scancode) {
   if (code <= GLFW_KEY_SPACE || code > GLFW_KEY_GRAVE_ACCENT) return code;
   const char* name = glfwGetKeyName(code, scancode);
@@ -130,7 +130,7 @@ int by_layout(int code, int scancode) {
 }
 
 #if IMGUI_VERSION_NUM >= 18700
-/// Dear ImGui's own number of a key that we or its fields know.
+/// Returns Dear ImGui's own number of a key that we or its fields use.
 ImGuiKey number_of(int code) {
   const auto within = [code](int first, int last, ImGuiKey from) {
     return code >= first && code <= last ? static_cast<ImGuiKey>(from + code - first) : ImGuiKey_None;
@@ -165,8 +165,8 @@ ImGuiKey number_of(int code) {
 }
 #endif
 
-/// Dear ImGui's input from GLFW. Keys wait in a queue: a frame sees one come, with the modifiers it came with, even
-/// where these go again before the frame begins.
+/// Dear ImGui's input from GLFW. Keys wait in a queue: each frame sees one key, with the modifiers held at its press,
+/// even if these are released before the frame begins.
 class Input {
  public:
   explicit Input(GLFWwindow* window) : window_(window) {
@@ -193,7 +193,7 @@ class Input {
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { told(w); });
 #if IMGUI_VERSION_NUM < 18700
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { told(w); });
-#else  // places of the pointer are told as they come, and so in px of the layout
+#else  // pointer events are passed on at once, and so in px of the layout
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
       const double to_px = told(w).to_px_;
       ImGui::GetIO().AddMousePosEvent(static_cast<float>(to_px * x), static_cast<float>(to_px * y));
@@ -204,12 +204,12 @@ class Input {
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
 
-  /// Some keys have not been seen yet.
+  /// Whether some keys have not been seen yet.
   bool waiting() const { return !waiting_.empty(); }
-  /// Whether anything has come since this was last asked.
+  /// Whether any event has come since the last call.
   bool came() { return std::exchange(came_, false); }
-  /// Starts a frame, in a layout with `scale` framebuffer pixels a px. It sees one key come, and never one key go and
-  /// come again.
+  /// Starts a frame, in a layout with `scale` framebuffer pixels per px. It sees one key pressed, and never one key
+  /// released and pressed again.
   void new_frame(double scale) {
     std::set<int> gone;
     for (bool pressed = false; waiting() && !pressed;) {
@@ -252,12 +252,12 @@ class Input {
 #if IMGUI_VERSION_NUM < 18700
 void Input::tell(const KeyEvent& e) { ImGui_ImplGlfw_KeyCallback(window_, e.code, e.scancode, e.action, e.modifiers); }
 #else
-/// Not through Dear ImGui's back end, which asks what modifiers are down by now.
+/// Passes an event on; not through Dear ImGui's back end, which takes the modifiers that are down by now.
 void Input::tell(const KeyEvent& e) {
   ImGuiIO& io = ImGui::GetIO();
   const bool down = e.action == GLFW_PRESS;
   const auto modifier = [&](ImGuiKey mod, int bit, int left, int right) {
-    const bool itself = e.code == left || e.code == right;  // of which `modifiers` tells how it was before
+    const bool itself = e.code == left || e.code == right;  // for it `modifiers` tells the state before
     io.AddKeyEvent(mod, itself ? down : (e.modifiers & bit) != 0);
   };
   modifier(ImGuiMod_Ctrl, GLFW_MOD_CONTROL, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
@@ -267,7 +267,7 @@ void Input::tell(const KeyEvent& e) {
 }
 #endif
 
-/// GLFW speaks of window coordinates; the layout has px of its own.
+/// Converts GLFW's window coordinates to px of the layout.
 void Input::to_layout(double scale) {
   int width = 1, height = 1, pixels_across = 1, pixels_down = 1;
   glfwGetWindowSize(window_, &width, &height);
@@ -279,7 +279,7 @@ void Input::to_layout(double scale) {
   if (width > 0) to_px_ = pixels_across / (width * scale);
 }
 
-/// The state in its file. It is written whenever all has been at rest for a while, too, so that no crash loses it.
+/// The state in its file. It is also written whenever all has been at rest for a while, so that no crash loses it.
 class KeptState {
  public:
   KeptState(std::string file, const Window& window, const WindowUi& ui)
@@ -294,7 +294,7 @@ class KeptState {
     try {
       write_settings(file_, settings);
     } catch (const FileError&) {
-      // A state folder that can't be written is no reason to end badly: the next run starts from the defaults.
+      // A state folder that can't be written is no reason to fail: the next run starts from the defaults.
     }
   }
 

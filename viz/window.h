@@ -12,14 +12,14 @@
 
 namespace isect::viz {
 
-/// No window without a display: says so and names what to do instead.
+/// Thrown if there is no display for the window; the message names what to do instead.
 struct NoDisplay : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Opens the window at `at` and returns when it is closed. What the reader must hear of beside, such as a state file
-/// that is damaged, is shown there and given to `say`. `save_scene` writes a setting into the file of the lesson that
-/// is made from one, which is then as if made from that; null: there is none. Throws NoDisplay.
+/// Opens the window at `at` and returns when it is closed. Messages for the user, such as that a state file is damaged,
+/// are shown there and passed to `say`. `save_scene` writes a setting into the scene file of the lesson, which is then
+/// as if made from that; null: there is no file. Throws NoDisplay.
 void show(const std::vector<const Lesson*>&, const Course&, const Place& at,
           const std::function<void(const std::string&)>& say = {},
           const std::function<void(const Parameters&)>& save_scene = {});

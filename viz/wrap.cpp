@@ -1,4 +1,4 @@
-// Lines of words, by whatever measures texts: Pango, or the table of a font where there is none.
+// Lines of words, measured by Pango, or by the table of a font if there is no Pango.
 
 #include "viz/rich_text.h"
 #include "viz/text.h"

@@ -1,11 +1,11 @@
 #pragma once
-// Whether a file can be written, asked before there is anything to write.
+// Whether a file can be written, checked before there is anything to write.
 
 #include <string>
 
 namespace isect::viz {
 
-/// Throws the FileError of write_file (viz/files.h) as far as it is known beforehand. Makes the folder, as that does.
+/// Throws the FileError of write_file (viz/files.h) as far as it can be foreseen. Makes the folder, as write_file does.
 void need_writable(const std::string& path);
 
 }  // namespace isect::viz

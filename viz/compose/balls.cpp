@@ -13,7 +13,7 @@ namespace {
 
 bool same(const Ball& a, const Ball& b) { return a.center == b.center && a.radius == b.radius; }
 
-/// The circle in space whose picture is the ball's outline.
+/// Returns the circle in space whose picture is the ball's outline.
 std::vector<Stretch> silhouette(const Canvas& c, int index) {
   const Ball& b = c.occluders.balls[index];
   const Rim circle = rim(b, c.view);

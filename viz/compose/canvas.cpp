@@ -11,7 +11,7 @@
 
 namespace isect::viz {
 
-/// In front of a mesh of more of them lines are drawn whole: each is held to each facet.
+/// Above this many facets, a mesh hides no lines: each line is tested against each facet.
 constexpr std::size_t most_facets = 5000;
 
 Colour mixed(const Colour& a, const Colour& b, double share) {
@@ -124,7 +124,7 @@ void Canvas::plain_line(const std::vector<Vec2>& points, bool closed, Role role,
     lines.emplace_back(Stroke{polyline(points, closed), theme.ink(Role::text), w + 2 * sizes().hairline, {0, 0}, true});
   std::array<double, 2> dash = {0, 0};
   if (pen == Pen::construction) dash = sizes().construction_dash;
-  if (pen == Pen::excluded) {  // a gap in what lies below, which is most often the ray
+  if (pen == Pen::excluded) {  // a gap in what lies below, mostly the ray
     dash = {1.5 * w, w};
     lines.emplace_back(Stroke{polyline(points, closed), theme.background, w + 2 * sizes().hairline, {0, 0}, false});
   }
@@ -173,7 +173,7 @@ void draw(Canvas& c, const Heading& it) {
   if (room > 0 && !has_one_size(c.theme) && box.right - box.left > room) text.size *= room / (box.right - box.left);
   text.at.y() += 0.34 * text.size;  // half the height of capitals, so that headings side by side share a baseline
   box = measure(text);
-  for (const Handle& handle : c.scene.handles)  // which would cover it: it stands beside, as labels do
+  for (const Handle& handle : c.scene.handles)  // a handle would cover it: it moves aside, as labels do
     if (c.handles && holds(grown(box, c.sizes().handle_ring), c.at(handle.at))) {
       c.labels.push_back({it.text, c.at(it.at), c.at(it.at), c.sizes().handle_ring, text.colour});
       return;
@@ -186,7 +186,7 @@ void draw(Canvas& c, const Heading& it) {
 
 namespace {
 
-/// Whether something is marked where the handle stands, so that its own disc would cover what is told there.
+/// Whether a marker stands at the handle's place, so that the handle's own disc would cover what the marker says.
 bool has_mark(const Canvas& c, const Handle& handle) {
   return std::ranges::any_of(c.scene.items, [&](const Item& item) {
     const Dot* dot = std::get_if<Dot>(&item);

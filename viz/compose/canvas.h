@@ -1,6 +1,6 @@
 #pragma once
-// What the items of a scene are drawn on: layers in painter's order, and what labels keep off. Each family of items
-// has a file of its own beside this one.
+// The canvas on which the items of a scene are drawn: layers in painter's order, and obstacles for labels. Each family
+// of items has a file of its own beside this one.
 
 #include <array>
 #include <cmath>
@@ -28,17 +28,17 @@ class Canvas {
   Occluders occluders;                      ///< balls far to near, those of capsules left out
   std::vector<Triangle<double, 3>> facets;  ///< of meshes: they hide the lines and arrows that have names
   std::vector<int> ball_items;              ///< the place of each of them among the scene's items
-  std::vector<int> capsule_items;           ///< that of each capsule's axis
+  std::vector<int> capsule_items;           ///< the place of each capsule's axis
 
   // Painter's order: floor, curved fills and rasters, hidden lines, what lies within solids, their front faces, visible
   // lines, markers.
   std::vector<Shape> ground, fills, hidden, contents, fronts, lines, marks;
   std::vector<Wanted> labels;
   std::vector<Obstacle> obstacles;
-  std::vector<PlacedLabel> placed;  ///< texts that stand where they stand
+  std::vector<PlacedLabel> placed;  ///< texts with fixed places
 
   std::array<std::vector<Shape>*, 7> layers() { return {&ground, &fills, &hidden, &contents, &fronts, &lines, &marks}; }
-  /// Calls `draw`, and all that it draws belongs to `object`.
+  /// Calls `draw`, and assigns all that it draws to `object`.
   template <class Draw>
   void own(int object, const Draw& draw) {
     std::array<std::size_t, 7> before;
@@ -51,37 +51,37 @@ class Canvas {
 
   const Sizes& sizes() const { return theme.sizes; }
   Vec2 at(const Vec3& p) const { return view.project(p).at; }
-  /// From the eye on, in steps so small that they only keep equal depths equal, whatever the machine rounds.
+  /// Returns the distance from the eye, rounded so finely that this only keeps equal depths equal on every machine.
   double depth(const Vec3& p) const { return std::round(view.project(p).depth / (1e-9 * view.camera().half_height)); }
   std::vector<Vec2> projected(const std::vector<Vec3>&) const;
 
-  /// The line's width on the picture.
+  /// Returns the line's width on the picture.
   double width(Pen, Role) const;
-  /// Labels keep off the chain of points.
+  /// Makes labels keep off the chain of points.
   void block(const std::vector<Vec2>&, double radius, bool firm);
-  /// The parts of a curve, dashed and thinner where hidden.
+  /// Draws the parts of a curve, dashed and thinner where hidden.
   void curve(const std::vector<Stretch>&, const Colour&, double width, bool firm);
-  /// A line on the picture in a pen that is never hidden.
+  /// Draws a line on the picture in a pen that is never hidden.
   void plain_line(const std::vector<Vec2>&, bool closed, Role, Pen);
-  /// Whether the parts of a line in this pen behind something are dashed. `split_thick`: also the thick ones.
+  /// Whether a line in this pen is dashed where something hides it. `split_thick`: thick pens, too.
   static bool is_split(Pen pen, bool split_thick) {
     return pen == Pen::solid || (split_thick && (pen == Pen::thick || pen == Pen::highlight));
   }
-  /// What hides an object's lines between these points: not what they are the contents of. What is shared, or bold, is
-  /// no object.
+  /// Returns what hides an object's lines between these points: not the bodies that contain them. Shared or bold lines
+  /// belong to no object: every body hides them.
   Occluders around(const std::vector<Vec3>& points, Role, Pen) const;
   std::vector<Stretch> seen(const std::vector<Vec3>& points, bool closed, Role, Pen) const;
-  /// The radius to keep off the marker at `p`, 0 where there is none.
+  /// Returns the radius that labels keep off the marker at `p`, 0 where there is none.
   double dot_radius(const Vec3& p) const;
 
  private:
   void find_capsules();
 };
 
-/// A flat area of this role, hatched where the theme says so.
+/// Returns a flat area of this role, hatched where the theme says so.
 Fill area(const Canvas&, const Path& outline, Role);
 
-// One function a kind of item. `draw` draws it whole, fill and lines.
+// One function for each kind of item. `draw` draws it whole, fill and lines.
 void draw_floor(Canvas&);
 void draw_ball(Canvas&, int index);           ///< into canvas.occluders.balls
 void draw_capsule(Canvas&, int index, Role);  ///< into canvas.occluders.capsules

@@ -1,4 +1,4 @@
-// The floor of the window's themes: a fading grid, soft shadows where things stand, drop lines.
+// The floor in the window's themes: a fading grid, soft shadows below the objects, and drop lines.
 
 #include <algorithm>
 #include <cmath>
@@ -8,13 +8,13 @@
 namespace isect::viz {
 namespace {
 
-/// What stands on the floor: its middle, the radius of its shadow, its lowest point.
+/// An object that stands on the floor: its middle, the radius of its shadow, its lowest point.
 struct Standing {
   Vec3 middle;
   double radius, lowest;
 };
 
-/// A shadow as large as the rectangle round the vertices, seen from above.
+/// Returns a shadow as large as the rectangle around the vertices, seen from above.
 Standing standing(const std::vector<Vec3>& vertices) {
   Vec3 lo = Vec3::Constant(INFINITY), hi = Vec3::Constant(-INFINITY);
   for (const Vec3& p : vertices) lo = lo.cwiseMin(p), hi = hi.cwiseMax(p);
@@ -83,7 +83,7 @@ void drop_line(Canvas& c, const Dot& dot, double level) {
 
 }  // namespace
 
-/// The floor touches the lowest thing in the scene. Its grid fades into the background, so it needs no edge.
+/// Draws the floor at the lowest point of the scene. Its grid fades into the background, so it needs no edge.
 void draw_floor(Canvas& c) {
   const std::vector<Standing> things = all_standing(c);
   double lowest = INFINITY;

@@ -10,7 +10,7 @@
 namespace isect::viz {
 namespace {
 
-/// What hides it, with those facets of meshes that the eye sees on both sides of it.
+/// Returns what hides the line, and those facets of meshes that the eye sees on both sides of it.
 Occluders with_facets(const Canvas& c, const Vec3& from, const Vec3& to, Role role, Pen pen) {
   Occluders all = c.around({from, to}, role, pen);
   const Vec2 p = c.at(from), q = c.at(to), lo = p.cwiseMin(q), hi = p.cwiseMax(q);
@@ -34,7 +34,7 @@ void segment(Canvas& c, const Vec3& from, const Vec3& to, Role role, Pen pen, bo
     c.plain_line({c.at(from), c.at(to)}, false, role, pen);
 }
 
-/// What of a line in yellow is seen gets an edge, as one that is never hidden has (Canvas::plain_line).
+/// Gives the visible parts of a yellow line an edge, as lines that are never hidden have (Canvas::plain_line).
 void edge(Canvas& c, const std::vector<Stretch>& parts, double width) {
   if (c.theme.name == ThemeName::dark) return;
   for (const Stretch& part : parts)
@@ -43,8 +43,8 @@ void edge(Canvas& c, const std::vector<Stretch>& parts, double width) {
           polyline(c.projected(part.points)), c.theme.ink(Role::text), width + 2 * c.sizes().hairline, {0, 0}, true});
 }
 
-/// An arrow head at `to` that keeps `keep_off` pixels off it, larger on a broad line. An arrow towards the eye has
-/// none.
+/// An arrow head at `to` that keeps `keep_off` pixels off it, larger on a broad line. An arrow towards the eye has no
+/// head.
 class Head {
  public:
   Head(const Canvas& c, const Vec3& from, const Vec3& to, double keep_off, Role role, Pen pen)
@@ -58,10 +58,10 @@ class Head {
     shown_ = length_ > 1.2 * size_ + keep_off;
   }
 
-  /// Where the line must end so that the head covers its end.
+  /// Returns where the line must end so that the head covers its end.
   Vec3 line_end() const { return shown_ ? before_end(keep_off_ + 0.8 * size_) : to_; }
 
-  /// Before the line, which covers it at the head's base (Canvas::plain_line has the same edge).
+  /// Call it before the line, which covers it at the head's base (Canvas::plain_line has the same edge).
   void draw_edge(Canvas& c) const {
     if (shown_ && edged_)
       c.lines.emplace_back(Stroke{path(c), c.theme.ink(Role::text), 2 * c.sizes().hairline, {0, 0}, true});

@@ -1,4 +1,4 @@
-// Rasters: few cells with sharp edges. Cells alike that touch become one outline, so that a vector file stays small.
+// Rasters: few cells with sharp edges. Equal cells that touch become one outline, so that a vector file stays small.
 
 #include <algorithm>
 #include <map>
@@ -17,15 +17,15 @@ Look look_of(const Cell& cell) {
   return {cell.role, static_cast<int>(std::lround(16 * std::clamp(*cell.light, 0.0, 1.0)))};
 }
 
-/// How much of the role's ink a cell has. What is lit is bright: little ink on paper, much of it on a dark screen.
+/// Returns a cell's share of the role's ink. Lit cells are bright: little ink on paper, much on a dark screen.
 double share_of(const Look& look, ThemeName theme) {
   if (look.second >= 0) return 0.2 + 0.05 * (theme == ThemeName::dark ? look.second : 16 - look.second);
   if (look.first == Role::grid) return 0.5;
   return look.first == Role::first || look.first == Role::second ? 0.26 : 1;
 }
 
-/// Where grey print cannot tell two colours apart: the second object has dark lines, a hit light ones on black, and
-/// "on" is left white.
+/// Returns a cell's fill. Where grey print cannot tell two colours apart, the second object has dark lines, a hit light
+/// ones on black, and "on" is left white.
 Fill filled(const Canvas& c, const Look& look) {
   const double share = share_of(look, c.theme.name);
   const Colour ink = c.theme.ink(look.first), &paper = c.theme.background;

@@ -24,7 +24,7 @@ void draw(Canvas& c, const Region& it) {
     for (const Vec3& corner : ring)  // under the other markers, without a halo
       c.lines.emplace_back(Fill{circle(c.at(corner), 0.75 * c.sizes().disc), c.theme.ink(it.role), 0, 0, {}});
   }
-  if (!behind) return;  // else its outline ends at theirs, and would cut into them
+  if (!behind) return;  // if behind, its outline ends at theirs and would cut into them
   std::move(c.lines.begin() + drawn, c.lines.end(), std::back_inserter(c.ground));
   c.lines.erase(c.lines.begin() + drawn, c.lines.end());
 }

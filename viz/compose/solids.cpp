@@ -12,13 +12,13 @@
 namespace isect::viz {
 namespace {
 
-/// How directly the light, from the upper left in front, falls on a face: 0 (from behind) to 1.
+/// Returns how directly the light, from the upper left in front, falls on a face: 0 (from behind) to 1.
 double lit(const Vec3& normal) {
   static const Vec3 light = Vec3(-0.35, 0.85, 0.55).normalized();
   return std::clamp(normal.dot(light), 0.0, 1.0);
 }
 
-/// The lighter a face, the less ink. What two objects share is dense from all sides.
+/// Returns the opacity: the lighter a face, the less ink. What two objects share is dense on all sides.
 double alpha(const Theme& theme, Role role, double light) {
   if (role == Role::hit) return theme.overlap_alpha * (1.3 - 0.5 * light);
   return theme.fill_alpha * (1.9 - 1.45 * light);
@@ -30,10 +30,10 @@ Vec3 middle(const std::vector<Vec3>& points) {
   return sum / static_cast<double>(std::max<std::size_t>(points.size(), 1));
 }
 
-/// In larger meshes no solid is looked for: every frame would search them anew.
+/// Larger meshes are not searched for solids: every frame would search them again.
 constexpr std::size_t most_searched = 5000;
 
-/// Whether all of the solid is seen against a mesh, whose shades may be as dark as its edges.
+/// Whether the whole solid is seen against a mesh, whose shades may be as dark as the solid's edges.
 bool is_seen_on_a_mesh(const Canvas& c, const Solid& solid) {
   const std::vector<Vec2> points = c.projected(solid.vertices);
   return std::ranges::any_of(c.scene.items, [&](const Item& item) {
@@ -70,19 +70,19 @@ void faces(Canvas& c, const Solid& solid, const Shell& shell) {
   }
 }
 
-/// An edge between two faces of one plane is none.
+/// Whether an edge counts as one: an edge between two coplanar faces does not.
 bool is_edge(const Shell& shell, const Shell::Edge& edge) {
   if (edge.faces.size() != 2) return true;
   const Vec3 &a = shell.normals[edge.faces[0]], &b = shell.normals[edge.faces[1]];
   return !(a.dot(b) > 1 - 1e-12);
 }
-/// Where the side of a round solid bends: the faces beside the edge are sides, of which there are two in a quarter turn
-/// at least.
+/// Whether the side of a round solid bends here: both faces beside the edge are sides, of which a quarter turn has at
+/// least two.
 bool is_bend(const Shell& shell, const Shell::Edge& edge) {
   return edge.faces.size() == 2 && shell.normals[edge.faces[0]].dot(shell.normals[edge.faces[1]]) > 0.75;
 }
 
-/// From so many edges on a solid is round: only its silhouette is drawn strong, and its far side not at all.
+/// Above this many edges a solid counts as round: only its silhouette is drawn strong, and its far side not at all.
 constexpr std::size_t fine_from = 60;
 
 bool is_silhouette(const Shell& shell, const Shell::Edge& edge, const View& view) {
@@ -90,7 +90,7 @@ bool is_silhouette(const Shell& shell, const Shell::Edge& edge, const View& view
   return edge.faces.size() != 2 || shell.normals[edge.faces[0]].dot(eye) * shell.normals[edge.faces[1]].dot(eye) <= 0;
 }
 
-/// Where an edge of a convex solid lies on it, as the eye sees it.
+/// Whether an edge of a convex solid is on its front or on its back, as the eye sees it.
 enum class Side { front, back, unclear };
 Side side_of(const Shell& shell, const Shell::Edge& edge, const View& view) {
   constexpr double least = 1e-9;
@@ -104,7 +104,7 @@ Side side_of(const Shell& shell, const Shell::Edge& edge, const View& view) {
   return back ? Side::back : Side::unclear;
 }
 
-/// Number `index` of the scene's solids: faces and edges.
+/// Draws faces and edges of number `index` of the scene's solids.
 void draw_solid(Canvas& c, const Solid& solid, int index) {
   const Shell& shell = c.occluders.solids[index];
   faces(c, solid, shell);
@@ -166,7 +166,7 @@ void draw(Canvas& c, const Mesh& it) {
       for (int k = 0; k < 3; ++k)
         edges.emplace_back(it.triangles[f.triangle][k], it.triangles[f.triangle][(k + 1) % 3]);
     std::ranges::sort(edges);
-    for (const auto& [from, to] : edges)  // no neighbour is seen; facets then hide what lies before others
+    for (const auto& [from, to] : edges)  // the outline; later the facets hide what of it lies before others
       if (!std::ranges::binary_search(edges, std::pair(to, from)))
         c.contents.emplace_back(Stroke{.path = polyline({seen[from], seen[to]}),
                                        .colour = ink,

@@ -5,7 +5,7 @@
 
 namespace isect::viz {
 
-/// The file that fontconfig finds for a pattern such as "DejaVu Sans:bold"; empty if there is none.
+/// Returns the file that fontconfig finds for a pattern such as "DejaVu Sans:bold"; empty if there is none.
 std::string font_file(const std::string& pattern);
 
 }  // namespace isect::viz

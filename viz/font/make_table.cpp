@@ -17,11 +17,11 @@ constexpr std::pair<unsigned, unsigned> wanted[] = {
     {0x20, 0x7E},     {0xA0, 0xFF},     {0x131, 0x131},   {0x394, 0x3D6},   {0x2009, 0x200A},
     {0x2010, 0x2026}, {0x202F, 0x202F}, {0x2032, 0x2033}, {0x2070, 0x209C}, {0x2190, 0x21D4},
     {0x2200, 0x22C6}, {0x2308, 0x230B}, {0x25A0, 0x25E6}, {0x2713, 0x2718}, {0xFB00, 0xFB04}};
-/// Those that stand beside each other in words, numbers and formulas.
+/// Characters that stand beside each other in words, numbers and formulas: their kerning is measured.
 constexpr std::pair<unsigned, unsigned> neighbours[] = {
     {0x20, 0x7E}, {0x2019, 0x2019}, {0x2212, 0x2212}, {0xFB00, 0xFB04}};
 
-/// Signs that the font lacks and other fonts stand in for, as Pango chooses.
+/// Signs that the font lacks; Pango takes them from other fonts.
 constexpr std::pair<unsigned, unsigned> lent[] = {
     {0x2009, 0x200A}, {0x202F, 0x202F}, {0x2070, 0x2070}, {0x2074, 0x208E}, {0x2713, 0x2717}};
 
@@ -54,7 +54,7 @@ int advance(hb_font_t* font, unsigned a, unsigned b) {
   return sum;
 }
 
-/// A sign that Pango finds elsewhere: those are neither slanted nor bold in our texts.
+/// Measures a sign that Pango takes from another font: those are neither slanted nor bold in our texts.
 std::string measured(unsigned code) {
   const std::string sign = {static_cast<char>(0xE0 | code >> 12), static_cast<char>(0x80 | (code >> 6 & 63)),
                             static_cast<char>(0x80 | (code & 63))};
@@ -67,7 +67,7 @@ std::string measured(unsigned code) {
                      ink.right, -ink.top);
 }
 
-/// Inside a literal between such quotes.
+/// Writes a character for a literal between such quotes.
 std::string letter(unsigned code, char quote) {
   if (code >= 0x7F) return fmt::format("\\u{:04x}", code);
   const char c = static_cast<char>(code);

@@ -12,7 +12,7 @@
 namespace isect::viz {
 namespace {
 
-/// The name that the font's licence reserves, and ours, of the same length.
+/// The name that the font's licence reserves, and our own, of the same length.
 constexpr std::string_view reserved = "STIXGeneral", own_name = "IsectLetter";
 
 template <auto destroy>
@@ -24,7 +24,7 @@ using Owned = std::unique_ptr<T, Destroy<destroy>>;
 using Blob = Owned<hb_blob_t, hb_blob_destroy>;
 using FontFace = Owned<hb_face_t, hb_face_destroy>;
 
-/// As fontconfig calls it.
+/// Returns the face's pattern for fontconfig.
 std::string pattern_of(Face face) {
   const std::string style = face == Face::italic ? ":italic" : face == Face::bold ? ":bold" : "";
   return std::string(reserved) + style;

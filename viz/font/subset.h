@@ -1,5 +1,5 @@
 #pragma once
-// The letters of figures as a font of their own, for pages that bring it along.
+// The letters of figures as a font of their own, for pages that embed it.
 
 #include <optional>
 #include <string>
@@ -12,8 +12,8 @@ struct FontSubset {
   std::string bytes;   ///< an OpenType font with these letters, called "IsectLetter" inside
   std::string notice;  ///< copyright, trademark and licence as the font states them
 };
-/// Those of `letters` (UTF-8) that the font of figures has. None where that font is not STIX, whose licence allows it
-/// under another name.
+/// Returns a font of those `letters` (UTF-8) that the font of figures has. None where that font is not STIX, whose
+/// licence allows this under another name.
 std::optional<FontSubset> font_subset(Face, const std::string& letters);
 
 }  // namespace isect::viz

@@ -13,12 +13,12 @@
 namespace isect::viz {
 namespace {
 
-/// In thousandths of the font's size: the advance, and the box of the ink, upwards from the baseline.
+/// A glyph in thousandths of the font's size: the advance, and the box of the ink, upwards from the baseline.
 struct GlyphBox {
   char32_t code;
   short advance, left, bottom, right, top;
 };
-/// A character and those that stand nearer to it, or farther from it, where they follow.
+/// A character, and the characters that are moved nearer to it, or farther away, when they follow it.
 struct Kern {
   char32_t first;
   short by;
@@ -27,7 +27,7 @@ struct Kern {
 
 #include "viz/font/table.inc"
 
-/// What the table calls letters that are one glyph: "ff", "fi", "fl", "ffi", "ffl".
+/// Letters for which the table has one glyph: "ff", "fi", "fl", "ffi", "ffl".
 constexpr std::array<std::pair<std::u32string_view, char32_t>, 5> ligatures = {
     {{U"ffi", 0xFB03}, {U"ffl", 0xFB04}, {U"ff", 0xFB00}, {U"fi", 0xFB01}, {U"fl", 0xFB02}}};
 
@@ -56,7 +56,7 @@ FaceTable face(bool italic, bool bold) {
   return {upright_glyphs, upright_kerns};
 }
 
-/// The codes of a run's glyphs: a ligature is one.
+/// Returns the codes of a run's glyphs; a ligature is one glyph.
 std::u32string glyphs_of(const Run& run, const FaceTable& font) {
   const std::u32string all = code_points(run.text);
   std::u32string codes;

@@ -1,5 +1,5 @@
 #pragma once
-// What the parts of a trace share: ordered JSON, and access that never fails.
+// Shared by the parts of a trace: ordered JSON, and access that never fails.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -8,10 +8,10 @@ namespace isect::viz::snap {
 
 using Json = nlohmann::ordered_json;
 
-/// Text as it is, everything else as JSON.
+/// Returns a text as it is, everything else as JSON.
 inline std::string shown(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
-/// The member `key`; the text "absent" where there is none.
+/// Returns the member `key`; the text "absent" if there is none.
 inline const Json& at(const Json& object, const std::string& key) {
   static const Json absent = "absent";
   return object.is_object() && object.contains(key) ? object.at(key) : absent;

@@ -11,7 +11,7 @@
 namespace isect::viz::snap {
 namespace {
 
-/// To this many decimals; a whole number without any.
+/// Rounds to this many decimals; a whole number has none.
 Json rounded(double x, int decimals) {
   const double unit = std::pow(10.0, decimals), scaled = std::round(x * unit);
   if (!std::isfinite(scaled)) return "no number";
@@ -28,7 +28,7 @@ Json place(const Vec2& p) { return places({p.x(), p.y()}); }
 
 using Tint = std::array<double, 4>;  ///< red, green, blue, alpha, each up to 255
 Tint tint(const Colour& c) { return {255 * c.r, 255 * c.g, 255 * c.b, 255 * c.a}; }
-/// "#0b60c8", with the alpha behind it where it is not opaque; a list where a channel is no whole number.
+/// Returns "#0b60c8", followed by the alpha if it is not opaque; a list if a channel is no whole number.
 Json json_of(const Tint& t, int decimals = 1) {
   const bool whole = std::all_of(t.begin(), t.begin() + 3, [](double x) { return std::abs(x - std::round(x)) < 1e-6; });
   if (!whole) {
@@ -40,8 +40,8 @@ Json json_of(const Tint& t, int decimals = 1) {
   return t[3] == 255 ? hex : fmt::format("{} {}", hex, rounded(t[3], decimals).dump());
 }
 
-/// Box, length, middle and slant of lines, by their length: what tells a figure from one that is moved, larger, turned
-/// or mirrored.
+/// Box, length, middle and slant of lines, weighted by length: they tell a figure from one that is moved, larger,
+/// turned or mirrored.
 class Extent {
  public:
   void add(const Path& path) {
@@ -92,7 +92,7 @@ class Extent {
   int count_ = 0;
 };
 
-/// The style of a shape: what must be the same for two shapes to be told as one part. Its colour is told apart.
+/// The style of a shape: what two shapes of one part must have in common. Colours are compared separately.
 Json style(const Fill& f) {
   Json s = {{"draws", "fill"}};
   if (f.hatch_gap > 0) {
@@ -121,7 +121,7 @@ Json style(const Text& t) {
   return s;
 }
 
-Json style(const Facets&) { return {}; }  // never asked: look() expands them
+Json style(const Facets&) { return {}; }  // never called: look() expands them
 
 Colour colour_of(const Gradient& g) { return g.inner; }
 Colour colour_of(const Facets&) { return {}; }
@@ -143,13 +143,13 @@ void measure_into(Extent& e, const Gradient& g) { e.add(ellipse(g.center, g.majo
 void measure_into(Extent&, const Text&) {}
 void measure_into(Extent&, const Facets&) {}
 
-/// Shapes of one style, as many as follow each other within one object.
+/// Consecutive shapes of one style within one object.
 struct Part {
   Json style;
-  std::string key;  ///< the style, and the colour where colours are told apart
+  std::string key;  ///< the style, and the colour unless the object is shaded
   Extent extent;
   bool shaded;
-  Tint colour = {};  ///< by length
+  Tint colour = {};  ///< weighted by length
   double weight = 0;
 
   Part(const Shape& shape, bool is_shaded)
@@ -166,7 +166,7 @@ struct Part {
     for (std::size_t i = 0; i < colour.size(); ++i) colour[i] += other.colour[i];
     weight += other.weight;
   }
-  /// The mean of a shaded object is kept to thousandths: one tint of hundreds hardly moves it.
+  /// Returns the part. A shaded object's mean is kept to thousandths: one tint of hundreds hardly moves it.
   Json told() const {
     Json part = style;
     Tint mean = colour;
@@ -179,7 +179,7 @@ struct Part {
   }
 };
 
-/// Objects of more colours than this are shaded, and told by the mean.
+/// Objects of more colours than this are shaded: only their mean colour is recorded.
 constexpr std::size_t most_colours = 8;
 
 std::string name_in(const Drawing& drawing, int object) {
@@ -187,16 +187,16 @@ std::string name_in(const Drawing& drawing, int object) {
   return known ? full_name(drawing.objects[object]) : "rest";
 }
 
-/// What follows each other in the paint order of one object.
+/// Consecutive parts of one object in the paint order.
 struct Run {
   int object = no_object;
   std::vector<Part> parts;
 };
 
-/// An object painted in more turns than this lies among others like a mosaic: its parts are told as one.
+/// An object painted in more turns than this lies among others like a mosaic: its parts are merged into one.
 constexpr std::size_t most_runs = 6;
 
-/// Into the part of the same style, or as a new one.
+/// Adds it to the part of the same style, or as a new part.
 void join(std::vector<Part>& parts, const Part& part) {
   const auto same = std::ranges::find(parts, part.key, &Part::key);
   if (same == parts.end())

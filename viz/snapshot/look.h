@@ -1,12 +1,12 @@
 #pragma once
-// A look: what a drawing shows, by its objects, in numbers that no machine gives otherwise.
+// A look: what a drawing shows, by its objects, in numbers that are the same on every machine.
 //
 //   {"order": ["floor grid", "ball b", "line t", "ball b", "label r"],
 //    "objects": {"ball b": {"role": "second", "parts": [{"draws": "stroke", "box": [...], ...}, ...]}, ...}}
 //
-// `order` is the paint order. A part is what follows each other in it of one object in one style. Places are in pixels
-// to two decimals, texts stand at their anchors (their extents are the font's), and two looks are compared with a
-// tolerance, so a number on the edge between two roundings never tells.
+// `order` is the paint order. A part is a run of shapes in it of one object in one style. Places are in pixels to two
+// decimals, texts stand at their anchors (their extents are the font's), and two looks are compared with a tolerance,
+// so a number on the edge between two roundings makes no difference.
 
 #include <string>
 #include <vector>
@@ -18,13 +18,13 @@ namespace isect::viz::snap {
 
 Json look(const Drawing&);
 
-/// What leads from one look to the next: objects that look otherwise, null for those that are gone, the order if it is
-/// another. `after` undoes it; a damaged change makes no more than a wrong look.
+/// Returns what leads from one look to the next: objects that look different, null for those that are gone, the order
+/// if it changed. `after` applies it; a damaged change can only give a wrong look.
 Json change(const Json& before, const Json& after);
 Json after(Json before, const Json& change);
 
-/// What differs, in words, what explains most first: what is gone or new, then what moved, then styles and paint order.
-/// Empty where no eye sees a difference.
+/// Returns the differences in words, those that explain most first: what is gone or new, then what moved, then styles
+/// and paint order. Empty if no eye sees a difference.
 std::vector<std::string> differences(const Json& was, const Json& is);
 
 }  // namespace isect::viz::snap

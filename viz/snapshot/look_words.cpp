@@ -1,4 +1,4 @@
-// Two looks compared: what became of each object, in words.
+// Compares two looks: tells what happened to each object, in words.
 
 #include <fmt/format.h>
 
@@ -14,25 +14,25 @@
 namespace isect::viz::snap {
 namespace {
 
-/// What is said of an object, what explains most first.
+/// What may be said of an object, ordered by how much it explains.
 enum class Said { gone, fresh, text, moved, size, shape, role, style, order };
 
 struct Saying {
   Said kind;
   std::string subject, verb;  ///< "the ball b", "moved"
   double pixels = 0;          ///< how far, where that is said
-  std::string what = {};      ///< of the subject the verb is said: "width"; empty: of itself
+  std::string what = {};      ///< the subject's part that the verb is about: "width"; empty: the subject itself
 };
 
 bool is_colour(const std::string& key) { return key.ends_with("colour") || key == "rim"; }
 
-/// One of a list of numbers; NaN where there is none.
+/// Returns one of a list of numbers; NaN if there is none.
 double number(const Json& list, std::size_t i) {
   return list.is_array() && i < list.size() && list[i].is_number() ? list[i].get<double>() : NAN;
 }
 
-/// Two steps of what is kept: places to a hundredth of a pixel, tints to a tenth of a level, pens and the means of many
-/// tints to a thousandth.
+/// Returns a tolerance of two steps of the recorded precision: a hundredth of a pixel for places, a tenth of a level
+/// for tints, a thousandth for pens and the means of many tints.
 double tolerance(const std::string& key) {
   if (key == "mean colour") return 0.0025;
   if (is_colour(key)) return 0.25;
@@ -40,7 +40,7 @@ double tolerance(const std::string& key) {
   return 0.025;
 }
 
-/// Red, green, blue and alpha, each up to 255, of "#0b60c8", "#0b60c8 35.7" or a list; empty if it is none.
+/// Returns red, green, blue, alpha, each up to 255, of "#0b60c8", "#0b60c8 35.7" or a list; else nothing.
 std::vector<double> tint_of(const Json& colour) {
   std::vector<double> tint;
   if (colour.is_array())
@@ -69,7 +69,7 @@ bool is_place(const std::string& key) {
   return key == "line" || key == "box" || key == "weight" || key == "focus" || key == "at" || key == "start";
 }
 
-/// Left, top, right, bottom of a part; empty for a text, whose extent is its font's.
+/// Returns left, top, right, bottom of a part; empty for a text, whose extent depends on its font.
 std::optional<std::array<double, 4>> box_of(const Json& part) {
   const Json& line = at(part, "line");
   const Json& box = line.is_array() ? line : at(part, "box");
@@ -78,7 +78,7 @@ std::optional<std::array<double, 4>> box_of(const Json& part) {
   return std::array{std::min(x0, x1), std::min(y0, y1), std::max(x0, x1), std::max(y0, y1)};
 }
 
-/// How far each of a part's points moved at most, and whether all moved alike.
+/// The largest distance that a part's points moved, and whether all moved alike.
 struct Motion {
   double most = 0;
   std::vector<Vec2> shifts;
@@ -109,7 +109,7 @@ std::string in_words(const Json& colour) {
   return t[3] == 255 ? text : text + fmt::format(" at {:.1f} %", t[3] / 2.55);
 }
 
-/// "is dashed now"; empty where it is told in values.
+/// Returns "is dashed now"; empty where values say it.
 std::string turn_of_style(const std::string& key, const Json& was, const Json& is) {
   const auto absent = [](const Json& j) { return j.is_string() && j == "absent"; };
   if (key == "dash" && absent(was)) return "is dashed now";
@@ -124,7 +124,7 @@ std::string style_value(const std::string& key, const Json& value) {
   return is_colour(key) ? in_words(value) : shown(value);
 }
 
-/// Collects what is said of one object.
+/// Collects what is to be said of one object.
 class Comparer {
  public:
   Comparer(const std::string& name, std::vector<Saying>& out) : subject_("the " + name), out_(out) {}
@@ -155,7 +155,7 @@ class Comparer {
     if (at(a, "text") == at(b, "text")) score += 4;
     return score;
   }
-  /// Pairs of parts that are most alike, in order; what has no partner stays.
+  /// Pairs the parts that are most alike, in order; parts without a partner stay.
   void match(std::vector<Json>& was, std::vector<Json>& is) {
     for (auto b = is.begin(); b != is.end();) {
       const auto a = std::max_element(was.begin(), was.end(),
@@ -200,7 +200,7 @@ class Comparer {
     }
   }
 
-  /// One saying for all parts: moved as a whole, larger, or of another shape.
+  /// Says one thing for all parts: moved as a whole, larger, or of another shape.
   void place() {
     if (!moved_) return;
     shape_said_ = true;
@@ -241,12 +241,12 @@ Bounds4 bounds_of(const Json& object) {
   return all;
 }
 
-/// Of texts the extent is not known, so that they may meet anything.
+/// Whether two objects meet; the extent of a text is unknown, so it may meet anything.
 bool meet(const Bounds4& a, const Bounds4& b) {
   return !a || !b || ((*a)[0] <= (*b)[2] && (*b)[0] <= (*a)[2] && (*a)[1] <= (*b)[3] && (*b)[1] <= (*a)[3]);
 }
 
-/// The places of each object in the paint order.
+/// Returns the places of each object in the paint order.
 std::map<std::string, std::vector<std::size_t>> places_in(const Json& order) {
   std::map<std::string, std::vector<std::size_t>> places;
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -254,7 +254,7 @@ std::map<std::string, std::vector<std::size_t>> places_in(const Json& order) {
   return places;
 }
 
-/// In turn, which of two objects is painted: "aab" for twice the first, then the second. Runs count once.
+/// Returns the order in which two objects are painted, as "ab" or "aba"; a run of one counts once.
 std::string turns(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
   std::string text;
   for (std::size_t i = 0, k = 0; i < a.size() || k < b.size();) {
@@ -265,7 +265,7 @@ std::string turns(const std::vector<std::size_t>& a, const std::vector<std::size
   return text;
 }
 
-/// Objects that meet and are painted in another order than before. The others' order is seen by no one.
+/// Reports objects that meet and are painted in another order than before. Nobody sees the order of the others.
 void compare_orders(const Json& was, const Json& is, std::vector<Saying>& out) {
   if (at(was, "order") == at(is, "order") || !at(was, "order").is_array()) return;
   const auto before = places_in(was["order"]), now = places_in(is["order"]);
@@ -302,7 +302,7 @@ std::string of_several(const std::string& verb) {
   return verb;
 }
 
-/// What is said of several objects alike becomes one sentence, the farthest moved first.
+/// Joins what is said of several objects alike into one sentence, the farthest moved first.
 std::vector<std::string> sentences(std::vector<Saying> sayings) {
   std::ranges::stable_sort(sayings, [](const Saying& a, const Saying& b) {
     return a.kind != b.kind ? a.kind < b.kind : a.pixels > b.pixels;

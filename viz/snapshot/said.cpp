@@ -12,10 +12,10 @@ namespace {
 
 std::string digits(double x) { return fmt::format("{:.9g}", x == 0 ? 0.0 : x); }  // -0 is 0
 
-/// How two numbers lie, exactly.
+/// Returns the relation of two numbers, exactly.
 std::string relation(double a, double b) { return a < b ? "<" : a > b ? ">" : a == b ? "=" : "?"; }
 
-/// "m² ≤ r²" -> {"m²", "r²"}: the names of both sides; the numbers stand in where there is no sign between
+/// Splits "m² ≤ r²" into {"m²", "r²"}, the names of both sides; returns the numbers if there is no sign between
 /// them.
 std::pair<std::string, std::string> sides(const Comparison& c) {
   const std::string text = plain(c.text);
@@ -43,7 +43,7 @@ Json told(const Counters& c) {
           {"sqrt", c.sqrt}, {"compare", c.compare}, {"early out", c.early_out}};
 }
 
-/// Name, value, unit, role, and whether it is lit.
+/// Returns name, value, unit, role, and whether it is lit.
 Json told(const Value& v) {
   Json list = {v.name, digits(v.value), v.unit, name_of(v.role)};
   if (v.fresh) list.push_back("fresh");

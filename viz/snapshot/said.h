@@ -1,5 +1,5 @@
 #pragma once
-// What a step says, as JSON, and what differs between two of them, in words.
+// What a step says, as JSON, and the differences between two steps, in words.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace isect::viz::snap {
 
-/// Everything but the scene. What is empty or false is left out; texts keep their markup.
+/// Returns everything but the scene. What is empty or false is left out; texts keep their markup.
 Json said(const Step&);
 Json said(const std::vector<Opinion>&);
 Json said(const std::vector<Exercise>&);
@@ -21,12 +21,12 @@ class Changes {
  public:
   void of_step(int step) { step_ = step; }
   void are_of(Change::Of what) { of_ = what; }
-  /// What is said already (a value that is also compared) is not said twice.
+  /// Adds a change, unless it was said already (a value that is also compared).
   void add(const std::string& what);
   void compare(const std::string& name, const Json& was, const Json& is);
-  /// A text with markup: shows the words around what differs.
+  /// Compares texts with markup: shows the words around the difference.
   void compare_texts(const std::string& name, const Json& was, const Json& is);
-  /// Every key of either object.
+  /// Compares every key of either object.
   void compare_all(const std::string& prefix, const Json& was, const Json& is);
   std::size_t count() const { return found_.size(); }
   std::vector<Change> take() { return std::move(found_); }

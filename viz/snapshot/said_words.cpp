@@ -10,7 +10,7 @@ namespace {
 
 std::string readable(const Json& value) { return value.is_string() ? plain(shown(value)) : shown(value); }
 
-/// Moves `at` to the start of a word (`forward`: to the end of one), or by a few words beyond.
+/// Moves `at` back to the start of a word (`forward`: on to the end of one), or by a few words beyond.
 std::size_t word_before(const std::string& text, std::size_t at, int words) {
   while (at > 0 && (text[at - 1] != ' ' || --words >= 0)) --at;
   return at;
@@ -20,7 +20,7 @@ std::size_t word_after(const std::string& text, std::size_t at, int words) {
   return at;
 }
 
-/// The words in which two texts differ, with two on either side, and dots where more was left out.
+/// Returns the words in which two texts differ, with two on either side, and dots where more was left out.
 std::pair<std::string, std::string> differing_words(const std::string& was, const std::string& is) {
   const std::size_t least = std::min(was.size(), is.size());
   std::size_t head = 0, tail = 0;
@@ -37,13 +37,13 @@ std::string left_relation(const Json& c) { return shown(at(c, "left")) + " " + s
 
 std::string both_sides(const Json& c) { return fmt::format("{} with {}", shown(at(c, "left")), shown(at(c, "right"))); }
 
-/// The inequalities that a condition joins.
+/// Returns the inequalities that a condition joins.
 Json parts_of(const Json& c) {
   const Json parts = at(c, "parts");
   return parts.is_array() ? parts : Json::array();
 }
 
-/// Of one inequality, or of a condition that joins several.
+/// Compares one inequality, or a condition that joins several.
 void compare_comparisons(const Json& was, const Json& is, Changes& changes) {
   if (was == is) return;
   const bool both = was.is_object() && is.is_object();
@@ -72,7 +72,7 @@ void compare_comparisons(const Json& was, const Json& is, Changes& changes) {
   changes.compare_texts("meaning of the comparison", at(was, "meaning"), at(is, "meaning"));
 }
 
-/// One of a value's columns, by the value's name; a value that is listed twice is numbered.
+/// Returns one of the values' columns, by name; a value that is listed twice is numbered.
 Json column(const Json& values, std::size_t index) {
   Json object = Json::object();
   if (!values.is_array()) return object;

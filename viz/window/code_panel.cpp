@@ -14,7 +14,7 @@ namespace isect::viz {
 namespace {
 
 constexpr float padding = 20, code_top = 46, code_top_of_two = 14;
-constexpr float code_left = 42, row_pitch = 18;  ///< of a line's words; from row to row of a long line
+constexpr float code_left = 42, row_pitch = 18;  ///< of a line's words; distance between rows of a long line
 
 /// A line of pseudocode on as many rows as it takes, the later ones indented further.
 struct CodeLine {
@@ -25,8 +25,8 @@ struct CodeLine {
 };
 
 CodeLine laid_out(const std::string& words, ImFont* font, float room) {
-  constexpr std::size_t most = 2000;                                             // those of a lesson are a hundred
-  static std::map<std::pair<std::string, int>, std::vector<std::string>> known;  // each frame asks for all
+  constexpr std::size_t most = 2000;                                             // a lesson has a hundred
+  static std::map<std::pair<std::string, int>, std::vector<std::string>> known;  // each frame needs all
   if (known.size() > most) known.clear();
   const int columns = static_cast<int>(room / text_width(font, "0"));
   const auto [found, fresh] = known.try_emplace({words, columns});
@@ -34,8 +34,8 @@ CodeLine laid_out(const std::string& words, ImFont* font, float room) {
   return {found->second, font};
 }
 
-/// All lines of the walk, smaller where that saves rows or ends them better. Where a condition may fail there is room
-/// for its "yes" or "no".
+/// Returns all lines of the walk, in a smaller font where that saves rows or ends them better. A line whose condition
+/// may fail has room for its "yes" or "no".
 std::vector<CodeLine> code_lines(const Ui& ui, const Walk& walk, float width) {
   const auto lines_in = [&](ImFont* font) {
     std::vector<CodeLine> lines;
@@ -63,8 +63,8 @@ float height_of(const std::vector<CodeLine>& lines, float pitch) {
                          [&](float sum, const CodeLine& line) { return sum + line.height(pitch); });
 }
 
-/// Pitches and heights of the panel: roomy where the whole walk fits, tighter where it does not. The walk's
-/// fullest step decides, so that lines keep their places while a reader steps.
+/// Pitches and heights of the panel: roomy where the whole walk fits, tighter where it does not. The walk's fullest
+/// step decides, so that lines keep their places while a reader steps.
 struct Fit {
   float code_pitch, value_pitch, operations, code_height, values_height;
 };
@@ -75,7 +75,7 @@ float most_values(const Ui& ui, const Walk& walk, const Step& shown, float width
   return most;
 }
 
-/// `top`: what stands above the code.
+/// `top`: the height of what stands above the code.
 Fit fit(const Session& s, const std::vector<CodeLine>& lines, float width, float height, float top) {
   const Ui& ui = s.ui;
   const Walk& walk = s.player.walk();
@@ -90,7 +90,7 @@ Fit fit(const Session& s, const std::vector<CodeLine>& lines, float width, float
     room = height - top - f.operations;
     if (f.code_height + f.values_height <= room) return f;
   }
-  // Too much for this window: the code shows a part around its current line, the values scroll if they must.
+  // Too much for this window: the code shows a part around its current line, the values scroll if necessary.
   const float least_code = std::min(f.code_height, 5 * f.code_pitch);
   f.values_height = std::min(values_height(ui, s.player.shown(), width, f.value_pitch), room - least_code);
   f.code_height = std::min(f.code_height, room - f.values_height);
@@ -99,7 +99,7 @@ Fit fit(const Session& s, const std::vector<CodeLine>& lines, float width, float
 
 bool has(const std::vector<int>& lines, int line) { return std::find(lines.begin(), lines.end(), line) != lines.end(); }
 
-/// The next step, going round, that stands at this line; -1 if none does.
+/// Returns the next step, cyclically, that stands at this line; -1 if none does.
 int step_at_line(const Player& player, int line) {
   for (int i = 1; i <= player.count(); ++i) {
     const int step = (player.index() + i) % player.count();
@@ -108,7 +108,7 @@ int step_at_line(const Player& player, int line) {
   return -1;
 }
 
-/// What a line's condition came to: at the current line now, at others when it was refused.
+/// Returns whether a line's condition was true: on the current line, and on others that were refused.
 std::optional<bool> said_at(const Player& player, int line) {
   const Step& shown = player.shown();
   if (line == shown.line)
@@ -128,7 +128,7 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
   else if (p.hovered && to >= 0)
     filled(r, c.frame, 5);
 
-  const bool lit = current && s.player.light() > 0.5;  // until then the ink of other lines reads better on the ground
+  const bool lit = current && s.player.light() > 0.5;  // until then the ink of other lines is easier to read
   if (line == s.parted_line) parted_mark(ui, "parted line", r, lit);
   const Colour& ink = lit ? c.on_highlight : has(step.untaken, line) ? c.muted : c.text;
   float y = r.top + pitch / 2;
@@ -153,7 +153,7 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
     text(ui.fonts.small, r.right - 12, y, packed(lit ? c.on_highlight : *said ? c.hit : c.miss), word, 1);
     ui.rects[word + " " + std::to_string(line + 1)] = {r.right - 34, y - 9, r.right - 8, y + 9};
   }
-  if (p.clicked && to >= 0) s.player.go_to(to);  // last, as it ends the life of the step that is shown
+  if (p.clicked && to >= 0) s.player.go_to(to);  // last, as it destroys the step that is shown
 }
 
 void code(Session& s, const std::vector<CodeLine>& lines, const Rect& r, float pitch) {

@@ -1,11 +1,11 @@
 #pragma once
-// The lesson panel's column of text, and what stands in it beside the step's own words.
+// The lesson panel's column of text, and what it contains besides the step's own words.
 
 #include "viz/window/session.h"
 
 namespace isect::viz {
 
-/// Things set below each other.
+/// Texts and buttons set below each other.
 struct Column {
   Session& s;
   float x, y, width;
@@ -17,22 +17,22 @@ struct Column {
               {x, y})
              .y;
   }
-  /// A button as wide as its words, in a row that begins at `from`, or in a row below; moves `from` behind it.
+  /// Draws a button as wide as its words, in a row that begins at `from`, or in a row below; moves `from` behind it.
   bool button(const std::string& name, const std::string& words, float& from);
 };
 
-/// The question before the next step, or what came of the one before this. `fresh`: it was not there in the last frame.
-/// (question.cpp)
+/// Draws the question before the next step, or the result of the one before this step. `fresh`: it was not there in the
+/// last frame. (question.cpp)
 void question(Column&, bool fresh);
-/// Where the current line errs as published: the right one, and a button to see it fail. (practice.cpp)
+/// Draws, where the current line errs as published, the correct line and a button to see it fail. (practice.cpp)
 void erratum(Column&);
-/// On the closing card: what was answered wrong, to be answered again. (practice.cpp)
+/// Draws, on the closing card, what was answered wrong, to be answered again. (practice.cpp)
 void missed(Column&);
-/// The closing card's exercises, each to be tried or looked up. (practice.cpp)
+/// Draws the closing card's exercises, each to be tried or looked up. (practice.cpp)
 void exercises(Column&);
-/// The lessons in which this one's ideas occur again, each to be opened. (practice.cpp)
+/// Draws the lessons in which this one's ideas occur again, each to be opened. (practice.cpp)
 void same_ideas(Column&);
-/// The exercise that is being tried, and whether its setting has been found. (practice.cpp)
+/// Draws the exercise that is being tried, and whether its setting has been found. (practice.cpp)
 void exercise_on_hand(Column&);
 
 }  // namespace isect::viz

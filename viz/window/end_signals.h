@@ -1,5 +1,5 @@
 #pragma once
-// SIGTERM, SIGINT and SIGHUP as a wish to leave, so that the state is kept.
+// SIGTERM, SIGINT and SIGHUP are taken as a request to close, so that the state is kept.
 
 #include <atomic>
 #include <functional>
@@ -7,8 +7,8 @@
 
 namespace isect::viz {
 
-/// Makes them wait for a thread of its own, for as long as it lives. Comes first: threads that are made later, by a
-/// driver of OpenGL say, inherit that.
+/// Lets a thread of its own wait for these signals during its lifetime. Create it first: threads that are made later,
+/// by an OpenGL driver for instance, inherit the signal mask.
 class EndSignals {
  public:
   explicit EndSignals(std::function<void()> wake);  ///< `wake` is called from that thread

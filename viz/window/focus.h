@@ -1,5 +1,5 @@
 #pragma once
-// What the keyboard holds: one of the widgets of a frame, in the order in which they are read.
+// The keyboard focus: one of the widgets of a frame, in reading order.
 
 #include <string>
 #include <vector>
@@ -8,20 +8,20 @@ namespace isect::viz {
 
 class Focus {
  public:
-  /// Called for every widget of a frame, in order; `group`: the part of the window that it belongs to. True: the
-  /// keyboard holds this one.
+  /// Called for every widget of a frame, in order; `group`: the part of the window to which it belongs. Returns whether
+  /// the keyboard holds this one.
   bool offer(const std::string& name, int group, bool in_popup);
-  /// Ends a frame. What is gone is no longer held; while a popup is open its widgets are all there are, and when it has
-  /// closed the keyboard holds again what it held before.
+  /// Ends a frame. A widget that is gone is no longer held; while a popup is open only its widgets count, and when it
+  /// has closed the keyboard holds again what it held before.
   void end_frame();
 
-  /// The next one, or one before; round and round.
+  /// Moves to the next widget, or to the one before, cyclically.
   void move(int by);
-  /// The first one of the next part of the window.
+  /// Moves to the first widget of the next part of the window.
   void next_group();
-  /// This one, which may appear only in the next frames.
+  /// Moves to this widget, which may appear only in the next frames.
   void take(const std::string& name) { name_ = name, patience_ = 3, moved_ = true; }
-  /// Presses what is held, in this frame.
+  /// Presses the held widget, in this frame.
   void press() { pressed_ = true; }
   void clear() { name_.clear(); }
 
@@ -37,7 +37,7 @@ class Focus {
   };
   std::vector<Stop> stops_, known_;  ///< of this frame; of the last one
   std::string name_, before_popup_;
-  int patience_ = 0;  ///< frames in which what is held may be missing
+  int patience_ = 0;  ///< for how many frames the held widget may be missing
   bool in_popup_ = false, pressed_ = false, moved_ = false;
 };
 

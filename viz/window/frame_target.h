@@ -1,11 +1,11 @@
 #pragma once
-// Where frames of the window go that nobody sees.
+// The target of frames of the window that nobody sees.
 
 #include <glad/gl.h>
 
 namespace isect::viz {
 
-/// A framebuffer of that many pixels in the current context, and bound.
+/// A framebuffer of this many pixels in the current context; it is bound.
 class FrameTarget {
  public:
   FrameTarget(int width, int height) {

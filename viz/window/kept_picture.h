@@ -1,11 +1,11 @@
 #pragma once
-// What the renderer drew last, kept for one part of the window while the renderer goes on to another.
+// A copy of what the renderer drew last, for one part of the window, while the renderer draws another part.
 
 #include <imgui.h>
 
 namespace isect::viz {
 
-/// Needs the context that was current at its first take() in every call and at its end.
+/// Every call, and the destructor, needs the context that was current at the first take().
 class KeptPicture {
  public:
   KeptPicture() = default;
@@ -13,9 +13,9 @@ class KeptPicture {
   KeptPicture(const KeptPicture&) = delete;
   KeptPicture& operator=(const KeptPicture&) = delete;
 
-  /// Copies a texture of so many pixels.
+  /// Copies a texture of this many pixels.
   void take(unsigned texture, int width, int height);
-  /// For Dear ImGui; v runs upwards. Nothing, before the first take().
+  /// Returns the texture for Dear ImGui; v runs upwards. Null before the first take().
   ImTextureID id() const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// The keys that the window knows. Since 1.87 Dear ImGui has a number of its own for every key; before (Debian 12
-// has 1.86) it keeps the back end's, here GLFW's, and is told which of them it needs itself.
+// The keys that the window uses. Since 1.87 Dear ImGui has a number of its own for every key; before (Debian 12 has
+// 1.86) it uses the back end's, here GLFW's, and is told which of them it needs itself.
 
 #include <imgui.h>
 

@@ -52,7 +52,7 @@ void with_control(Session& s) {
   s.say("State copied as JSON");
 }
 
-/// The preset after the one loaded last, or before it.
+/// Loads the preset after the one loaded last, or before it.
 void neighbour_preset(Session& s, int by) {
   const std::vector<const Preset*> group = s.player.group();
   const int count = static_cast<int>(group.size());
@@ -62,7 +62,7 @@ void neighbour_preset(Session& s, int by) {
   s.attempt([&] { s.player.load(*group[static_cast<std::size_t>((now + by + count) % count)]); });
 }
 
-/// The widgets, one after the other; also those of a sheet, while its search field has the letters.
+/// Moves through the widgets, one after the other; also in a sheet, while its search field takes the letters.
 void focus_keys(Session& s, bool in_popup) {
   const ImGuiIO& io = ImGui::GetIO();
   Focus& focus = s.ui.focus;
@@ -101,8 +101,8 @@ void load_number(Session& s, std::size_t number) {
   if (number <= group.size()) s.attempt([&] { s.player.load(*group[number - 1]); });
 }
 
-/// A digit that is an answer gives it, unless it may begin another one, too. Else it does nothing: what it loads would
-/// take the question away.
+/// Gives the answer that is this digit, unless another answer begins with it, too. Otherwise it does nothing: loading a
+/// preset would take the question away.
 void answer_with(Player& player, char digit) {
   const std::vector<std::string>& choices = player.asked()->choices;
   const auto begins = [&](const std::string& choice) { return plain(choice).starts_with(digit); };
@@ -112,7 +112,7 @@ void answer_with(Player& player, char digit) {
     player.answer(static_cast<int>(found - choices.begin()));
 }
 
-/// Characters, not keys: so they work on every keyboard layout.
+/// Handles characters, not keys: they work on every keyboard layout.
 void character(Session& s, char c) {
   Player& player = s.player;
   if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

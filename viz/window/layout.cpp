@@ -14,12 +14,12 @@ namespace isect::viz {
 
 namespace {
 constexpr float bar = 48;
-/// Of the transport: thinner where a window is low.
+/// Returns the height of the transport: thinner where a window is low.
 float buttons(float height) { return height < 700 ? 64 : 88; }
 }  // namespace
 
 WindowLayout window_layout(float width, float height) {
-  // 304 and 344 from 1280 px on; a smaller window takes a little from both, the scene still loses most.
+  // 304 and 344 from 1280 px on; a smaller window takes a little from both, and most from the scene.
   const float lesson = std::round(std::clamp(width * 0.2375f, 256.0f, 304.0f));
   const float code = std::round(std::clamp(width * 0.26875f, 304.0f, 344.0f));
   constexpr float least_scene = 400, scene_share = 0.56f;
@@ -73,7 +73,7 @@ namespace {
 
 int letters(std::string_view words) { return static_cast<int>(count_characters(words)); }
 
-/// The spaces at which a row may end so that it fits, the longest row first.
+/// Returns the spaces at which a row may end so that it fits, the longest row first.
 std::vector<std::size_t> ends_of(const std::string& row, std::size_t indent, int columns) {
   std::vector<std::size_t> ends;
   for (std::size_t end = row.rfind(' '); end != std::string::npos && end > indent; end = row.rfind(' ', end - 1))
@@ -91,7 +91,7 @@ int least_rows(std::string row, const std::string& indent, int columns) {
   return rows;
 }
 
-/// How much a reader minds that a row ends here.
+/// Returns how much it disturbs a reader that a row ends here.
 int harm(const std::string& row, std::size_t end) {
   static const std::set<std::string> signs = {"+", "−", "·", "×", "/", "=", "≠", "<", ">", "≤", "≥", "∈", "⊆", "←"};
   static const std::set<std::string> comparisons = {"=", "≠", "<", ">", "≤", "≥", "∈", "⊆"};
@@ -115,7 +115,7 @@ int harm(const std::string& row, std::size_t end) {
   return never_last.contains(before) ? 2 : 1;
 }
 
-/// A reader minds a last row of one word a little.
+/// Returns a small harm for a last row of one word.
 int lone_word(const std::string& row, std::size_t indent) { return row.find(' ', indent) == std::string::npos ? 1 : 0; }
 
 struct Broken {
@@ -123,7 +123,7 @@ struct Broken {
   int harm = 0;
 };
 
-/// On so many rows, which must do; a row as long as it may be where that is no harm.
+/// Breaks a row into `count` rows, which must be enough; a row is as long as possible where that does no harm.
 Broken least_harm(const std::string& row, const std::string& indent, int columns, int count) {
   Broken best{{row}, lone_word(row, indent.size())};
   if (count == 1) return best;

@@ -1,13 +1,13 @@
 #pragma once
-// Where the parts of the window lie: bars of fixed height, panels of almost fixed width, and all the rest the
-// scene's. In a narrow window the lesson's panel lies below the scene.
+// Where the parts of the window lie: bars of fixed height, panels of almost fixed width, and all the rest for the
+// scene. In a narrow window the lesson's panel lies below the scene.
 
 #include <string>
 #include <vector>
 
 namespace isect::viz {
 
-/// In px of the layout, y down.
+/// A rectangle in px of the layout, y down.
 struct Rect {
   float left = 0, top = 0, right = 0, bottom = 0;
   float width() const { return right - left; }
@@ -23,32 +23,32 @@ struct WindowLayout {
 };
 
 WindowLayout window_layout(float width, float height);
-/// Without the lesson's panel and the code, whose place the scene takes but for what is told below it, `told` px high:
-/// that is `lesson`.
+/// Returns the layout without the lesson's panel and the code, whose place the scene takes, except for `lesson`, the
+/// part for the words below it, `told` px high.
 WindowLayout window_layout_without_panels(float width, float height, float told);
 
-/// A rectangle cut in two with a share of it for the second part: side by side, or one below the other where it is not
+/// A rectangle cut in two with a share of it for the second part: side by side, or one below the other if it is not
 /// much wider than high.
 struct Halves {
   Rect first, second;
 };
 Halves halves(const Rect&, float share);
 
-/// Two panes: each with its scene above its pseudocode and values. The lesson's text stands beside them where that
-/// leaves both wide enough; else `lesson` is empty.
+/// Two panes: each with its scene above its pseudocode and values. The lesson's text stands beside them if that leaves
+/// both wide enough; else `lesson` is empty.
 struct PanesLayout {
   Rect lesson, heads, first_scene, second_scene, first_code, second_code;
 };
 PanesLayout panes_layout(const WindowLayout&);
 
-/// A line of pseudocode on as few rows as `columns` letters allow, the later ones indented further, each ending where a
-/// reader minds it least: after a colon or before "and", not in a formula.
+/// Returns a line of pseudocode on as few rows as `columns` letters allow, the later ones indented further, each ending
+/// where it disturbs a reader least: after a colon or before "and", not in a formula.
 std::vector<std::string> code_rows(const std::string& line, int columns);
-/// How much a reader minds that such rows end where they do.
+/// Returns how much it disturbs a reader that such rows end where they do.
 int harm_of(const std::vector<std::string>& rows);
 
-/// The width each of the chips gets in a row of `width` px, `gap` apart: those of `wide` where they fit;
-/// otherwise the last ones shrink to `narrow`, the chosen one excepted.
+/// Returns the width of each chip in a row of `width` px, `gap` apart: that of `wide` where they fit; otherwise the
+/// last ones shrink to `narrow`, except the chosen one.
 std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width, int chosen);
 
 }  // namespace isect::viz

@@ -1,5 +1,5 @@
-// What is told of a step below the scene while the panels are hidden, to be read from afar: its words, and beside them
-// the current line and the formula.
+// The words of a step below the scene while the panels are hidden, to be read from afar, and beside them the current
+// line and the formula.
 
 #include <algorithm>
 
@@ -52,7 +52,7 @@ float lecture_height(Session& s, float width, float room) {
 void lecture(Session& s, const Rect& r) {
   Ui& ui = s.ui;
   begin_region(ui, "lecture", r);
-  if (s.player.asked()) {  // the question stands over the scene
+  if (s.player.asked()) {  // the question covers the scene
     rule(ui, r.left, r.right, r.top);
     ImGui::End();
     return;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float panel_margin = 20;
 
-/// The formula as large as it fits on one line; on several lines where it would be hard to read.
+/// Draws the formula as large as it fits on one line; on several lines where it would be hard to read.
 void formula_card(Column& c, const std::string& markup) {
   Ui& ui = c.s.ui;
   constexpr double largest = 24, least = 17;
@@ -32,7 +32,7 @@ void formula_card(Column& c, const std::string& markup) {
   c.y += height;
 }
 
-/// What each method says of this setting, and a button to keep one in which they differ.
+/// Draws what each method says of this setting, and a button to keep a setting in which they differ.
 void side_by_side(Column& c) {
   const std::vector<Opinion>& said = c.s.player.opinions();
   const bool known = c.s.player.index() >= outcome(c.s.player.walk());  // before that they would give the answer away
@@ -55,14 +55,14 @@ void side_by_side(Column& c) {
   c.y += 34;
 }
 
-/// `fresh`: these words were not yet there in the last frame.
+/// `fresh`: these words were not there in the last frame.
 void lesson_text(Session& s, const Rect& r, bool fresh, bool low) {
   const Step& step = s.player.step();
   const Palette& ink = s.ui.palette;
   const float top = ImGui::GetCursorScreenPos().y;  // moves with the scroll
   Column c{s, r.left + panel_margin, top + (low ? 10.0f : 18.0f), r.width() - 2 * panel_margin};
   exercise_on_hand(c);
-  if (s.player.asked()) {  // of the next step, which is drawn already: what is told of this one would be taken for its
+  if (s.player.asked()) {  // the scene is the next step's already: the words of this one would be taken for its
     c.y -= 24;
   } else {
     c.paragraph(step.title, ink.text, 19, 26, true);
@@ -72,7 +72,7 @@ void lesson_text(Session& s, const Rect& r, bool fresh, bool low) {
       c.y += 16;
       formula_card(c, step.formula);
     }
-    if (!step.source.empty() && step.slug != closing_slug) {  // there all sources are in the caption
+    if (!step.source.empty() && step.slug != closing_slug) {  // its caption has all sources
       c.y += 8;
       c.paragraph(step.source, ink.muted, 13, 19);
     }
@@ -87,11 +87,11 @@ void lesson_text(Session& s, const Rect& r, bool fresh, bool low) {
   ImGui::Dummy({1, 16});
 }
 
-/// "drag o or d", one line for each role that has handles.
+/// A hint, "drag o or d", one for each role that has handles.
 struct Hint {
   Role role;
   std::string markup;
-  bool turns = false;  ///< the scene, and no object
+  bool turns = false;  ///< for the scene, not for an object
 };
 constexpr std::size_t most_in_a_hint = 6;
 
@@ -143,7 +143,7 @@ void hint_mark(const Session& s, const Hint& hint, float x, float y) {
     handle_sign(x + 9, y, theme.ink(hint.role), edge_ink(hint.role, theme));
 }
 
-/// Below each other.
+/// Draws the hints below each other.
 void draw_hints(Session& s, const std::vector<Hint>& hints, float x, float y, float width) {
   for (const Hint& hint : hints) {
     hint_mark(s, hint, x, y + 16);
@@ -152,7 +152,7 @@ void draw_hints(Session& s, const std::vector<Hint>& hints, float x, float y, fl
   }
 }
 
-/// Beside each other, as many as there is room for, around the middle y.
+/// Draws the hints beside each other, as many as there is room for, around the middle y.
 void draw_hints_in_a_row(Session& s, const std::vector<Hint>& hints, float x, float right, float y) {
   for (const Hint& hint : hints) {
     const Paragraph words = words_of(s, hint, 0);
@@ -172,8 +172,8 @@ void parameters_header(Session& s, const Rect& r) {
   if (p.clicked) s.settings.parameters_open = !s.settings.parameters_open;
 }
 
-/// What stands where in the panel: the words, and the header of the parameters with their fields or the hints below it,
-/// or, where the panel is low, beside the words or in one row.
+/// The parts of the panel: the words, and the header of the parameters with their fields or the hints below it, or,
+/// where the panel is low, beside the words or in one row.
 struct Parts {
   Rect words, header, fields;
   bool low = false;

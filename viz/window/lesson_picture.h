@@ -1,12 +1,12 @@
 #pragma once
-// What a lesson looks like, small.
+// Small pictures of lessons.
 
 #include "viz/lesson.h"
 #include "viz/renderer.h"
 
 namespace isect::viz {
 
-/// In px of the layout.
+/// The size in px of the layout.
 constexpr float picture_width = 176, picture_height = 110;
 
 /// Draws the outcome of the lesson's first preset into the renderer's texture. `density`: framebuffer pixels per px.

@@ -22,7 +22,7 @@ ImVec2 screen_at(const Cases& cases, const Box2& plane, const Vec2& at) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y())};
 }
 
-/// A line from a to b ends here, so that it leaves the marker alone.
+/// Returns where a line from a to b ends, so that it keeps off the marker.
 ImVec2 short_of(const ImVec2& marker, const ImVec2& a, const ImVec2& b) {
   constexpr float radius = 9;
   const float from = std::hypot(a.x - marker.x, a.y - marker.y);
@@ -31,7 +31,7 @@ ImVec2 short_of(const ImVec2& marker, const ImVec2& a, const ImVec2& b) {
   return {marker.x + (a.x - marker.x) * radius / from, marker.y + (a.y - marker.y) * radius / from};
 }
 
-/// Smaller where the pane is.
+/// Returns the theme of the map: smaller in a smaller pane.
 Theme map_look(const Session& s, const Rect& r) {
   const double fits = std::min(r.width() / 420, r.height() / 330);
   return window_theme(s.ui.palette.theme.name, std::clamp(fits, 0.7, 1.0));
@@ -48,7 +48,7 @@ bool has_map(const Player& player) {
 
 bool shows_map(const Session& s) {
   const Player& p = s.player;
-  const bool drags = ImGui::GetIO().MouseDown[0];  // then all stays where it is
+  const bool drags = ImGui::GetIO().MouseDown[0];  // then everything stays in place
   return s.settings.map && p.step().slug != case_map_slug && (has_map(p) || (p.lesson().map && drags));
 }
 
@@ -73,7 +73,7 @@ void MapDrag::follow(Session& s, const Cases& cases, const Box2& plane, bool hov
   });
 }
 
-/// A preset begins a new one, but where a drag leads back to it.
+/// Adds to the trail. A preset begins a new trail, unless a drag leads back to the preset.
 void MapView::leave_trail(const Player& player) {
   const bool preset = player.preset_id() != trail_from_ && !ImGui::GetIO().MouseDown[0];
   if ((preset && !player.preset_id().empty()) || !map_.cases().here || trail_of_ != map_.lesson()) trail_.clear();
@@ -97,7 +97,7 @@ void MapView::draw(const Rect& r, const Theme& theme) {
   drawn_ = wanted;
 }
 
-/// It fades with every further place, and has a mark where the case changed.
+/// Draws the trail. It fades with every further place, and has a mark where the case changed.
 void MapView::draw_trail(Ui& ui, const Box2& plane) const {
   if (trail_.size() < 2) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -121,7 +121,7 @@ void MapView::draw_trail(Ui& ui, const Box2& plane) const {
   ui.rects["trail"] = box;
 }
 
-/// Shift and the arrows move the setting, while the keyboard holds it.
+/// Moves the setting by Shift and the arrows, while the keyboard holds it.
 void MapView::keyboard(Session& s, const Box2& plane) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!io.KeyShift || io.KeyCtrl || s.ui.focus.name() != "map setting" || io.WantTextInput) return;

@@ -1,5 +1,5 @@
 #pragma once
-// The map of cases beside the scene: where the setting lies now, and which way it came.
+// The map of cases beside the scene: where the setting lies now, and how it got there.
 
 #include <deque>
 #include <optional>
@@ -13,12 +13,12 @@
 
 namespace isect::viz {
 
-/// Whether the lesson has a map and the setting a place on it or beyond it.
+/// Whether the lesson has a map, and the setting a place on it or beyond it.
 bool has_map(const Player&);
 /// Whether the map stands beside this step: the reader wants it, there is one, and the step does not show it itself.
 bool shows_map(const Session&);
 
-/// A drag over the plane of a map moves the setting.
+/// A drag over the plane of a map, which moves the setting.
 class MapDrag {
  public:
   /// `plane`: where the map's plane lies. `hovered`: the pointer is at the picture.
@@ -27,7 +27,7 @@ class MapDrag {
  private:
   bool held_ = false, snapping_ = false;
   const Lesson* held_in_ = nullptr;
-  Vec2 start_ = Vec2::Zero();  ///< the place where it was taken hold of
+  Vec2 start_ = Vec2::Zero();  ///< the place where the drag began
   Vec2 last_ = Vec2::Zero();   ///< the pointer in the frame before
 };
 
@@ -53,7 +53,7 @@ class MapView {
   std::string drawn_;  ///< what the picture shows, as one line
 
   MapBeside map_;
-  const Lesson* trail_of_ = nullptr;  ///< which lesson left it
+  const Lesson* trail_of_ = nullptr;  ///< the lesson that left it
   std::string trail_from_;            ///< the preset in the frame before
   std::deque<Cases::Spot> trail_;
   MapDrag drag_;

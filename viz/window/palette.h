@@ -14,7 +14,7 @@ struct Palette {
   Colour window, card;    ///< panels, and the cards, scene and bar tracks set into them
   Colour frame, hovered;  ///< buttons and fields
   Colour text, muted, rule, first, second, hit, miss, highlight;
-  Colour fresh, fresh_text;       ///< the rim and the word of what is new; a light highlight colours no text
+  Colour fresh, fresh_text;       ///< the rim and the word of new values; a light highlight is no colour for text
   Colour on_first, on_highlight;  ///< text on a filled button or row
 };
 Palette palette(ThemeName);

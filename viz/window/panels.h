@@ -5,54 +5,54 @@
 
 namespace isect::viz {
 
-/// Lesson, method and presets. (top_bar.cpp)
+/// Draws lesson, method and presets. (top_bar.cpp)
 void top_bar(Session&, const Rect&);
-/// What the lesson says here, its question, its parameters and what can be dragged. (lesson_panel.cpp)
+/// Draws what the lesson says here, its question, its parameters and what can be dragged. (lesson_panel.cpp)
 void lesson_panel(Session&, const Rect&);
-/// The fields of all parameters from (x, y) down; returns where they end. (parameters.cpp)
+/// Draws the fields of all parameters from (x, y) down; returns where they end. (parameters.cpp)
 float parameter_fields(Session&, float x, float y, float width);
-/// Pseudocode, values, comparison and operations. (code_panel.cpp, values.cpp)
+/// Draws pseudocode, values, comparison and operations. (code_panel.cpp, values.cpp)
 void code_panel(Session&, const Rect&);
-/// The current line alone, on a bright ground; there is one. (code_panel.cpp)
+/// Draw the current line alone, on a bright ground; there must be one. (code_panel.cpp)
 float current_line_height(const Session&, float width);
 void current_line(Session&, const Rect&);
 float values_height(const Ui&, const Step&, float width, float pitch);
 void values_block(Session&, const Rect&, float pitch);
 void operations_block(Session&, const Rect&);
-/// The question in a window of its own, where the lesson's panel is hidden: over the words that it comes after, and the
-/// scene above them; once it is answered, over the scene alone. (question.cpp)
+/// Draws the question in a window of its own, where the lesson's panel is hidden: over the words that it follows, and
+/// the scene above them; once it is answered, over the scene alone. (question.cpp)
 void question_over_scene(Session&, const Rect& scene, const Rect& words);
-/// The same over both scenes of two panes, so that neither's code is covered.
+/// Draws the question over both scenes of two panes, so that neither's code is covered.
 void question_over_scenes(Session&, const Rect& scenes);
-/// Below the scene, while the panels are hidden: the step's words, the current line, the formula. (lecture.cpp)
-/// `room`: the height of scene and words.
+/// Draws, below the scene while the panels are hidden, the step's words, the current line and the formula.
+/// (lecture.cpp) `room`: the height of scene and words.
 float lecture_height(Session&, float width, float room);
 void lecture(Session&, const Rect&);
-/// Scrubber and buttons. (transport.cpp)
+/// Draws scrubber and buttons. (transport.cpp)
 void transport(Session&, const Rect&);
-/// The key sheet, the picker and the save sheet, over everything else. (sheets.cpp)
+/// Draws the key sheet, the picker and the save sheet, over everything else. (sheets.cpp)
 void sheets(Session&, const Rect& window);
 
-/// Keeps what was answered, and that a lesson was read to its end. (score.cpp)
+/// Keeps the answers that were given, and that a lesson was read to its end. (score.cpp)
 void keep_score(Session&);
-/// The steps of this walk whose questions were answered wrong when they were asked last.
+/// Returns the steps of this walk whose questions were answered wrong when they were asked last.
 std::vector<int> missed_questions(const Session&);
-/// Keeps the lessons last opened, the one on show first. (score.cpp)
+/// Keeps the lessons opened last, the one on show first. (score.cpp)
 void keep_recent(Session&);
 
-/// Whether the lesson lies in a file that can be written to; and writes the setting there, or else opens the sheet that
-/// saves figures. (keys.cpp)
+/// Whether the lesson lies in a file that can be written to; save_back() writes the setting there, or else opens the
+/// sheet that saves figures. (keys.cpp)
 bool keeps_file(const Session&);
-/// False where numbers of a scene would be lost, once: then that is said.
+/// Returns false once if numbers of a scene would be lost, with a message.
 bool may_leave(Session&);
 void save_back(Session&);
-/// Shows the lesson's map of cases beside the scene, or no longer; says so where it has none. (keys.cpp)
+/// Shows the lesson's map of cases beside the scene, or hides it; a message says if it has none. (keys.cpp)
 void show_map(Session&);
 /// Lets play pass over questions, or stop at them again. (keys.cpp)
 void pass_questions(Session&);
 /// Marks a row as the first that differs from the other pane's; `lit`: on the current line. (second_pane.cpp)
 void parted_mark(Ui&, const std::string& name, const Rect&, bool lit = false);
-/// Sets the next method or preset beside this one, or takes it away. (second_pane.cpp)
+/// Shows the next method or preset beside this one, or hides the second pane. (second_pane.cpp)
 void toggle_panes(Session&);
 /// Does what this frame's keys ask for. (keys.cpp)
 void keys(Session&);

@@ -17,10 +17,10 @@ namespace {
 
 constexpr float field_height = 32;
 
-/// What typing into this field has come to: nothing yet, a number, or a refusal, which is told below the field.
+/// Returns the number that was typed into this field, once it is complete; a refusal is shown below the field.
 std::optional<double> typed(Session& s, const std::string& field) {
   Session::Typing& typing = s.typing;
-  // Dear ImGui hands it over in one of the next frames, and 1.90 only within the window that has the focus already.
+  // Dear ImGui focuses it in one of the next frames, and 1.90 only within the window that has the focus already.
   if (!typing.begun && typing.frames++ % 4 == 0) {
     ImGui::SetWindowFocus();
     ImGui::SetKeyboardFocusHere();
@@ -40,7 +40,7 @@ std::optional<double> typed(Session& s, const std::string& field) {
   }
 }
 
-/// As many digits, up to `most`, as there is room for.
+/// Returns a format with as many digits, up to `most`, as there is room for.
 std::string format_for(ImFont* font, double value, float room, int most) {
   for (int digits = most; digits > 2; --digits) {
     const std::string format = "%." + std::to_string(digits) + "g";
@@ -51,7 +51,7 @@ std::string format_for(ImFont* font, double value, float room, int most) {
   return "%.2g";
 }
 
-/// A number to drag along; Ctrl+click, a double click or Enter begin to type it. The new value, if there is one.
+/// Draws a number to drag along; Ctrl+click, a double click or Enter begin to type it. Returns the new value, if any.
 std::optional<double> number_field(Session& s, const std::string& name, const Parameter& p, double value, const Rect& r,
                                    bool slider) {
   const std::string field = "parameter " + name;
@@ -63,7 +63,7 @@ std::optional<double> number_field(Session& s, const std::string& name, const Pa
     const std::optional<double> number = typed(s, field);
     if (number && !(p.lo <= *number && *number <= p.hi)) {
       Parameter one = p;
-      one.initial = 0.0;  // of a vector it is this number alone that is wrong
+      one.initial = 0.0;  // in a vector only this number is wrong
       s.refused = {field, with_minus_signs("give " + wanted(one)), s.player.revision()};
       return std::nullopt;
     }
@@ -95,7 +95,7 @@ std::optional<double> number_field(Session& s, const std::string& name, const Pa
   return value;
 }
 
-/// Sets a parameter. What is refused is told below its field.
+/// Sets a parameter. A refusal is shown below its field.
 void edit(Session& s, const std::string& parameter, const std::string& field, const Setting& value) {
   try {
     s.player.edit(parameter, value);
@@ -104,7 +104,7 @@ void edit(Session& s, const std::string& parameter, const std::string& field, co
   }
 }
 
-/// Why the last number was refused, if it was one of this parameter's. Returns the height that takes.
+/// Draws why the last number was refused, if it was one of this parameter's. Returns the height that takes.
 float refusal(Session& s, const std::string& name, float x, float y, float width) {
   const std::string field = "parameter " + name;
   if (s.refused.revision != s.player.revision()) return 0;
@@ -135,7 +135,7 @@ void vector(Session& s, const Parameter& p, const Vec3& value, const Rect& r) {
   }
 }
 
-/// The choices as chips that wrap into lines. Returns the height they took.
+/// Draws the choices as chips that wrap into lines. Returns the height they took.
 float choice(Session& s, const Parameter& p, const std::string& value, const Rect& r) {
   float x = r.left, y = r.top;
   for (const std::string& c : p.choices) {
@@ -156,7 +156,7 @@ float choice(Session& s, const Parameter& p, const std::string& value, const Rec
   return y - r.top;
 }
 
-/// Pales what changes nothing in this setting, and tells when it would.
+/// Draws parameters pale that have no effect in this setting, and says when they would.
 void without_effect(Session& s, const Parameter& p, const Rect& r) {
   s.ui.rects["without effect " + p.name] = r;
   filled(r, s.ui.palette.window.with_alpha(0.6), 0);
@@ -181,7 +181,7 @@ float parameter_fields(Session& s, float x, float y, float width) {
   ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 8);
   ImGui::PushStyleColor(ImGuiCol_SliderGrab, packed(s.ui.palette.first, 0.65));
   ImGui::PushFont(s.ui.fonts.small);
-  const Parameters now = s.player.parameters();  // a field may change the player's own while we go through it
+  const Parameters now = s.player.parameters();  // a field may change the player's own during this loop
   const float labels = label_width(s);
   for (const Parameter& p : s.player.lesson().parameters) {
     if (!now.contains(p.name)) continue;

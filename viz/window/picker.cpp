@@ -1,4 +1,4 @@
-// All lessons, in the order of the course: whole titles by subject, what was answered, what was saved.
+// All lessons, in the order of the course: full titles by subject, answers, saved presets.
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ struct Entry {
   std::string heading = {};
   const Lesson* lesson = nullptr;
   std::string preset = {};
-  bool again = false;  ///< the lesson stands below, too
+  bool again = false;  ///< the lesson is listed below, too
   float height() const { return heading.empty() ? row_height + 2 : heading_height; }
 };
 
@@ -36,7 +36,7 @@ bool wanted(const Lesson& l, const Course& course, const std::string& words) {
   return matches(all, words);
 }
 
-/// "ray-sphere, setting-1", with the folder where that is not the one for figures.
+/// Returns "ray-sphere, setting-1", with the folder unless that is the one for figures.
 std::string name_of_preset(const Session& s, const std::filesystem::path& file) {
   const std::filesystem::path lesson = file.parent_path(), folder = lesson.parent_path();
   const std::string name = lesson.filename().string() + ", " + file.stem().string();
@@ -71,7 +71,7 @@ std::vector<Entry> rows_of(const Session& s) {
   return rows;
 }
 
-/// "5 of 6 right", with a tick before it where the lesson was read to its end: a green one if all answers were right.
+/// Draws "5 of 6 right", after a tick if the lesson was read to its end: a green one if all answers were right.
 void score(Session& s, const Lesson& l, float right, float y) {
   const auto found = s.settings.scores.find(l.id);
   if (found == s.settings.scores.end()) return;
@@ -86,7 +86,7 @@ void score(Session& s, const Lesson& l, float right, float y) {
   s.ui.rects["score " + l.id] = {x - 6, y - 9, right, y + 9};
 }
 
-/// Whether the row was pressed; the one under the pointer or held by the keyboard becomes `told`.
+/// Draws a row. Returns whether it was pressed; if the pointer or the keyboard is at it, its lesson becomes `told`.
 bool lesson_row(Session& s, const Lesson& l, const Rect& r, bool again, const Lesson*& told) {
   Ui& ui = s.ui;
   const std::string name = (again ? "recent " : "lesson ") + l.id;
@@ -119,7 +119,7 @@ void open_preset(Session& s, const std::string& file) {
   }
 }
 
-/// "After Interval and interval. Minkowski sum: Oriented boxes."
+/// Returns "After Interval and interval. Minkowski sum: Oriented boxes."
 std::string leads(const Session& s, const Lesson& l) {
   std::string text;
   const auto name = [&](const std::string& head, const Lesson& other) {
@@ -135,7 +135,7 @@ std::string leads(const Session& s, const Lesson& l) {
   return text;
 }
 
-/// Below the rows: the lesson's picture, and in words what it is about.
+/// Draws, below the rows, the lesson's picture, and in words what it is about.
 void foot(Session& s, const Lesson& l, const Rect& r) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
@@ -158,7 +158,7 @@ void foot(Session& s, const Lesson& l, const Rect& r) {
   text(ui.fonts.small, left, r.bottom - 10, packed(c.muted), "↓ and ↑ choose, Enter opens, Escape closes");
 }
 
-/// The heading that begins the second of two columns, so that the longer one is as short as can be; null: none.
+/// Returns the heading that begins the second column, so that the longer one is as short as possible; null: none.
 const Entry* second_column(const std::vector<Entry>& rows) {
   float total = 0, before = 0;
   for (const Entry& row : rows) total += row.height();
@@ -172,7 +172,7 @@ const Entry* second_column(const std::vector<Entry>& rows) {
   return best;
 }
 
-/// The rows in as many columns as there is room for, about equally long. Returns the one that was pressed.
+/// Draws the rows in as many columns as there is room for, of about equal length. Returns the row that was pressed.
 const Entry* columns(Session& s, const std::vector<Entry>& rows, ImVec2 at, float width, const Lesson*& told) {
   const int count = width >= 660 ? 2 : 1;
   const float wide = (width - gutter * static_cast<float>(count - 1)) / static_cast<float>(count);
@@ -217,7 +217,7 @@ void picker(Session& s, const Rect& window) {
   ImGui::EndChild();
   const ImVec2 below = ImGui::GetCursorScreenPos(), left = ImGui::GetContentRegionAvail();
   const auto first = std::ranges::find_if(rows, [](const Entry& row) { return row.heading.empty(); });
-  if (!told && !s.search.empty() && first != rows.end()) told = first->lesson;  // what Enter opens
+  if (!told && !s.search.empty() && first != rows.end()) told = first->lesson;  // Enter opens it
   if (told || s.search.empty())
     foot(s, told ? *told : s.player.lesson(),
          {below.x, below.y + left.y - below_rows, below.x + left.x, below.y + left.y});

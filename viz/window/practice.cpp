@@ -1,4 +1,4 @@
-// What a reader does with a lesson: sees a published line fail, tries exercises.
+// Practice with a lesson: a reader sees a published line fail, and tries exercises.
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ constexpr float button_height = 34;
 
 constexpr float button_sides = 28;  ///< beside its words, both
 
-/// The keyboard, if it began the exercise, gets hold of what there is to move.
+/// Begins an exercise; if the keyboard began it, the keyboard focus moves to what can be moved.
 void begin_exercise(Session& s, int index) {
   const bool by_keyboard = s.ui.focus.pressed();
   s.attempt([&] { s.player.begin_exercise(index); });
@@ -56,7 +56,7 @@ void erratum(Column& c) {
               : added   ? "This line is not in the note."
                         : "It read: " + as_markup(unindented(e->published)),
               ink.muted);
-  if (player.preset_id() == e->preset) return;  // it fails here
+  if (player.preset_id() == e->preset) return;  // the line fails in this setting
   c.y += 8;
   float x = c.x;
   if (c.button("see it fail", "See it fail (E)", x)) c.s.attempt([&] { player.show_erratum(); });

@@ -1,4 +1,4 @@
-// The question before a step, and what came of it.
+// The question before a step, and its result.
 
 #include <algorithm>
 #include <cmath>
@@ -10,17 +10,17 @@
 namespace isect::viz {
 namespace {
 
-/// How an answer looks: before it is given, and after.
+/// An answer's look: before it is given, and after.
 struct Choice {
   std::string name, markup;
   char key;
   bool open, right, chosen;
 };
 
-/// What a button keeps free of words: the key, or the sign, at its left.
+/// The space that a button keeps free of words for the key, or the sign, at its left.
 constexpr float beside_key = 26;
 
-/// On one line if there is room, else on several.
+/// Returns the words on one line if there is room, else on several.
 Paragraph choice_words(Ui& ui, const std::string& markup, float width, const Colour& colour) {
   Paragraph words{.markup = markup, .line_pitch = 21, .colour = colour};
   if (ui.texts.size_of(words).x > width - beside_key - 6) words.width = width - beside_key - 6;
@@ -45,7 +45,7 @@ bool choice_button(Ui& ui, const Choice& choice, const Rect& r) {
   return p.clicked && choice.open;
 }
 
-/// The question's answers, side by side if they fit. Returns the one that was pressed, or -1.
+/// Draws the question's answers, side by side if they fit. Returns the one that was pressed, or -1.
 int choices(Column& c, const Question& question, int given) {
   Ui& ui = c.s.ui;
   const int n = static_cast<int>(question.choices.size());
@@ -106,17 +106,17 @@ void question(Column& c, bool fresh) {
   c.y += 10;
   c.paragraph(answered->question->because, ink.text);
   if (!fresh) return;
-  // in sight to its end, or from its beginning on
+  // scroll until its end is in sight, or its beginning at the top
   constexpr float margin = 20;
   const float top = ImGui::GetWindowPos().y, height = ImGui::GetWindowHeight();
-  if (c.y + margin + ImGui::GetScrollY() > top + height)  // the words begin at its top by now
+  if (c.y + margin + ImGui::GetScrollY() > top + height)  // the words begin at the window's top by now
     ImGui::SetScrollFromPosY(c.y - begin + margin < height ? c.y + margin - top : begin - top,
                              c.y - begin + margin < height ? 1 : 0);
 }
 
 namespace {
 
-/// As high as its words, which scroll where that is more than `r` has; at its lower end.
+/// Draws the question at the lower end of `r`, as high as its words, which scroll if there is too little room.
 void question_within(Session& s, Rect r) {
   constexpr float margin = 16;
   r.top = std::max(r.top, r.bottom - s.question_height);
@@ -137,7 +137,7 @@ bool has_question(const Session& s) { return s.player.asked() || s.player.answer
 
 void question_over_scene(Session& s, const Rect& scene, const Rect& words) {
   if (!has_question(s)) return;
-  // Once it is answered, the axes in the scene's corner and a ray's t-axis stay in sight below it, if there is room.
+  // Once it is answered, the axes in the scene's corner and a ray's t-axis stay visible below it, if there is room.
   const float width = std::min(640.0f, scene.width() - 40), axes = scene.height() < 480 ? 0 : 94;
   const float bottom = s.player.asked() ? words.bottom : scene.bottom - axes;
   question_within(s, {scene.left + 20, scene.top + 70, scene.left + 20 + width, bottom - 12});

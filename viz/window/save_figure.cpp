@@ -19,7 +19,7 @@ namespace {
 
 constexpr int figure_width = 960, figure_height = 600;
 
-/// Each pixel of the result is the mean of four, as where figures are made without a window.
+/// Halves a picture: each pixel is the mean of four, as where figures are made without a window.
 Picture halved(const Picture& from) {
   Picture to{from.width / 2, from.height / 2, {}};
   to.rgba.reserve(static_cast<std::size_t>(4) * to.width * to.height);
@@ -49,7 +49,7 @@ Made for_screen(const Player& player, const Settings& settings) {
   return {figure(player.step(), camera, page).drawing, {}, 1};
 }
 
-/// As seen here, and no narrower than its labels need.
+/// Makes the figure as seen here, and no narrower than its labels need.
 Made on_paper(const Player& player, const Settings& settings) {
   constexpr double points_a_cm = 72 / 2.54, dpi = 300;
   const PaperSize size = {settings.save_width_cm * points_a_cm, 0, usual_text_size};
@@ -72,12 +72,12 @@ bool is_free_for(const std::string& path, const std::string& bytes) {
   if (!std::filesystem::exists(path, error)) return true;
   try {
     return read_regular_file(path) == bytes;
-  } catch (const FileError&) {  // something else
+  } catch (const FileError&) {  // some other file
     return false;
   }
 }
 
-/// The path without its ending, with a number where another figure or another text has that name.
+/// Returns the path without its ending, with a number if another figure or another text has that name.
 std::string free_stem(const std::string& wanted, const std::string& format, const std::string& figure,
                       const std::string& text) {
   std::string stem = wanted;
@@ -88,7 +88,7 @@ std::string free_stem(const std::string& wanted, const std::string& format, cons
 
 }  // namespace
 
-/// How it was asked for, as `isect render` reads it again.
+/// Returns how it was asked for, in words that `isect render` reads again.
 static std::string words_of(const Settings& settings) {
   std::vector<std::string> words;
   if (settings.save_theme != ThemeName::screen)

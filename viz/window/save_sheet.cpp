@@ -1,4 +1,4 @@
-// How the figure on show becomes a file.
+// The sheet that saves the figure on show as a file.
 
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -16,7 +16,7 @@ namespace isect::viz {
 
 namespace {
 
-/// A field for any other width in cm, which counts on Enter or on leaving it.
+/// Draws a field for any other width in cm, which is read on Enter or on leaving the field.
 void other_width(Session& s, const Rect& r) {
   s.ui.rects["other width"] = r;
   const bool held = focused(s.ui, "other width", r);
@@ -40,7 +40,7 @@ void other_width(Session& s, const Rect& r) {
   }
 }
 
-/// The figure as it would be saved, as large as it fits.
+/// Draws the figure as it would be saved, as large as it fits.
 void preview(Session& s, const Rect& room) {
   const Session::Preview& p = s.preview;
   if (!p.why.empty()) {
@@ -102,7 +102,7 @@ void save_sheet(Session& s, const Rect& window) {
   }
   x = at.x, y += 60;
   const bool again = ImGui::GetIO().InputQueueCharacters.contains('s') && !ImGui::IsWindowAppearing();
-  const bool held = !ui.focus.name().empty() || ImGui::GetIO().WantTextInput;  // then Enter is theirs
+  const bool held = !ui.focus.name().empty() || ImGui::GetIO().WantTextInput;  // then Enter belongs to them
   const bool enter = (!held && (key_down(key::enter) || key_down(key::keypad_enter))) || key_down(key::f12) || again;
   if ((chip(ui, "save", {x, y - 18, x + 110, y + 18}, "Save", true) || enter) && s.width_wrong.empty()) {
     s.save_now = true;

@@ -1,12 +1,12 @@
 #pragma once
-// Names in the picture: which one the pointer is at, and the light on what bears a name that is lit.
+// Names in the picture: which one the pointer is at, and the light on items with a lit name.
 
 #include "viz/compose.h"
 #include "viz/window/session.h"
 
 namespace isect::viz {
 
-/// The handle or the named point or line nearest to the pointer, or the label under it, is asked for.
+/// Asks for the names of the handle or the named point or line nearest to the pointer, or of the label under it.
 void point_at_names(Session&, const View&, const Rect& scene, const std::vector<PlacedLabel>&,
                     const std::optional<Handle>& under);
 /// Draws the light over labels and objects.

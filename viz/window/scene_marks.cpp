@@ -63,10 +63,10 @@ std::size_t corners_of(const Region& region) {
 namespace {
 
 constexpr float low_head = 42, high_head = 60;
-/// From the scene's edges to its chips.
+/// Returns the distance from the scene's edges to its chips.
 float edge(const Rect& scene) { return is_low(scene) ? 8.0f : 20.0f; }
 
-/// Not before the outcome: it tells what the exact method says.
+/// Whether methods differ; not before the outcome: it would tell what the exact method says.
 bool has_alarm(const Session& s) {
   const bool known = s.player.index() >= outcome(s.player.walk());
   return s.player.methods_differ() && known && !s.player.asked() && !is_card(s.player.step().scene);
@@ -80,7 +80,7 @@ std::string alarm_words(const Session& s) {
 
 float alarm_width(const Session& s) { return 46 + text_width(s.ui.fonts.small, alarm_words(s)); }
 
-/// On one line if there is room, else on several.
+/// Returns the verdict on one line if there is room, else on several.
 Paragraph verdict_words(Session& s, const Rect& scene, const std::string& verdict) {
   Paragraph words{.markup = verdict, .colour = s.ui.palette.text};
   if (is_low(scene)) words.size = 13, words.line_pitch = 19;
@@ -90,7 +90,7 @@ Paragraph verdict_words(Session& s, const Rect& scene, const std::string& verdic
   return words;
 }
 
-/// 0: there is none.
+/// Returns the height of the verdict's chip; 0 if there is none.
 float verdict_height(Session& s, const Rect& scene, const Step& step) {
   if (step.verdict.text.empty() || is_card(step.scene)) return 0;
   return s.ui.texts.size_of(verdict_words(s, scene, step.verdict.text)).y + (is_low(scene) ? 9.0f : 13.0f);
@@ -99,7 +99,7 @@ float verdict_height(Session& s, const Rect& scene) { return verdict_height(s, s
 
 }  // namespace
 
-/// Of the walk's verdicts, which may take several lines. Of very many the longest tell.
+/// Returns the tallest of the walk's verdicts, which may take several lines. Of very many it measures the longest.
 static float tallest_verdict(Session& s, const Rect& scene) {
   constexpr std::size_t most = 100;
   std::vector<const Step*> told;
@@ -205,7 +205,7 @@ void tripod(Session& s, const View& view, const Rect& scene, const std::vector<P
   for (int i = 0; i < 3; ++i) {
     const ImVec2 way{static_cast<float>(view.right()[i]), static_cast<float>(-view.up()[i])};
     const float size = std::hypot(way.x, way.y);
-    if (size < 0.15f) continue;  // it points at the viewer
+    if (size < 0.15f) continue;  // the axis points at the viewer
     const ImVec2 tip{origin.x + way.x * length, origin.y + way.y * length};
     const ImVec2 u{way.x / size, way.y / size};
     list.AddLine(origin, tip, ink, 1.2f);
@@ -302,7 +302,7 @@ void handle_under_pointer(Session& s, const View& view, const Handle& handle, co
       if (!p.label.empty()) name = plain(p.label);
       help = "\n" + p.help;
     }
-  const auto value = s.player.parameters().find(handle.parameter);  // what was not moved yet has none
+  const auto value = s.player.parameters().find(handle.parameter);  // a parameter that was not moved yet has no value
   tooltip(s.ui, name + " = " +
                     value_in_words(value == s.player.parameters().end() ? Setting(handle.at) : value->second,
                                    s.player.lesson().flat) +
@@ -329,7 +329,7 @@ void item_under_pointer(Session& s, const View& view, const Vec2& pixel) {
     name = fmt::format("mesh: {} triangles", mesh->triangles.size());
   else if (const Region* region = std::get_if<Region>(picked->item))
     name = fmt::format("polygon: {} corners", corners_of(*region));
-  const std::string own = std::visit(  // which a scene of many objects does not show
+  const std::string own = std::visit(  // a scene of many objects does not show it
       [](const auto& it) -> std::string {
         if constexpr (requires { it.name; })
           return plain(it.name);

@@ -12,13 +12,13 @@ bool is_tip(const Scene& scene, const Vec3& at) {
   });
 }
 
-/// So many handles have names of their own; of more than the former, parts of objects ("A.lo") have none. The pointer
-/// asks for each of the others, and so does the keyboard.
+/// Above the second number no handle has its name beside it; above the first, parts of objects ("A.lo") have none. The
+/// name is shown for the handle under the pointer or with the keyboard's ring.
 constexpr std::size_t few_handles = 6, most_named_handles = 12;
-/// A scene with more names than that shows those of the objects it is about, if they are not as many.
+/// A scene with more names than this shows only those of the objects it is about, or none if these are too many, too.
 constexpr std::size_t most_names = 24;
 
-/// Of a scene of one's own.
+/// Removes names from a scene made from a file, if there are too many.
 void thin_out(Scene& scene) {
   const auto is_name = [](const Item& item) { return std::holds_alternative<Label>(item); };
   const auto too_many = [&] {

@@ -26,13 +26,13 @@ constexpr const char* searching = "Looking for where the case changes …";
 
 Vec2 mouse() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
-/// Small drawings, each with a heading.
+/// Whether the scene has small drawings, each with a heading.
 bool has_drawings(const Scene& scene) {
   return std::ranges::count_if(scene.items, [](const Item& i) { return std::holds_alternative<Heading>(i); }) > 2;
 }
 
-/// Small drawings stand closer than their texts have room for, and a chart's plane gets what its texts leave, where the
-/// scene is small.
+/// Returns a smaller theme in a small scene of small drawings, which are too close together for their texts, or of a
+/// chart, whose plane gets what its texts leave.
 Theme look(const Session& s, const View& view) {
   const Theme& theme = s.ui.palette.theme;
   const double fits = std::clamp(std::min(view.width() / 600, view.height() / 350), 0.65, 1.0);
@@ -46,22 +46,22 @@ std::string line_of(const Session& s, const Rect& r, double scale) {
   const double motion = before && may_move(*before, s.player.scene()) ? s.player.motion() : 1;
   const std::string what = fmt::format("{} {} {} {} {} {} {}", static_cast<int>(s.pane), s.player.revision(), motion,
                                        r.width(), r.height(), scale, name_of(s.settings.theme));
-  if (s.player.scene().chart) return what;  // wherever the camera is
+  if (s.player.scene().chart) return what;  // the camera does not matter
   return what + fmt::format(" {} {} {} {} {} {} {} {}", c.target.x(), c.target.y(), c.target.z(), c.azimuth,
                             c.elevation, c.half_height, c.perspective, c.field_of_view);
 }
 
-/// Smaller where the scene is low.
+/// Returns the theme of the axis: smaller where the scene is low.
 Theme axis_look(const Session& s, const Rect& r) {
   return window_theme(s.ui.palette.theme.name, is_low(r) ? 0.7 : 0.9);
 }
 
-/// What a ray's t-axis takes below the scene: the same in all steps.
+/// Returns the height of a ray's t-axis below the scene: the same in all steps.
 float axis_room(const Session& s, const Rect& r) {
   return has_axis(s.player.walk()) ? static_cast<float>(axis_height * axis_look(s, r).sizes.axis) + 10 : 0;
 }
 
-/// It stands between the tripod and the name of the projection.
+/// Draws the axis between the tripod and the name of the projection.
 Composed axis_below(const Axis& axis, const Session& s, const Rect& r) {
   constexpr double tripod_room = 100, projection_room = 130;
   const Theme theme = axis_look(s, r);
@@ -71,13 +71,13 @@ Composed axis_below(const Axis& axis, const Session& s, const Rect& r) {
   return compose_axis(axis, left, std::max(right, left + 40), y, r.width(), theme);
 }
 
-/// The map of cases that this step shows, if any.
+/// Returns the map of cases that this step shows, if any.
 const Cases* map_of(const Session& s) {
   const Scene& scene = s.player.scene();
   return scene.chart && s.player.lesson().map ? std::get_if<Cases>(&scene.chart->kind) : nullptr;
 }
 
-/// So many facets or corners move smoothly only where they are drawn less so.
+/// Whether a drawing has so many facets or corners that it is drawn coarser while it moves.
 bool has_much(const Drawing& drawing) {
   constexpr std::size_t many_facets = 10'000, many_corners = 8000;
   std::size_t facets = 0, corners = 0;
@@ -106,7 +106,7 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
   const View own(view.camera(), view.width(), view.height(), {0, view.corner().y() - r.top});
   Drawing drawing{r.width(), r.height(), ink.background, {}};
   Scene scene = with_names(s.player);
-  const std::clock_t begun = std::clock();  // the processor's time: that others use it, too, is no reason to stop
+  const std::clock_t begun = std::clock();  // processor time: a busy machine is no reason to stop
   if (const Scene* before = s.player.scene_before()) scene = between(*before, scene, s.player.motion());
   const Cases* const map = map_of(s);
   Composed composed = map ? compose_map(*map, own.corner(), own.width(), own.height(), ink)
@@ -131,7 +131,7 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
   if (static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC > most_to_move) s.player.arrive(), behind_ = true;
 }
 
-/// The one with the keyboard's ring.
+/// Returns the handle with the keyboard's ring.
 std::optional<Handle> handle_of_keyboard(const Session& s) {
   const std::string name = s.ui.focus.name();
   for (const Handle& h : s.player.scene().handles)
@@ -153,15 +153,15 @@ std::optional<Handle> SceneView::handle_near(const Session& s, const View& view,
   return nearest;
 }
 
-/// With Shift only as far as where the case changes, next to the pointer. Where it was taken, all is as it was then.
+/// Drags the handle, with Shift only to a change of case next to the pointer. Where it was taken, it restores all.
 void SceneView::drag_held(Session& s, const View& view) {
   const bool snapping = ImGui::GetIO().KeyShift;
   if (mouse() == followed_ &&
-      (snapping == snapping_ || !snapping)) {  // it stays where it has snapped until it moves on
+      (snapping == snapping_ || !snapping)) {  // it stays where it has snapped until the pointer moves
     snapping_ = snapping;
     return;
   }
-  if (snapping && search_) return;  // one search after another: it would never end while the pointer moves
+  if (snapping && search_) return;  // one search after another: else none would end while the pointer moves
   snapping_ = snapping, followed_ = mouse();
   end_search(s);
   s.attempt([&] {
@@ -180,8 +180,8 @@ void SceneView::begin_snap(const Player& player, Snap snap) {
   search_.emplace(Search{std::move(snap), player.revision()});
 }
 
-/// As far as a frame has time, by the processor's clock; what was found is shown in a frame that has searched little.
-/// It is found, too, where the button has been released meanwhile.
+/// Searches for as long as a frame has time, by the processor's clock; a result is shown in a frame that has searched
+/// little. It is shown, too, if the button has been released meanwhile.
 void SceneView::go_on_snapping(Session& s) {
   if (!search_) return;
   if (search_->revision != s.player.revision()) return end_search(s);
@@ -210,8 +210,8 @@ void SceneView::wheel(Session& s, const View& view) {
   if (turns != 0) s.player.zoom(view, mouse(), std::pow(1.15, turns));
 }
 
-/// Shift and the arrows move the handle that the keyboard holds, with Ctrl to where the case changes next; or else they
-/// turn the scene. Ctrl and the arrows shift it.
+/// Moves the handle that the keyboard holds by Shift and the arrows, with Ctrl to where the case changes next; without
+/// such a handle, turns the scene. Ctrl and the arrows shift the scene.
 void SceneView::keyboard(Session& s, const View& view) {
   const ImGuiIO& io = ImGui::GetIO();
   const Vec2 middle = view.corner() + Vec2(view.width(), view.height()) / 2;
@@ -245,7 +245,7 @@ void SceneView::keyboard(Session& s, const View& view) {
     return;
   }
   if (io.KeyShift && io.KeyCtrl) return;
-  // A little at once; on and on, frame by frame, while the key is held.
+  // A little at once, then frame by frame while the key is held.
   constexpr double once = 6, a_second = 240, patience = 0.18;  // px, seconds
   const double passed = std::min<double>(io.DeltaTime, 0.05);
   turning_ = held_for < 0 ? 0 : held_for + passed;
@@ -259,14 +259,14 @@ void SceneView::keyboard(Session& s, const View& view) {
 
 void SceneView::pointer(Session& s, const View& view, bool hovered, bool active) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (held_ && held_in_ != &s.player.lesson()) held_.reset(), end_search(s);  // a key has brought another lesson
+  if (held_ && held_in_ != &s.player.lesson()) held_.reset(), end_search(s);  // a key has opened another lesson
   if (const Cases* cases = map_of(s)) {
     const Theme ink = look(s, view);
     map_drag_.follow(s, *cases, plane_of(*cases, view.corner(), view.width(), view.height(), ink), hovered);
     last_ = mouse();
     return;
   }
-  if (s.player.scene().chart && !held_) {  // no camera looks at it
+  if (s.player.scene().chart && !held_) {  // a chart has no camera
     last_ = mouse();
     return;
   }

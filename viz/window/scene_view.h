@@ -15,15 +15,15 @@ namespace isect::viz {
 
 class SceneView {
  public:
-  /// `scale`: framebuffer pixels per px of the layout. It may place names without `drawing`, or nothing without
-  /// `placing`.
+  /// `scale`: framebuffer pixels per px of the layout. Without `drawing` it only places names; without `placing` it
+  /// does not even that.
   SceneView(Renderer& renderer, double scale, bool drawing = true, bool placing = true)
       : renderer_(renderer), scale_(scale), drawing_(drawing), placing_(placing) {}
 
-  /// Draws the scene with what lies over it, and does what the pointer asks for.
+  /// Draws the scene with its marks, and does what the pointer asks for.
   void show(Session&, const Rect&);
   const std::vector<PlacedLabel>& labels() const { return labels_; }
-  /// What is on show is not yet all, a key goes on turning it, or a snap is being searched: the next frame is wanted.
+  /// Whether the next frame is wanted: not all is drawn yet, a key goes on turning it, or a snap is being searched.
   bool behind() const { return behind_ || turning_ >= 0 || search_; }
   void rescale(double scale) { scale_ = scale; }
 
@@ -43,12 +43,12 @@ class SceneView {
   bool drawing_, placing_, behind_ = false;
   std::vector<PlacedLabel> labels_;
   KeptPicture picture_;
-  std::string drawn_;           ///< what the picture shows, as one line; drawing it again is saved
+  std::string drawn_;           ///< what the picture shows, as one line: it is not drawn twice
   double turning_ = -1;         ///< seconds for which keys have turned or shifted it; < 0: they do not
-  bool sketched_ = false;       ///< while it is dragged: it is drawn smoothly once the button is released
+  bool sketched_ = false;       ///< drawn coarsely during a drag, smoothly once the button is released
   std::optional<Handle> held_;  ///< while a handle is dragged: the handle as it is now
   const Lesson* held_in_ = nullptr;
-  /// A snap that takes more than a frame to find, and what was on show when it began.
+  /// A snap whose search takes more than a frame, and what was on show when it began.
   struct Search {
     Snap snap;
     unsigned revision;

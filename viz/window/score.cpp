@@ -1,4 +1,4 @@
-// What is kept of a reader's way: answers, lessons read to their ends, lessons last opened.
+// A reader's progress that is kept: answers, lessons read to their ends, lessons opened last.
 
 #include "viz/closing.h"
 #include "viz/window/panels.h"
@@ -8,7 +8,7 @@ namespace {
 
 std::string question_name(const Player& player, int step) {
   std::string name = player.method() + "/" + player.walk().steps[step].slug;
-  std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });  // one question, however often a loop asks it
+  std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });  // the same question in every round of a loop
   return name;
 }
 
@@ -38,7 +38,7 @@ std::vector<int> missed_questions(const Session& s) {
 void keep_recent(Session& s) {
   std::vector<std::string>& recent = s.settings.recent;
   const std::string& id = s.player.lesson().id;
-  if (!s.player.lesson().made_from.empty()) return;  // it is not among the lessons
+  if (!s.player.lesson().made_from.empty()) return;  // scenes from files are not among the lessons
   if (!recent.empty() && recent.front() == id) return;
   std::erase(recent, id);
   recent.insert(recent.begin(), id);

@@ -22,7 +22,7 @@ std::string preset_title(const Player& p, const std::string& id) {
   return found == p.lesson().presets.end() ? "changed" : plain(p.told_title(*found));
 }
 
-/// What the first pane has instead.
+/// Returns the title of the method or preset in the first pane.
 std::string first_title(const Session& s) {
   const bool methods = !s.settings.beside->method.empty();
   return methods ? method_title(s.player, s.player.method()) : preset_title(s.player, s.player.preset_id());
@@ -32,14 +32,14 @@ std::string second_title(const Session& s) {
   return side.method.empty() ? preset_title(s.player, side.preset) : method_title(s.player, side.method);
 }
 
-/// The one after `now`, going round; empty where there is no other one.
+/// Returns the one after `now`, cyclically; empty if there is no other one.
 std::string next_of(const std::vector<std::string>& all, const std::string& now) {
   const auto at = std::ranges::find(all, now);
   const std::string& next = at == all.end() || at + 1 == all.end() ? all.front() : at[1];
   return next == now ? std::string() : next;
 }
 
-/// The next method, else the preset that was left by hand, else the next preset.
+/// Returns the next method, else the preset that was left by hand, else the next preset.
 std::optional<Beside> usual(const Player& p) {
   std::vector<std::string> methods, presets;
   for (const Method& m : p.methods()) methods.push_back(m.choice);
@@ -55,7 +55,7 @@ std::optional<Beside> usual(const Player& p) {
   return side;
 }
 
-/// What the second pane can show: methods, then presets of the first one's method.
+/// Draws what the second pane can show: methods, then presets of the first one's method.
 void menu(Session& s, const ImVec2& at) {
   ImGui::SetNextWindowPos(at);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{6, 6});
@@ -82,7 +82,7 @@ void menu(Session& s, const ImVec2& at) {
   ImGui::PopStyleVar();
 }
 
-/// "≠ line 6, m²": where a pane is the first to differ. Pressed, it brings the line into view. `side`: of its names.
+/// Draws "≠ line 6, m²": the first difference. Pressed, it brings the line into view. `side`: its names' prefix.
 void told(Ui& ui, const std::string& side, const Step& step, int line, int value, float left, float right, float y) {
   std::string words = line < 0 ? "" : "line " + std::to_string(line + 1);
   if (value >= 0) words += (words.empty() ? "" : ", ") + plain(step.values[value].name);
@@ -119,7 +119,7 @@ void heads(Session& s, const Player& other, const Parting& parted, const PanesLa
   ImGui::End();
 }
 
-/// While a question is open the values on show are those of no step.
+/// Returns where the panes part, without values while a question is open: those on show belong to no step.
 Parting parting_now(const Player& first, const Player& second) {
   Parting parted = parting(first.walk(), first.index(), second.walk(), second.index());
   if (first.asked() || second.asked()) parted.value_a = parted.value_b = -1;
@@ -143,7 +143,7 @@ void toggle_panes(Session& s) {
   s.settings.map = false;
 }
 
-/// False where the other side can't be had; then there is one pane.
+/// Returns false if the other side does not exist; then there is one pane.
 bool SecondPane::follow(Session& s) {
   const Beside& side = *s.settings.beside;
   const Lesson& lesson = s.player.lesson();

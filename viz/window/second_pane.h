@@ -18,11 +18,11 @@ class SecondPane {
  public:
   SecondPane(Renderer& renderer, double scale, bool drawing) : scene_(renderer, scale, drawing, drawing) {}
 
-  /// Both panes, with what tells them apart above them. `lead`: the scene of the first.
+  /// Shows both panes, with what tells them apart above them. `lead`: the scene of the first.
   void show(Session&, SceneView& lead, const PanesLayout&);
-  /// There is one pane.
+  /// Returns to one pane.
   void leave(Session&);
-  /// As SceneView has it, while there are two.
+  /// Whether the second scene wants another frame (SceneView::behind), while there are two panes.
   bool behind() const { return other_ && scene_.behind(); }
   void rescale(double scale) { scene_.rescale(scale); }
 
@@ -32,7 +32,7 @@ class SecondPane {
 
   SceneView scene_;
   std::optional<Player> other_;
-  std::set<std::string> names_;  ///< that its walk knows
+  std::set<std::string> names_;  ///< the names in its walk
   unsigned named_ = 0;           ///< the revision of that walk
 };
 

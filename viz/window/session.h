@@ -1,5 +1,5 @@
 #pragma once
-// What the parts of the window share while it is open.
+// State that the parts of the window share while it is open.
 
 #include <algorithm>
 #include <functional>
@@ -17,14 +17,14 @@
 
 namespace isect::viz {
 
-/// The least window, in px of the layout.
+/// The smallest window, in px of the layout.
 constexpr int least_width = 800, least_height = 500;
-/// Of everything, for a lecture hall, say.
+/// The range for the size of everything: large for a lecture hall, say.
 constexpr double least_size = 0.5, most_size = 4;
-/// Of a figure on paper.
+/// The range for the width of a figure on paper.
 constexpr double least_width_cm = 2, most_width_cm = 60;
 
-/// How a reader fared in a lesson.
+/// A reader's results in a lesson.
 struct Score {
   std::map<std::string, bool> answers = {};  ///< by question: whether the last answer was right
   bool finished = false;                     ///< read to its end
@@ -34,17 +34,17 @@ struct Score {
 };
 constexpr std::size_t recent_kept = 5, saved_kept = 100;
 
-/// What stands in the second of two panes: a method, or a preset.
+/// The contents of the second of two panes: a method, or a preset.
 struct Beside {
   std::string lesson, method, preset;  ///< one of the latter two is empty
   bool operator==(const Beside&) const = default;
 };
-/// Of a place that has one.
+/// Returns the contents of the second pane of a place that has one.
 inline std::optional<Beside> beside_of(const Place& place) {
   if (!place.beside) return {};
   return Beside{place.lesson, place.beside->method, place.beside->preset};
 }
-/// The first pane or the only one; a second that its reader's hand moves along; one that stays as it is.
+/// The first pane or the only one; a second that a reader's hand moves along with it; one that stays as it is.
 enum class Pane { lead, along, fixed };
 
 /// What is kept between runs.
@@ -67,19 +67,19 @@ struct Settings {
   std::vector<std::string> saved = {};       ///< whole paths of presets, the last saved first, wherever they lie
 };
 
-/// The file of the user's state folder; empty where there is no home.
+/// Returns the file in the user's state folder; empty if there is no home.
 std::string settings_file();
-/// A missing or spoilt file gives the defaults, a spoilt field its default.
+/// Reads the settings. A missing or damaged file gives the defaults, a damaged field its default.
 Settings read_settings(const std::string& file, const std::vector<const Lesson*>&);
-/// What is there but can't be read as settings would be overwritten at the end: moves it to a name of its own beside
-/// it. What to say of that; empty where there was nothing to do.
+/// Renames a file that can't be read as settings, which would be overwritten at the end, to a new name beside it.
+/// Returns the message about it; empty if there was nothing to do.
 std::string set_spoilt_settings_aside(const std::string& file);
-/// As the file holds them.
+/// Returns the settings as the file holds them.
 std::string text_of(const Settings&);
-/// Throws FileError.
+/// Writes the settings. Throws FileError.
 void write_settings(const std::string& file, const Settings&);
 
-/// What lies over the window.
+/// The sheets that may cover the window.
 enum class Sheet { none, keys, picker, save, terms };
 
 struct Session {
@@ -88,39 +88,39 @@ struct Session {
   Settings& settings;
   const Course& course;
   std::string figures;  ///< folder for saved figures
-  /// Into its own file, which the lesson is made from then; null: there is none.
+  /// Writes the setting into the scene's file, from which the lesson is then made; null: there is no file.
   std::function<void(const Parameters&)> save_scene = {};
   bool panels = true;
   Sheet open_next = Sheet::none;  ///< asked for by a key or a button, opened at the end of the frame
-  /// Of the figure as the sheet would save it, while that is open: drawn between two frames.
+  /// The figure as the sheet would save it, while that is open: drawn between two frames.
   struct Preview {
     bool wanted = false;  ///< the sheet is open
     ImTextureID picture = {};
     float width = 0, height = 0;  ///< of the figure, in any unit
-    std::string why = {};         ///< there is none
+    std::string why = {};         ///< why there is none
   } preview = {};
-  /// A lesson's picture in the picker, drawn between two frames, likewise.
+  /// A lesson's picture in the picker, also drawn between two frames.
   struct Pictured {
-    const Lesson* lesson = nullptr;  ///< that is wanted; null: none
+    const Lesson* lesson = nullptr;  ///< the lesson wanted; null: none
     ImTextureID picture = {};        ///< nothing until it has been drawn
   } pictured = {};
-  bool save_now = false;                      ///< this frame's figure shall become a file
-  bool save_preset = false;                   ///< the setting shall become a preset file
-  bool close = false;                         ///< the reader wants to leave
-  std::optional<unsigned> told_unsaved = {};  ///< revision of a scene that was not saved when the reader wanted to
+  bool save_now = false;                      ///< save this frame's figure as a file
+  bool save_preset = false;                   ///< save the setting as a preset file
+  bool close = false;                         ///< the reader wants to close the window
+  std::optional<unsigned> told_unsaved = {};  ///< revision of a scene that was unsaved when the reader wanted to close
   bool full_screen = false;
   std::string search = {};                ///< words in the picker, or among the terms
   std::string width_text = {};            ///< typed into the sheet that saves figures
   std::string width_wrong = {};           ///< why it is refused
   std::vector<std::string> presets = {};  ///< files of saved presets, as the picker found them
   float fields_height = 0;                ///< of the parameters' fields, as the last frame found it
-  float question_height = 120;            ///< of the question over the scene, likewise
-  /// What is told below the scene, as high as the fullest step of the lesson so far, so that the scene keeps its size.
+  float question_height = 120;            ///< of the question over the scene, as the last frame found it
+  /// The words below the scene, as high as the fullest step of the lesson so far, so that the scene keeps its size.
   struct Lecture {
     const Lesson* lesson = nullptr;
     float width = 0, height = 0;
   } lecture = {};
-  /// What the scene leaves free for the verdicts of a walk, which may be of thousands of steps.
+  /// The height that the scene leaves free for the verdicts of a walk, which may have thousands of steps.
   struct SteadyHead {
     unsigned walk = 0;
     float width = 0, height = 0, alarm = 0;
@@ -130,10 +130,10 @@ struct Session {
   } steady_head = {};
   double zoom = 1;  ///< asked for by a key
   Pane pane = Pane::lead;
-  bool paired = false;                       ///< two panes: headings and counts give way to lines and values
+  bool paired = false;                       ///< with two panes lines and values replace headings and counts
   int parted_line = -1, parted_value = -1;   ///< where two panes part: a line, one of the step's values
-  unsigned words_seen = 0;                   ///< revision whose words are on show
-  std::set<const Exercise*> solutions = {};  ///< that are on show
+  unsigned words_seen = 0;                   ///< the revision whose words are shown
+  std::set<const Exercise*> solutions = {};  ///< those that are shown
 
   /// A number that is being typed into a field, and why the last one was refused.
   struct Typing {
@@ -143,22 +143,22 @@ struct Session {
   } typing = {};
   struct Refused {
     std::string field, why;
-    unsigned revision = 0;  ///< the player's; told until something changes
+    unsigned revision = 0;  ///< the player's; shown until something changes
   } refused = {};
 
   struct Toast {
     std::string text;
     bool error = false;
     double seconds_left = 0;
-    std::optional<std::pair<unsigned, int>> at = {};  ///< revision and step that it speaks of, if of no others
+    std::optional<std::pair<unsigned, int>> at = {};  ///< its revision and step, if it is about no others
   } toast = {};
 
   void say(const std::string& words) { toast = {words, false, 5}; }
-  /// What holds of this setting and step: gone with them.
+  /// Says what holds only for this setting and step: the message ends with them.
   void say_here(const std::string& words) { toast = {words, false, 5, here()}; }
   std::pair<unsigned, int> here() const { return {player.revision(), player.index()}; }
   void complain(const std::string& words) { toast = {words, true, 12}; }
-  /// Does what may be refused, and shows why it was.
+  /// Runs an action that may be refused, and shows why it was.
   template <class Action>
   void attempt(Action&& action) {
     try {

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The field, or `fallback` where it is missing or of another type.
+/// Returns the field, or `fallback` if it is missing or of another type.
 template <class T>
 T field(const Json& from, const char* name, T fallback) {
   const auto found = from.find(name);
@@ -25,7 +25,7 @@ T field(const Json& from, const char* name, T fallback) {
   }
 }
 
-/// What no screen has is a spoilt field. As a double first: the library wraps what no int holds.
+/// A size that no screen has is a damaged field. Read as a double first: the library wraps what no int holds.
 int size_field(const Json& from, const char* name, int least, int fallback) {
   const double px = field(from, name, static_cast<double>(fallback));
   return px >= least && px <= 16000 ? static_cast<int>(px) : fallback;
@@ -82,7 +82,7 @@ Json json_of(const std::map<std::string, Score>& scores) {
   return all;
 }
 
-/// Empty if it is no JSON object.
+/// Returns the parsed file; empty if it is no JSON object.
 Json parsed(const std::string& file) {
   try {
     const Json json = Json::parse(read_regular_file(file), nullptr, false);

@@ -39,7 +39,7 @@ bool search_field(Session& s, const char* hint) {
   }
   ImGui::SetNextItemWidth(-1);
   const bool entered = ImGui::InputTextWithHint("##search", hint, &s.search, ImGuiInputTextFlags_EnterReturnsTrue);
-  if (entered) ImGui::SetKeyboardFocusHere(-1);  // Enter leads nowhere where no row is left
+  if (entered) ImGui::SetKeyboardFocusHere(-1);  // Enter has no effect if no row is left
   const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
   s.ui.rects["search"] = {lo.x, lo.y, hi.x, hi.y};
   return entered;

@@ -1,5 +1,5 @@
 #pragma once
-// What lies over the window for a while: keys, lessons, terms, a figure to be saved.
+// Sheets that cover the window for a while: keys, lessons, terms, a figure to be saved.
 
 #include <imgui.h>
 
@@ -8,14 +8,14 @@
 
 namespace isect::viz {
 
-/// A key pressed in an open sheet; the press that opened it does not count.
+/// Whether a key was pressed in an open sheet; the press that opened it does not count.
 inline bool key_down(key::Code code) { return ImGui::IsKeyPressed(code, false) && !ImGui::IsWindowAppearing(); }
 
-/// Opens in the middle of the window; Escape or a click beside it closes it. True while it is open.
+/// Opens in the middle of the window; Escape or a click beside it closes it. Returns whether it is open.
 bool begin_sheet(Session&, const char* name, const Rect& window, float width, float height);
-/// The field for words to look for, which has the keyboard. True: Enter was pressed in it.
+/// Draws the search field, which has the keyboard. Returns whether Enter was pressed in it.
 bool search_field(Session&, const char* hint);
-/// Each word that is wanted, or another name for the same thing, stands in the text; case does not count.
+/// Whether each wanted word, or another name for the same thing, occurs in the text; case is ignored.
 bool matches(const std::string& text, const std::string& wanted);
 
 void key_sheet(Session&, const Rect& window);

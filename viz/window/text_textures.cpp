@@ -46,7 +46,7 @@ ImTextureID TextTextures::of(const Paragraph& paragraph) {
   Kept& one = kept(paragraph);
   if (one.texture == 0 && one.size.x > 0 && one.size.y > 0) {
     const double area = one.size.x * one.size.y;
-    late_ = late_ || (drawn_ > 0 && drawn_ + area > a_frame_);  // then all that follow wait as well, from above down
+    late_ = late_ || (drawn_ > 0 && drawn_ + area > a_frame_);  // then all that follow wait, too, from the top down
     if (!late_) one.texture = gl::make_texture(raster(paragraph, scale_)), drawn_ += area;
   }
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(one.texture));

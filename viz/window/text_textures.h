@@ -12,10 +12,10 @@
 
 namespace isect::viz {
 
-/// Needs the context that was current when it was made, in every call and at its end.
+/// Every call, and the destructor, needs the context that was current when it was made.
 class TextTextures {
  public:
-  /// `scale`: framebuffer pixels per px. `a_frame`: so many square px of texts that a frame draws at most, but for its
+  /// `scale`: framebuffer pixels per px. `a_frame`: the most square px of texts that a frame draws, not counting its
   /// first one.
   explicit TextTextures(double scale, double a_frame = std::numeric_limits<double>::infinity())
       : scale_(scale), a_frame_(a_frame) {}
@@ -23,15 +23,15 @@ class TextTextures {
   TextTextures(const TextTextures&) = delete;
   TextTextures& operator=(const TextTextures&) = delete;
 
-  /// Its picture on the graphics card; none of an empty one, and of one that waits for the next frame.
+  /// Returns its picture on the graphics card; none if it is empty or waits for the next frame.
   ImTextureID of(const Paragraph&);
-  /// The size of that picture, in px of the layout. The picture is not drawn for it.
+  /// Returns the size of that picture, in px of the layout, without drawing it.
   ImVec2 size_of(const Paragraph&);
-  /// Where its names stand, in px from its top left corner.
+  /// Returns where its names stand, in px from its top left corner.
   const std::vector<NameBox>& names(const Paragraph&);
-  /// From now on so many framebuffer pixels per px.
+  /// Sets the number of framebuffer pixels per px from now on.
   void rescale(double scale);
-  /// Ends a frame: what has not been asked for during the last few hundred frames is dropped.
+  /// Ends a frame: texts that were not used during the last few hundred frames are dropped.
   void next_frame();
   /// Whether a text that the last frame wanted is still to be drawn.
   bool waiting() const { return waiting_; }

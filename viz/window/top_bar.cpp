@@ -38,7 +38,7 @@ std::string chip_label(const Preset& preset, std::size_t number, bool named) {
   return named ? digits + "  " + plain(preset.title) : digits;
 }
 
-/// The chips of the presets in a row: named while there is room for the name.
+/// The chips of the presets in a row: with names while there is room for them.
 struct Chips {
   ImFont* font;
   float gap;
@@ -83,7 +83,7 @@ void draw_chips(Session& s, const std::vector<const Preset*>& group, const Chips
   }
 }
 
-/// All presets below each other, where they have no room side by side.
+/// Lists all presets below each other, if there is no room for them side by side.
 void preset_menu(Session& s, const std::vector<const Preset*>& group, float right, float top) {
   float width = 160;
   for (std::size_t i = 0; i < group.size(); ++i)

@@ -10,7 +10,7 @@
 namespace isect::viz {
 namespace {
 
-/// Where step i of the scrubber stands.
+/// Returns where step i of the scrubber stands.
 float place_of(const Rect& r, int i, int count) {
   const float x0 = r.left + 32, x1 = r.right - 32;
   return count < 2 ? x0 : x0 + (x1 - x0) * static_cast<float>(i) / static_cast<float>(count - 1);
@@ -41,7 +41,7 @@ void scrubber(Session& s, const Rect& r, float y) {
   for (int i = 0; i < player.count(); ++i) {
     const bool decides = player.walk().steps[i].decides;
     const float x = std::round(place_of(r, i, player.count())), half = decides ? 8.0f : 5.0f;
-    if (std::exchange(last, x) == x && !decides) continue;  // of thousands of steps many share a pixel
+    if (std::exchange(last, x) == x && !decides) continue;  // with thousands of steps, many share a pixel
     const Colour& ink = i <= player.index() ? c.first : c.theme.ink(Role::construction);
     filled({x - (decides ? 1.0f : 0.5f), y - half, x + (decides ? 1.0f : 0.5f), y + half}, ink, 0);
   }

@@ -14,8 +14,8 @@ constexpr ImWchar signs[] = {0x0020, 0x00FF, 0x0391, 0x03C9, 0x2000, 0x2027, 0x2
                              0x209C, 0x2102, 0x2124, 0x2190, 0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF,
                              0x2713, 0x2718, 0x27E8, 0x27E9, 0xFFFD, 0xFFFD, 0};
 
-/// Dear ImGui measures a font from its ascent to its descent, everybody else by its em. DejaVu's ratio of the
-/// two.
+/// DejaVu's ratio of the height from ascent to descent, by which Dear ImGui measures a font, to the em, by which
+/// everybody else does.
 constexpr double line_per_em = 1.164;
 
 ImFont* load(const std::string& pattern, double size, double scale) {

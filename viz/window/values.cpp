@@ -17,7 +17,7 @@ namespace {
 /// Heights of the block's parts: rule with the heading; a line of the comparison's meaning.
 constexpr float block_heading = 36, meaning_pitch = 19;
 
-/// Words on as few lines as fit into `room`.
+/// Breaks words into as few lines as fit into `room`.
 std::vector<std::string> lines_of(const Ui& ui, const std::string& words, float room) {
   std::vector<std::string> lines;
   std::istringstream in(words);
@@ -29,14 +29,14 @@ std::vector<std::string> lines_of(const Ui& ui, const std::string& words, float 
   return lines;
 }
 
-/// Both sides, where they would read alike among the values; else nothing.
+/// Returns both sides in full if they would read alike among the values; else nothing.
 std::string in_full(const Comparison& c) {
   if (c.left == c.right || shown(c.left) != shown(c.right)) return {};
   const auto [left, right] = shown_apart(c.left, c.right);
   return left + " and " + right;
 }
 
-/// The inequalities of a comparison, each with a bar of its own.
+/// Returns the inequalities of a comparison; each has a bar of its own.
 std::vector<Comparison> inequalities(const Comparison& c) { return c.parts.empty() ? std::vector{c} : c.parts; }
 
 /// Heights of the card's parts: its head; a part of the condition; a bar.
@@ -67,7 +67,7 @@ float card_height(const Ui& ui, const Comparison& c, float width) {
   return height;
 }
 
-/// A bar scale that several values share: where zero lies and what fills it.
+/// A bar scale that several values share: where zero lies and what fills the scale.
 struct BarScale {
   double lo = 0, hi = 0;
   void take(double value) {
@@ -75,7 +75,7 @@ struct BarScale {
     lo = std::min(lo, value);
     hi = std::max(hi, value);
   }
-  /// Position of a value between x0 and x1.
+  /// Returns the position of a value between x0 and x1.
   float at(double value, float x0, float x1) const {
     if (!(hi > lo)) return x0;
     const double share = std::clamp((value - lo) / (hi - lo), 0.0, 1.0);
@@ -99,10 +99,10 @@ void value_bar(const Ui& ui, const BarScale& scale, const Value& v, float x0, fl
   filled({left, y - 4, std::max(right, left + 3), y + 4}, ink, std::min(4.0f, (right - left) / 2));
 }
 
-/// Room for the word "new" beside bars and numbers; all of a step's bars end alike, or they would not share a scale.
+/// Returns the room for the word "new" beside bars and numbers: the same for all bars of a step, as they share a scale.
 float room_for_new(const Step& step) { return std::ranges::any_of(step.values, &Value::fresh) ? 38 : 0; }
 
-/// Where the numbers end: beside the longest name that comes with its number, or further left where all are short.
+/// Returns where the numbers end: beside the longest name on a line with its number, or further left if all are short.
 float number_column(const Ui& ui, const Step& step, const std::vector<std::string>& digits, const Rect& r) {
   float column = r.width() * 0.494f;
   for (std::size_t i = 0; i < digits.size(); ++i)
@@ -145,7 +145,7 @@ void value_row(Session& s, const Value& v, const std::string& digits, const std:
     value_bar(ui, scale->second, v, number + 26, right - room_for_new(s.player.shown()), y);
 }
 
-/// A condition, and whether it is true. Returns where that ends.
+/// Draws a condition, and whether it is true. Returns where that ends.
 float truth(Ui& ui, const Comparison& c, ImFont* font, float x, float y) {
   const Colour& ink = c.holds ? ui.palette.hit : ui.palette.miss;
   lights_in(ui, font, x, y, plain(c.text));
@@ -154,7 +154,7 @@ float truth(Ui& ui, const Comparison& c, ImFont* font, float x, float y) {
   return end + 17 + text(ui.fonts.small, end + 17, y, packed(ink), c.holds ? "true" : "false");
 }
 
-/// Both sides on one scale: the left one as a bar, the right one as a tick.
+/// Draws both sides on one scale: the left one as a bar, the right one as a tick.
 void comparison_bar(const Palette& c, const Comparison& comparison, float x0, float x1, float y) {
   BarScale scale;
   scale.take(comparison.left);
@@ -168,8 +168,8 @@ void comparison_bar(const Palette& c, const Comparison& comparison, float x0, fl
   filled({right - 1, y - 10, right + 1, y + 10}, c.second, 0);
 }
 
-/// The condition with its sign, what that means, and both sides of each of its inequalities as bars. The meaning stands
-/// beside the condition or, where there is no room, on lines of its own.
+/// Draws the condition with its sign, its meaning, and both sides of each of its inequalities as bars. The meaning
+/// stands beside the condition or, if there is no room, on lines of its own.
 void comparison_card(Session& s, const Comparison& comparison, const Rect& r) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
@@ -264,7 +264,7 @@ void operations_block(Session& s, const Rect& r) {
   rule(ui, r.left + 10, r.right - 10, r.top);
   if (r.height() > 50) text(ui.fonts.bold, r.left + 10, r.top + 16, packed(c.text), "Operations");
   const float y = r.bottom - 18;
-  // In equal shares; as near as they must where one is wider; large numbers in a smaller font, or in thousands.
+  // In equal shares, or closer together if one is wider; large numbers in a smaller font, or in thousands.
   const float room = r.width() - 20, share = room / 5, least_gap = 8;
   ImFont* font = ui.fonts.mono;
   std::vector<std::string> numbers;

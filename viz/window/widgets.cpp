@@ -68,7 +68,7 @@ float text_width(ImFont* font, const std::string& s) {
 
 namespace {
 
-/// Tells of words that stand partly beside the part of the window in which they are drawn.
+/// Records words that reach beyond the part of the window in which they are drawn.
 void tell_if_cut(const std::string& words, float left, float right) {
   CutWords* const cut = static_cast<CutWords*>(ImGui::GetIO().UserData);
   if (!cut) return;
@@ -82,7 +82,7 @@ std::string fitted(ImFont* font, const std::string& s, float room) {
   if (text_width(font, s) <= room) return s;
   std::string part = s;
   do {
-    while (!part.empty() && continues_character(part.back())) part.pop_back();  // of one sign
+    while (!part.empty() && continues_character(part.back())) part.pop_back();  // removes a whole character
     if (!part.empty()) part.pop_back();
   } while (!part.empty() && (part.back() == ' ' || text_width(font, part + "…") > room));
   return part + "…";
@@ -139,7 +139,7 @@ void light_up(Ui& ui, const Rect& r, double strength, bool bright) {
 }
 
 void tell_sum(Ui& ui, const Rect& window) {
-  constexpr double patience = 3;  // as a tooltip
+  constexpr double patience = 3;  // like a tooltip
   if (ui.sum.empty() || (!ui.light.by_keyboard() && ui.pointer_rest > patience)) return;
   ImFont* const font = ui.fonts.small;
   const float size = font->FontSize * font->Scale, most = 420;
@@ -234,7 +234,7 @@ void more_beyond(Ui& ui, const std::string& name, const Rect& r) {
 }
 
 void tooltip(const Ui& ui, const std::string& s) {
-  constexpr double patience = 3;  // a pointer left lying while the keys step must not cover the text for ever
+  constexpr double patience = 3;  // a resting pointer must not cover the text forever while the keys step
   if (ui.pointer_rest > patience) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{10, 7});
   ImGui::PushFont(ui.fonts.small);

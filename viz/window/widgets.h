@@ -1,6 +1,6 @@
 #pragma once
-// The window's own small widgets, drawn with ImDrawList at given places. Each records where it stood, so that
-// tests click on names and not on guessed coordinates.
+// The window's own small widgets, drawn with ImDrawList at given places. Each records its place, so that tests click on
+// names and not on guessed coordinates.
 
 #include <imgui.h>
 
@@ -18,7 +18,7 @@
 
 namespace isect::viz {
 
-/// What every widget needs.
+/// The state that every widget needs.
 struct Ui {
   Palette palette;
   UiFonts fonts;
@@ -26,11 +26,11 @@ struct Ui {
   std::map<std::string, Rect> rects = {};  ///< this frame's widgets by name
   double pointer_rest = 1e9;               ///< seconds since the pointer last moved
   Focus focus = {};
-  std::string side = {};  ///< before the names of what belongs to the second of two panes
+  std::string side = {};  ///< prefix of the names in the second of two panes
   Light light = {};
-  std::set<std::string> names = {};  ///< that the walk knows; what else a line of pseudocode says is words
-  std::string sum = {};              ///< what is told of the name that is lit; empty: nothing
-  Rect ring = {};                    ///< around what the keyboard holds, as far as it is to be seen; empty: nothing
+  std::set<std::string> names = {};  ///< the walk's names; all else in a line of pseudocode is words
+  std::string sum = {};              ///< what is told of the lit name; empty: nothing
+  Rect ring = {};                    ///< around the visible part of what the keyboard holds; empty: nothing
 };
 
 enum class Icon { first, back, play, pause, next, last, map, panes, pass };
@@ -41,45 +41,45 @@ inline ImVec2 bottom_right(const Rect& r) { return {r.right, r.bottom}; }
 /// Words that were cut at a side, for tests: Dear ImGui's user data points at them, if at anything.
 using CutWords = std::vector<std::string>;
 
-/// One line of plain text; `y` is its middle; align 0 left, 0.5 middle, 1 right. Returns its width.
+/// Draws one line of plain text; `y` is its middle; align 0 left, 0.5 middle, 1 right. Returns its width.
 float text(ImFont*, float x, float y, ImU32, const std::string&, float align = 0);
 float text_width(ImFont*, const std::string&);
-/// The text, or what of it fits into `room`, with "…" for the rest.
+/// Returns the text, or as much of it as fits into `room`, with "…" for the rest.
 std::string fitted(ImFont*, const std::string&, float room);
 
-/// Rich text from its top left corner. Returns its size.
+/// Draws rich text from its top left corner. Returns its size.
 ImVec2 rich(Ui&, const Paragraph&, ImVec2 at);
-/// One line of rich text around the middle `y`; align as above.
+/// Draws one line of rich text around the middle `y`; align as above.
 ImVec2 rich_line(Ui&, const Paragraph&, float x, float y, float align = 0);
 
 /// A place where names stand: the pointer on it lights them, and they are lit there. `bright`: on a bright ground.
 void lights(Ui&, const std::vector<std::string>& names, const Rect&, bool bright = false);
-/// The same for the names in a line of plain text that is drawn from x on, around the middle y.
+/// Does so for the names in a line of plain text that is drawn from x on, around the middle y.
 void lights_in(Ui&, ImFont*, float x, float y, const std::string&, bool bright = false);
-/// The light itself, behind or over what stands there.
+/// Draws the light itself, behind or over what stands there.
 void light_up(Ui&, const Rect&, double strength, bool bright = false);
-/// Tells what is known of the name that is lit, beside it, over all.
+/// Shows what is known of the lit name, beside it, over everything.
 void tell_sum(Ui&, const Rect& window);
 
-/// Whether the keyboard holds the widget of this name; then it is ringed, and comes into view.
+/// Whether the keyboard holds the widget of this name; then it gets a ring and scrolls into view.
 bool focused(Ui&, const std::string& name, const Rect&);
-/// Of the field drawn last, while it is typed into: Tab lets go of it and leads on to the next widget, or back.
+/// Whether Tab left the field drawn last, in which the reader was typing; the focus moves to the next widget, or back.
 bool left_by_tab(Ui&, const std::string& name);
-/// Draws the ring, over all.
+/// Draws the ring, over everything.
 void focus_ring(Ui&);
 
-/// A place to press, with the pointer or with the keyboard. `clicked`: the button came up again inside.
+/// The state of a place to press, with the pointer or with the keyboard. `clicked`: the button was released inside.
 struct Press {
   bool clicked, hovered, held;
 };
 Press press(Ui&, const std::string& name, const Rect&);
-/// A window that fills `r`, not moved, not decorated; `above`: over the others. End it with ImGui::End(). Without a
-/// background the whole window's shows, which costs a software renderer nothing more.
+/// Begins a window that fills `r`, not movable, not decorated; `above`: over the others. End it with ImGui::End().
+/// Without a background the whole window's shows, which costs a software renderer nothing more.
 void begin_region(Ui&, const char* name, const Rect& r, const std::optional<Colour>& background = {},
                   bool above = false);
-/// In what scrolls: dims its upper or lower end where there is more beyond it.
+/// In a scrolling part: dims its upper or lower end if there is more beyond it.
 void more_beyond(Ui&, const std::string& name, const Rect& r);
-/// A part of a region that scrolls by itself; `inside` draws it.
+/// Draws a part of a region that scrolls by itself; `inside` draws its contents.
 template <class Inside>
 void scrolling(Ui& ui, const char* name, const Rect& r, Inside&& inside) {
   ImGui::SetCursorScreenPos(top_left(r));
@@ -96,29 +96,29 @@ void filled(const Rect&, const Colour&, float rounding = 6);
 void outlined(const Rect&, const Colour&, float width = 1.5f, float rounding = 6);
 void rule(const Ui&, float x0, float x1, float y);
 
-/// Words that open a menu, with its sign behind them, in at most `room` px. Returns where it ends.
+/// Words that open a menu, followed by its sign, in at most `room` px. Returns where it ends.
 struct Opener {
   std::string name, words, help;
   float x, y, room;
 };
 float opener(Ui&, const Opener&, bool quiet, bool& pressed);
-/// A button with a word on it.
+/// Draws a button with a word on it.
 bool chip(Ui&, const std::string& name, const Rect&, const std::string& label, bool chosen, ImFont* = nullptr);
-/// A transport button.
+/// Draws a transport button.
 bool icon_button(Ui&, const std::string& name, const Rect&, Icon, bool primary, bool enabled);
 
 void tick(float x, float y, float size, ImU32);
 void cross(float x, float y, float size, ImU32);  ///< wrong
-/// "No": a finding, not a fault.
+/// Draws "No": a finding, not a fault.
 void ring(float x, float y, float size, ImU32);
 void diamond(float x, float y, float size, ImU32);
-/// A small triangle: pointing down when `open`, else to the right.
+/// Draws a small triangle: pointing down when `open`, else to the right.
 void caret(float x, float y, bool open, ImU32);
-/// A handle's sign: a disc in a ring.
+/// Draws a handle's sign: a disc in a ring.
 void handle_sign(float x, float y, const Colour&, const Colour& rim);
-/// An arrow that goes round.
+/// Draws a circular arrow.
 void turn_sign(float x, float y, const Colour&);
-/// isect's mark: a ray through a ball, green where they meet.
+/// Draws isect's mark: a ray through a ball, green where they meet.
 void logo(const Ui&, float x, float y);
 
 }  // namespace isect::viz

@@ -54,8 +54,8 @@ UiFonts fonts_at(double scale) {
   return load_fonts(scale);
 }
 
-/// Each frame needs about as much memory as the one before: what it frees is kept for it, not given back and fetched
-/// again page by page.
+/// Keeps freed memory for the next frame, which needs about as much: otherwise it would be given back and fetched again
+/// page by page.
 void keep_memory() {
 #ifdef __GLIBC__
   mallopt(M_TRIM_THRESHOLD, 256 << 20);
@@ -98,7 +98,7 @@ struct WindowUi::Impl {
     });
   }
 
-  /// Anew only where something has changed.
+  /// Draws the preview; again only if something has changed.
   void draw_preview() {
     if (!session.preview.wanted) return previewed.clear();
     const std::string now =
@@ -114,7 +114,7 @@ struct WindowUi::Impl {
     session.preview.picture = preview.id();
   }
 
-  /// The first preset's outcome, once a lesson and theme.
+  /// Draws the first preset's outcome, once per lesson and theme.
   void draw_pictured() {
     const Lesson* const lesson = session.pictured.lesson;
     session.pictured.picture = {};
@@ -130,15 +130,15 @@ struct WindowUi::Impl {
   void keep_setting() {
     session.attempt([&] {
       const std::string path = save_preset(player, session.figures);
-      std::erase(settings.saved, path);  // one of this name may have been there, and gone
+      std::erase(settings.saved, path);  // a file of this name may have been there before
       settings.saved.insert(settings.saved.begin(), path);
       if (settings.saved.size() > saved_kept) settings.saved.pop_back();
       session.say("Saved " + path);
     });
   }
 
-  /// A map of cases takes as long as a frame: it is made before its step comes, a little a frame, but never while a
-  /// hand moves something. Whether there is more to do.
+  /// Prepares the next step. A map of cases takes as long as a frame: it is made before its step comes, a little in
+  /// each frame, but never while a hand moves something. Returns whether there is more to do.
   bool prepare_next_step() const {
     const ImGuiIO& io = ImGui::GetIO();
     if (player.at_end() || io.MouseDown[0] || io.MouseDown[1]) return false;
@@ -151,7 +151,7 @@ struct WindowUi::Impl {
     return false;
   }
 
-  /// The size that is wanted, as far as the least layout fits into the window; smaller than usual where a display has
+  /// Returns the wanted size, as far as the least layout fits into the window; smaller than usual where a display has
   /// made the window smaller than it may be.
   double fitting_size() const {
     const ImGuiIO& io = ImGui::GetIO();
@@ -179,7 +179,7 @@ struct WindowUi::Impl {
     if (io.MousePos.x > -1e6f) io.MousePos = {io.MousePos.x * by, io.MousePos.y * by};
   }
 
-  /// What the walk on show calls by a name.
+  /// Learns the names in the walk on show.
   void learn_names() {
     if (names_of_revision == player.revision() && !ui.names.empty()) return;
     names_of_revision = player.revision();
@@ -195,7 +195,7 @@ struct WindowUi::Impl {
                                         two_panes(session) ? 0 : lecture_height(session, whole.x, room));
   }
 
-  /// All between the two bars.
+  /// Shows all between the two bars.
   void show_step(const WindowLayout& at) {
     if (two_panes(session)) {
       const PanesLayout two = panes_layout(at);
@@ -224,9 +224,9 @@ struct WindowUi::Impl {
   Renderer& renderer;
   Player player;
   Settings settings;
-  bool reduced_motion;  ///< whatever the settings say
+  bool reduced_motion;  ///< overrides the settings
   bool drawing;
-  bool preparing = false;  ///< of what the next step shows, something is left to do
+  bool preparing = false;  ///< part of what the next step shows is still to be made
   unsigned names_of_revision = 0;
   double density, size = 1;
   Ui ui;
@@ -257,7 +257,7 @@ void WindowUi::frame() {
   w.session.toast.seconds_left -= io.DeltaTime;
   w.player.advance(io.DeltaTime);
   if (w.session.toast.at && *w.session.toast.at != w.session.here()) w.session.toast = {};
-  // Not before now: the frame built last has shown the scene's texture, which saving draws over.
+  // Only now: the frame built last shows the scene's texture, which saving overwrites.
   if (std::exchange(w.session.save_now, false)) w.save();
   if (std::exchange(w.session.save_preset, false)) w.keep_setting();
   w.draw_preview();
@@ -350,9 +350,9 @@ Player& WindowUi::player() { return impl_->player; }
 Settings WindowUi::settings() const {
   Settings settings = impl_->settings;
   settings.speed = impl_->player.speed();
-  if (!impl_->player.lesson().made_from.empty()) return settings;  // of a file, which the next run does not know
+  if (!impl_->player.lesson().made_from.empty()) return settings;  // from a file that the next run does not know
   settings.place = impl_->player.place();
-  if (!impl_->player.camera_moved()) settings.place->camera.reset();  // presets go on framing themselves
+  if (!impl_->player.camera_moved()) settings.place->camera.reset();  // presets keep framing themselves
   return settings;
 }
 

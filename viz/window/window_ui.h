@@ -13,26 +13,26 @@
 
 namespace isect::viz {
 
-/// Square px of new texts that a frame has time for: the words of a step are fewer, those of a closing more.
+/// Square px of new texts that a frame has time for: a step has less, a closing card more.
 inline constexpr double smooth_texts = 60'000;
 
 struct WindowOptions {
   double scale = 1;             ///< the screen's density: framebuffer pixels per px of the layout, at size 1
   bool reduced_motion = false;  ///< the camera arrives at once
-  bool draw_scene = true;       ///< tests of the layout do without it, most of them without its names, too
+  bool draw_scene = true;       ///< off in tests of the layout, most of which place no names either
   bool place_names = true;
-  /// So many square px of new texts that a frame draws; what is more follows in the next ones.
+  /// The most square px of new texts that a frame draws; the rest follows in the next ones.
   double texts_a_frame = std::numeric_limits<double>::infinity();
   std::string figures = "figures";
   Course course = {};
-  /// Writes a setting into the file of the lesson that is made from one; null: there is none.
+  /// Writes a setting into the file from which the lesson is made; null: there is none.
   std::function<void(const Parameters&)> save_scene = {};
 };
 
 class WindowUi {
  public:
   /// Needs a current context whose functions the renderer has loaded, and makes its own Dear ImGui context.
-  /// Throws BadInput for a place that is none.
+  /// Throws BadInput for a place that does not exist.
   WindowUi(const std::vector<const Lesson*>&, const Place& at, Renderer&, const Settings& = {},
            const WindowOptions& = {});
   ~WindowUi();
@@ -45,32 +45,32 @@ class WindowUi {
   /// Draws the frame built last into a framebuffer of OpenGL (0: the window's own).
   void draw(unsigned framebuffer = 0);
 
-  /// The window's title: lesson, preset, "step 3 of 12".
+  /// Returns the window's title: lesson, preset, "step 3 of 12".
   std::string title() const;
-  /// Framebuffer pixels per px of the layout now. A frame that changes it changes io.DisplaySize and the pointer's
-  /// place accordingly.
+  /// Returns framebuffer pixels per px of the layout now. A frame that changes it changes io.DisplaySize and the
+  /// pointer's place accordingly.
   double scale() const;
   bool full_screen() const;
-  /// Seconds until something changes by itself: 0 while it moves, infinity where all is at rest.
+  /// Returns the seconds until something changes by itself: 0 while it moves, infinity if all is at rest.
   double rest() const;
-  /// Ctrl+Q was pressed.
+  /// Whether Ctrl+Q was pressed.
   bool wants_to_close() const;
-  /// Asked when the window is to be closed from outside: false where that is to be thought over.
+  /// Called when the window is to be closed from outside: returns false if that needs confirmation.
   bool may_close();
-  /// The widgets of the frame built last, by name, in px.
+  /// Returns the widgets of the frame built last, by name, in px.
   const std::map<std::string, Rect>& rects() const;
-  /// The labels of the scene drawn last.
+  /// Returns the labels of the scene drawn last.
   const std::vector<PlacedLabel>& labels() const;
-  /// The message on show, or why what was typed is refused; empty if there is none.
+  /// Returns the message on show, or why typed text is refused; empty if there is none.
   std::string message() const;
-  /// The widget that the keyboard holds; empty if it holds none.
+  /// Returns the widget that the keyboard holds; empty if it holds none.
   const std::string& focus() const;
-  /// What is told of the name that is lit; empty: nothing.
+  /// Returns what is told of the lit name; empty: nothing.
   const std::string& sum() const;
   /// Shows a message as an error.
   void complain(const std::string& words);
   Player& player();
-  /// What is to be kept for the next run.
+  /// Returns what is to be kept for the next run.
   Settings settings() const;
 
  private:
