@@ -1,4 +1,4 @@
-// The command that accepts what a check complains of, ready for a shell.
+// The command that accepts the failures of a check, ready for a shell.
 
 #include <fmt/format.h>
 
@@ -14,13 +14,13 @@ using Kind = Failure::Kind;
 
 bool acceptable(const Failure& f) { return !f.accepted && may_be_accepted(f); }
 
-/// " --dir notes"; nothing where the option was not given.
+/// Returns " --dir notes"; nothing if the option was not given.
 std::string option(const std::string& name, const std::string& value) {
   if (value.empty()) return {};
   return fmt::format(" {}{}{}", name, value.starts_with("-") ? "=" : " ", quoted(value));
 }
 
-/// A preset's own name as --preset takes it: there "all" is every one, and an ending .json is a file's.
+/// Returns a preset's own name as --preset takes it: there "all" means every one, and a name that ends in .json a file.
 std::string as_asked(const std::string& preset, const Asked& asked) {
   return !asked.dir.empty() && (preset == "all" || preset.ends_with(".json")) ? preset + ".json" : preset;
 }
@@ -32,7 +32,7 @@ std::string command(const Asked& asked, bool only_missing) {
          option("--backend", asked.backend) + (only_missing ? " --update=missing" : " --update=failed");
 }
 
-/// Where only some of all lessons failed, these, as the others need not be run again; none where that leaves some out.
+/// Returns the lessons that failed, as others need not be run again; none if they are all or do not cover all failures.
 std::vector<std::string> lessons_to_name(const Report& r) {
   constexpr std::size_t most = 8;
   std::vector<std::string> failed;
@@ -72,7 +72,7 @@ std::string accept_command(const Report& r, const Failure& f) {
   if (!acceptable(f)) return {};
   Asked asked = r.asked;
   const bool known = std::ranges::find(r.checked, std::pair(f.lesson, f.preset)) != r.checked.end();
-  // What belongs to no preset is looked for only where all presets are, and so is where one came from.
+  // Files of no preset, and the old name of a moved one, are looked for only when all presets are checked.
   if (known && f.kind != Kind::moved) asked.preset = as_asked(f.preset, asked);
   if (std::ranges::find(r.by_name, f.lesson) != r.by_name.end()) asked.lessons = {f.lesson};
   return command(asked, f.kind == Kind::missing);

@@ -21,10 +21,10 @@ using Kind = Failure::Kind;
 constexpr Size picture_size = {960, 600};
 constexpr viz::ThemeName theme = viz::ThemeName::screen;
 
-/// "llvmpipe (LLVM 15.0.6, 256 bits)" -> "llvmpipe": the rest names the processor, which may differ.
+/// Returns "llvmpipe" of "llvmpipe (LLVM 15.0.6, 256 bits)": the rest names the processor, which may differ.
 std::string family(const std::string& driver) { return driver.substr(0, driver.find(' ')); }
 
-/// A failure of this walk, or of one of its steps.
+/// Returns a failure of this walk, or of one of its steps.
 Failure about(const Excerpt& e, int step, Failure f) {
   f.lesson = e.lesson->id;
   f.preset = e.folder;
@@ -41,7 +41,7 @@ Failure failure(Kind kind, const std::string& what, const std::string& baseline)
   return f;
 }
 
-/// The pointer stands where the file itself is to be.
+/// Returns the failure that a pointer stands in place of the file itself.
 Failure lfs_pointer(const std::string& baseline) {
   Failure f = failure(Kind::unreadable, "a Git LFS pointer, not the file itself; git lfs pull fetches that", baseline);
   f.pointer = true;
@@ -55,7 +55,7 @@ std::vector<std::string> in_words(const std::vector<viz::Change>& changes) {
   return lines;
 }
 
-/// What the trace tells of this step's drawing, before the pixels: "the ball b moved 3 px; the label r is gone: ".
+/// Returns the trace's words on this step's drawing, before the pixels: "the ball b moved 3 px; the label r is gone: ".
 std::string drawn(const std::vector<viz::Change>& changes, int step) {
   constexpr int enough = 3;
   std::string text;
@@ -107,7 +107,7 @@ std::string Baselines::path(const Excerpt& e, const std::string& file) const {
 }
 
 bool Baselines::accepts(Kind kind) const {
-  if (kind == Kind::blank) return false;  // never a picture of nothing
+  if (kind == Kind::blank) return false;  // an empty picture is never accepted
   return update_ == Update::failed || update_ == Update::all || (update_ == Update::missing && kind == Kind::missing);
 }
 
@@ -217,7 +217,7 @@ void Baselines::check_picture(const Excerpt& e, int index, const viz::Drawing& d
   const viz::Step& step = e.walk.steps[index];
   const std::string baseline = path(e, viz::file_stem(index, step) + ".png");
   const bool absent = !viz::is_there(baseline);
-  if (absent && !accepts(Kind::missing) && !keep_pictures_) {  // nobody would see it, so nothing is drawn
+  if (absent && !accepts(Kind::missing) && !keep_pictures_) {  // nobody would see a drawing
     found.push_back(about(e, index, failure(Kind::missing, "no picture was accepted yet", baseline)));
     return;
   }

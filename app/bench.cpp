@@ -34,7 +34,7 @@ struct Wanted {
   bool quick = false, peers = false, native = false;
 };
 
-/// What is measured by starting this program, beside the suites.
+/// The name of the measurements that start this program, besides the suites.
 constexpr const char* starting = "starting";
 
 std::vector<std::string> names() {
@@ -43,7 +43,7 @@ std::vector<std::string> names() {
   return all;
 }
 
-/// The suites to measure, in the order of the report.
+/// Returns the suites to measure, in the order of the report.
 std::vector<std::string> suites(const Wanted& wanted) {
   std::vector<std::string> all = bench::suite_names();
   if (!wanted.tests.empty())
@@ -51,7 +51,7 @@ std::vector<std::string> suites(const Wanted& wanted) {
   return all;
 }
 
-/// The programs of one build, one a suite, stand in a folder beside this one.
+/// Returns the path of a suite's program: those of one build, one per suite, lie in a folder beside this program.
 std::string program_of(const std::string& build, const std::string& suite) { return beside(build + '/' + suite); }
 
 std::vector<std::string> not_built(const std::string& build, std::vector<std::string> suites) {
@@ -59,8 +59,8 @@ std::vector<std::string> not_built(const std::string& build, std::vector<std::st
   return suites;
 }
 
-/// Builds what `./run` leaves out, as it takes longer to compile than the rest. Only in a folder where CMake has built
-/// this program.
+/// Builds the measurements, which `./run` omits, as they take longer to compile than the rest. Only in a folder where
+/// CMake has built this program.
 void build_measurements(const std::vector<std::string>& missing, Progress& progress) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::path(this_program()).parent_path().parent_path();
@@ -104,8 +104,8 @@ bench::Report measured_by(const std::string& build, const std::string& suite, co
   return bench::report_of(child.output);
 }
 
-/// A thorough run that met more noise than a report may have is made again, up to five times, and the quietest counts:
-/// a moment's disturbance would spoil one suite of two dozen.
+/// Measures a suite. A thorough run with more noise than a report may have is repeated, up to five times, and the
+/// quietest counts: a moment's disturbance would spoil one suite of two dozen.
 bench::Report measured_quietly(const std::string& build, const std::string& suite, const Wanted& wanted,
                                Progress& progress) {
   bench::Report best = measured_by(build, suite, wanted, progress);
@@ -116,7 +116,7 @@ bench::Report measured_quietly(const std::string& build, const std::string& suit
   return best;
 }
 
-/// A report by the programs of one build.
+/// Returns a report by the programs of one build.
 bench::Report measured_by(const std::string& build, const Wanted& wanted, Progress& progress) {
   const std::vector<std::string> all = suites(wanted);
   if (build == "measure") build_measurements(not_built(build, all), progress);
@@ -144,7 +144,7 @@ bench::Report measured(const Program& program, const Wanted& wanted) {
   if (wanted.peers) return measured_by("measure_peers", wanted, progress);
   if (wanted.native) return measured_by("measure_native", wanted, progress);
   const auto told = [&](const std::string& next) { progress.done(next); };
-  std::vector<bench::Duty> starts;  // first, as long as this program is small
+  std::vector<bench::Duty> starts;  // measured first, while this program is small
   if (wanted.tests.empty() || std::ranges::find(wanted.tests, starting) != wanted.tests.end())
     starts = duties(program, wanted.quick, told);
   bench::Report report = measured_by("measure", wanted, progress);
@@ -161,7 +161,7 @@ std::string heading(const bench::Report& r) {
       r.machine.date, r.quick ? ", quick: few cases are judged" : "", 100 * r.machine.noise);
 }
 
-/// Every chart that the report has data for, as SVG for print and as PNG.
+/// Draws every chart for which the report has data, as SVG for print and as PNG.
 void draw(const bench::Report& report, const std::string& folder) {
   std::vector<bench::Plotted> plots = bench::plots(report);
   for (bench::Plotted& map : bench::maps()) plots.push_back(std::move(map));
@@ -181,7 +181,7 @@ void draw(const bench::Report& report, const std::string& folder) {
   }
 }
 
-/// Before a long run: what would refuse its report.
+/// Checks, before a long run, what would make its report unfit to publish.
 void require_publishable(const Wanted& wanted, const std::vector<std::string>& builds) {
   bench::Machine machine = bench::this_machine(ISECT_FLAGS, "portable");
   for (int again = 0; again < 5 && machine.noise > bench::most_noise; ++again) machine.noise = bench::noise();
@@ -201,8 +201,8 @@ void require_publishable(const Wanted& wanted, const std::vector<std::string>& b
   bench::require_one_commit(machines);
 }
 
-/// Keeps what was measured and can't be published, beside what is there: a run takes ten minutes and more. Returns
-/// where.
+/// Keeps measurements that can't be published, beside what is there: a run takes ten minutes and more. Returns their
+/// files.
 std::vector<std::string> keep(const std::vector<bench::Report>& reports, const std::string& folder) {
   std::vector<std::string> files;
   for (const bench::Report& r : reports) {
@@ -215,7 +215,7 @@ std::vector<std::string> keep(const std::vector<bench::Report>& reports, const s
   return files;
 }
 
-/// The report as text and figures: from the files given, or measured here by every program that was built.
+/// Publishes the report as text and figures: from the given files, or measured here by every program that was built.
 int publish(const Program& program, const Wanted& wanted) {
   if (wanted.quick)
     throw viz::BadInput(
@@ -248,7 +248,7 @@ int publish(const Program& program, const Wanted& wanted) {
   return done;
 }
 
-/// 1 where something became slower, wrong or gone.
+/// Compares two reports; returns 1 if something became slower or wrong, or is gone.
 int compare(const std::vector<std::string>& paths) {
   const bench::Report before = read_from(paths.at(0)), after = read_from(paths.at(1));
   try {
@@ -260,7 +260,7 @@ int compare(const std::vector<std::string>& paths) {
   }
 }
 
-/// Rows and reports are written over earlier ones, but over nothing else. Whether they can be is tried before the work.
+/// Refuses to write rows and reports over anything but earlier ones. Tries before the work whether they can be written.
 void require_own_place(const std::string& option, const std::string& file, const std::string& begin) {
   if (file.empty() || file == "-") return;
   const auto ours = [&](const std::string& bytes) { return bytes.starts_with(begin); };

@@ -34,12 +34,12 @@ struct BookOptions {
   bool single = false;
 };
 
-/// The fonts again, for figures that are saved: a script can't read a style sheet from disk.
+/// The fonts once more, for figures that are saved: a script can't read a style sheet from disk.
 constexpr const char* letters_file = "letters.js";
-/// What changed settings may show beyond the letters of all presets.
+/// Characters that changed settings may show, in addition to those of all presets.
 const std::string lesson_letters = "0123456789.,+-−()=<>≤≥≠ e";
 
-/// As a comment of that file, which goes on behind it in HTML and CSS.
+/// Returns the words as a comment in that file's language; in HTML and CSS the file goes on behind it.
 std::string comment(const std::string& file, const std::string& words) {
   if (file.ends_with(".css")) return fmt::format("/* {} */", words);
   if (file.ends_with(".js")) return fmt::format("// {}", words);
@@ -47,11 +47,11 @@ std::string comment(const std::string& file, const std::string& words) {
 }
 std::string first_line(const std::string& file) { return comment(file, book::mark(file)); }
 
-/// By which it is known that nobody has edited what stands above.
+/// Returns the last line, which shows that nobody has edited what stands above.
 std::string last_line(const std::string& file, const std::string& text) {
   return "\n" + comment(file, "Digest of all above: " + digest(text)) + "\n";
 }
-/// A page from before there were such lines counts as not edited.
+/// Whether somebody has edited a page; one from before there were such lines counts as not edited.
 bool is_edited(const std::string& file, const std::string& page) {
   const std::string line = last_line(file, "");
   const std::size_t end = page.rfind(line.substr(0, line.find(':')));
@@ -61,7 +61,7 @@ bool is_edited(const std::string& file, const std::string& page) {
 /// The folder of a book: writes over isect's own pages only.
 class Shelf {
  public:
-  /// Throws viz::BadInput where the folder holds baselines, viz::FileError where one of the files is somebody else's.
+  /// Throws viz::BadInput if the folder holds baselines, viz::FileError if one of the files is somebody else's.
   Shelf(const std::string& folder, const Program& program, const std::vector<std::string>& files) : folder_(folder) {
     if (const auto trace = baseline_below(folder, program))
       throw viz::BadInput(
@@ -73,7 +73,7 @@ class Shelf {
     need_own(path(""), own);
   }
 
-  /// Says so where someone has edited the file, which then stays as it is.
+  /// Adds a file. If someone has edited it, it stays as it is, with a message.
   void add(const std::string& file, const std::string& text) {
     added_.insert(file);
     std::error_code absent;
@@ -83,7 +83,7 @@ class Shelf {
     print(path(file) + "\n");
   }
 
-  /// Pages of lessons that are no more. A page under another name than its own stays, and so does an edited one.
+  /// Removes pages of lessons that no longer exist. A page not under its own name stays, and so does an edited one.
   void remove_stale() const {
     std::vector<fs::path> gone;
     std::error_code absent;
@@ -121,8 +121,8 @@ std::string style(const viz::PageColours& colours) {
       colours.variables(false), colours.variables(true), book::style_text(), colours.rules());
 }
 
-/// What makes pages live: their script, then the lessons' code. Empty where none was given. Throws viz::FileError, or
-/// viz::BadInput where the file is something else.
+/// Returns what makes pages live: their script, then the compiled lessons. Empty if none was given. Throws
+/// viz::FileError, or viz::BadInput if the file is something else.
 std::string live_code(const std::string& file) {
   if (file.empty()) return {};
   const std::string code = viz::read_regular_file(file);

@@ -31,14 +31,14 @@ struct CheckOptions {
 
 const char* const default_snapshots = "snapshots";
 
-/// As a shell would find the program again: "isect", "./run", "build/release/bin/isect".
+/// Returns the program as a shell would find it again: "isect", "./run", "build/release/bin/isect".
 std::string called() {
   const char* const by_run = std::getenv("ISECT_CALLED");  // set by ./run, which is the shorter way
   return by_run ? by_run : program_invocation_name;
 }
 
-/// Before they had a folder of their own, baselines of presets of one's own lay directly in theirs. Says how to move
-/// them.
+/// Tells how to move the baselines of users' own presets, which lay directly in their folder before they had one of
+/// their own.
 bool say_old_layout(const Program& program, const std::string& dir) {
   std::string moves;
   for (const viz::Lesson* lesson : program.lessons) {
@@ -54,7 +54,7 @@ bool say_old_layout(const Program& program, const std::string& dir) {
   return true;
 }
 
-/// The one of the names that is meant: the file's own, with or without its ending.
+/// Returns the name that is meant: the file's own, with or without its ending.
 std::string named_as(const std::string& asked, const std::vector<std::string>& names) {
   const std::string ending = ".json";
   for (const std::string& name :
@@ -63,7 +63,7 @@ std::string named_as(const std::string& asked, const std::vector<std::string>& n
   throw viz::unknown("preset", asked, names);
 }
 
-/// Leaves the presets of a folder that are asked for in `asked`. The broken ones are failures of their own.
+/// Stores in `asked` the presets of a folder that are asked for. Returns the broken ones as failures.
 std::vector<Failure> choose_own(const Program& program, const std::string& dir, Selection& asked) {
   PresetFolder folder = preset_folder(dir, program);
   say_passed_over(folder);
@@ -95,7 +95,7 @@ std::vector<Excerpt> chosen_of(const Program& program, const CheckOptions& optio
   return chosen;
 }
 
-/// Neither of these presets nor of one that may have been called otherwise.
+/// Whether there is no baseline: neither of these presets nor of one that may have had another name.
 bool nothing_there(const std::string& folder, const std::vector<Excerpt>& chosen, const Baselines::Reach& reach) {
   if (reach.all_lessons && trace_below(folder)) return false;
   return std::ranges::none_of(chosen, [&](const Excerpt& e) {
@@ -104,7 +104,7 @@ bool nothing_there(const std::string& folder, const std::vector<Excerpt>& chosen
   });
 }
 
-/// What is missing altogether, without a look at a single step.
+/// Reports everything as missing, without looking at single steps.
 void all_is_missing(const std::vector<Excerpt>& chosen, Report& report) {
   for (const Excerpt& e : chosen) {
     Failure f{Failure::Kind::missing, e.lesson->id, e.folder};
@@ -128,7 +128,7 @@ void compare(const std::vector<Excerpt>& chosen, const Baselines::Reach& reach, 
 
 bool begins_report(const std::string& bytes) { return begins_html_report(bytes) || begins_junit_report(bytes); }
 
-/// Reports are written over earlier ones, but over nothing else, nor over one another. Whether they can be is tried
+/// Refuses to write reports over anything but earlier ones, or over one another. Whether they can be written is tried
 /// before the work.
 void require_own_places(const CheckOptions& options) {
   if (!options.report.empty() && options.report == options.junit)
@@ -147,7 +147,7 @@ void require_own_places(const CheckOptions& options) {
   }
 }
 
-/// The result is told even where a report of it can't be kept.
+/// Prints the result, even if a report of it can't be written.
 void tell(const Report& report, const CheckOptions& options) {
   const std::string result = options.json ? to_json(report) : to_text(report);
   try {

@@ -18,7 +18,7 @@
 namespace isect::program {
 namespace {
 
-/// Both ends of a pipe, each closed once.
+/// Both ends of a pipe; each is closed once.
 class Pipe {
  public:
   Pipe() {
@@ -33,7 +33,7 @@ class Pipe {
     if (ends_[i] >= 0) ::close(ends_[i]);
     ends_[i] = -1;
   }
-  /// Appends what is there; false at the end of the stream.
+  /// Appends what is there; returns false at the end of the stream.
   bool drain(std::string& text) {
     std::array<char, 4096> chunk;
     const ssize_t got = ::read(ends_[0], chunk.data(), chunk.size());

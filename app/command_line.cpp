@@ -25,7 +25,7 @@ std::vector<std::string> long_options(const CLI::App& app) {
 
 bool is_flag(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
 
-/// How it is written: "--out DIR|-".
+/// Returns how an option is written: "--out DIR|-".
 std::string usage(const CLI::App& app, const std::string& name) {
   const CLI::Option* option = app.get_option_no_throw(name);
   if (!option) return name;
@@ -33,7 +33,7 @@ std::string usage(const CLI::App& app, const std::string& name) {
   return value.empty() ? name : name + (is_flag(*option) ? value : " " + value);
 }
 
-/// One of the program's own, such as --version, may be meant, too.
+/// Returns the message for an unknown option; the program's own options, such as --version, are suggested, too.
 std::string unknown_option(const CLI::App& app, const CLI::App& sub, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
   const std::vector<std::string> allowed = long_options(sub);
@@ -52,7 +52,7 @@ std::string has_no_value(const CLI::App& app, const std::string& name) {
   return fmt::format("{}: no value is given; write {}", name, usage(app, name));
 }
 
-/// A number of values that does not do, of an option that CLI11 names first.
+/// Returns the message for a wrong number of values, of an option that CLI11 names first.
 std::string mismatch(const CLI::App& sub, const std::string& name) {
   const CLI::Option* option = sub.get_option_no_throw(name);
   if (!option || option->count() < 2) return has_no_value(sub, name);

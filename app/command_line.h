@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with a command line, in our words: the option, what was given, what is allowed.
+// Errors in a command line, in our words: the option, what was given, what is allowed.
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace isect::program {
 
-/// What CLI11 would take without a word: "--out=" and "--out --step" have no value, "--json=yes" has one too many.
+/// Refuses what CLI11 would accept silently: "--out=" and "--out --step" have no value, "--json=yes" has one too many.
 /// `arguments` begin with the subcommand's name. Throws viz::BadInput.
 void check_values(const CLI::App&, const std::vector<std::string>& arguments);
 
-/// Of what CLI11 refused.
+/// Returns the message about what CLI11 refused.
 std::string complaint(const CLI::App&, const CLI::ParseError&);
 
 }  // namespace isect::program

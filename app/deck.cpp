@@ -1,5 +1,5 @@
-// isect deck: a lesson as slides, for LaTeX (beamer) and as one HTML file: a step a slide, its question on the one
-// before.
+// isect deck: a lesson as slides, for LaTeX (beamer) and as one HTML file: one slide per step, with its question on the
+// slide before.
 
 #include <fmt/format.h>
 
@@ -24,12 +24,12 @@ namespace isect::program {
 
 namespace {
 
-/// On a slide of 16 cm by 9: a picture beside text, and one alone.
+/// Sizes on a slide of 16 cm by 9: a picture beside text, and one alone.
 constexpr const char* beside_width = "8.2cm";
 constexpr const char* beside_height = "5.4cm";
 constexpr const char* alone_width = "13cm";
 constexpr const char* alone_height = "6.2cm";
-/// LaTeX sets them at 8 pt; its letters are as wide at 10 pt as ours at 11.
+/// LaTeX sets labels at 8 pt; its letters are as wide at 10 pt as ours at 11.
 constexpr const char* label_size = "9pt";
 
 /// The picture of a step, or of the question before it.
@@ -58,7 +58,7 @@ class Slides {
   }
 
  private:
-  /// Beside what is drawn while it is open, then the answer.
+  /// Adds the question beside the picture for it, then the answer.
   void ask(int index) {
     const viz::Question& q = *e_.walk.steps[index].question;
     Slide slide = {fmt::format("Question {}", number_of_question(e_.walk, index)), {}, {}, {}};
@@ -76,7 +76,7 @@ class Slides {
     all_.push_back(std::move(slide));
   }
 
-  /// The card as text, then an exercise a slide.
+  /// Adds the card as text, then one slide per exercise.
   void close(const std::string& title) {
     Slide slide = {title, {}, {}, {}};
     for (const auto& [head, text] : viz::card_rows(*e_.lesson)) slide.left.push_back(Prose{text, head + "."});

@@ -1,5 +1,5 @@
 #pragma once
-// A short name of what a file or a text holds: the same bytes have the same one, others hardly ever.
+// A short name of the contents of a file or a text: equal bytes have the same one, different ones hardly ever.
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 namespace isect::program {
 
-/// 16 hexadecimal digits, by FNV-1a. Tells changes made by accident or by hand, not by somebody who wants to hide them.
+/// Returns 16 hexadecimal digits, by FNV-1a. They show changes by accident or by hand, but none that somebody hides.
 inline std::string digest(const std::string& bytes) {
   std::uint64_t hash = 14695981039346656037u;
   for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;

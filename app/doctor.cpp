@@ -1,4 +1,4 @@
-// isect doctor: what is here, what is missing, and how to get it.
+// isect doctor: what is installed, what is missing, and how to get it.
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ std::string line(bool good, const std::string& name, const std::string& what) {
   return fmt::format("{} {:<12}{}\n", good ? inked(Ink::good, "ok ") : inked(Ink::bad, "-- "), name, what);
 }
 
-/// A context may be had and the first figure crash all the same, so one is drawn.
+/// Tries a back end by drawing a figure: a context may be available and the first figure crash all the same.
 bool try_back_end(const std::string& name, std::string& out) {
   try {
     if (const std::string trouble = trial(name); !trouble.empty()) throw viz::NoBackend(trouble);
@@ -60,7 +60,7 @@ bool report_display(std::string& out) {
   return false;
 }
 
-/// What only some formats want.
+/// Reports the programs that only some formats need.
 void report_programs(std::string& out) {
   for (const viz::Format& format : viz::formats())
     if (format.can_write && format.can_write())
@@ -98,7 +98,7 @@ int doctor() {
 void add_doctor(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("doctor", "back ends, versions, fonts, what is missing and how to get it");
   const auto backend = std::make_shared<std::string>();
-  sub.add_option("--trial", *backend)->group("");  // what `doctor` starts itself with
+  sub.add_option("--trial", *backend)->group("");  // `doctor` starts itself with it
   sub.footer(
       "Exit status: 0 figures can be drawn; 1 they can, but with other fonts than the accepted ones;\n"
       "77 none can be drawn: no back end, or no fonts. A display is wanted by the window alone.\n"

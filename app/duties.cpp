@@ -13,7 +13,7 @@
 namespace isect::program {
 namespace {
 
-/// A folder for figures that nobody keeps.
+/// A folder for figures that are thrown away.
 class Scratch {
  public:
   Scratch() : path_((std::filesystem::temp_directory_path() / "isect-bench-XXXXXX").string()) {
@@ -32,7 +32,7 @@ class Scratch {
   std::string path_;
 };
 
-/// This program with these arguments: the run of median time; nothing where one failed.
+/// Runs this program with these arguments; returns the run with the median time, nothing if one failed.
 std::optional<Child> run_self(std::vector<std::string> arguments, int runs) {
   arguments.insert(arguments.begin(), this_program());
   std::vector<Child> all;
@@ -44,14 +44,14 @@ std::optional<Child> run_self(std::vector<std::string> arguments, int runs) {
   return all[runs / 2];
 }
 
-/// What a run took. The target is in ms, from start to end.
+/// Adds the time of a run. The target is in ms, from start to end.
 void tell(std::vector<bench::Duty>& all, const std::string& what, const Child& run, double target) {
   all.push_back({what, 1000 * run.seconds, "ms", target});
   all.push_back({what + ", processor time", 1000 * run.processor, "ms", {}});
   all.push_back({what + ", memory", run.peak, "MB", {}});
 }
 
-/// The command for all figures of a lesson, as PNG.
+/// Returns the command for all figures of a lesson, as PNG.
 std::vector<std::string> rendering(const Program& program, const viz::Lesson& lesson, const std::string& folder) {
   std::vector<std::string> words = {"render", "--preset", "all", "--out", folder};
   if (!program.only) words.insert(words.begin() + 1, lesson.id);

@@ -1,5 +1,5 @@
 #pragma once
-// What a user waits for, measured by starting this program again: its start, a figure, all figures, frames.
+// Times that a user waits, measured by starting this program again: its start, a figure, all figures, frames.
 
 #include <functional>
 
@@ -8,8 +8,8 @@
 
 namespace isect::program {
 
-/// `told` hears what comes next. Without the slow ones when `quick`. What can't be measured here, for want of a
-/// rendering back end, is left out.
+/// `told` is called with what comes next. With `quick`, slow measurements are skipped. What can't be measured here, as
+/// there is no rendering back end, is left out.
 std::vector<bench::Duty> duties(const Program&, bool quick, const std::function<void(const std::string&)>& told);
 
 }  // namespace isect::program

@@ -11,15 +11,15 @@ namespace isect::program {
 /// One setting of a lesson's parameters, walked.
 struct Excerpt {
   const viz::Lesson* lesson = nullptr;
-  std::string folder;  ///< the preset's id, or the name of the preset's file; and what was changed by hand
+  std::string folder;  ///< the preset's id, or the name of the preset's file; with what was changed by hand
   std::string preset;  ///< empty where a parameter was changed by hand
   viz::Parameters parameters;
   viz::Walk walk;
   std::vector<int> steps;                  ///< chosen ones, from 0
   std::optional<viz::Camera> camera = {};  ///< of the preset's file
   std::optional<int> step = {};            ///< of the preset's file, from 0
-  std::string several = {};                ///< of a figure of several steps: those, "2-4"; else empty
-  std::string style = {};                  ///< of a figure: how it was asked for (see app/style.h); else empty
+  std::string several = {};                ///< for a figure of several steps, these: "2-4"; else empty
+  std::string style = {};                  ///< for a figure, how it was asked for (see app/style.h); else empty
   std::string path = {};                   ///< of the preset's or the scene's file; empty where there is none
 };
 

@@ -1,4 +1,4 @@
-// Which presets and steps are meant by the words of a command line.
+// The presets and steps that the words of a command line mean.
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// No name of ours has a dot.
+/// Whether a preset is a file; the names of our presets have no dot.
 bool is_file(const std::string& preset) {
   std::error_code absent;
   return preset.ends_with(".json") || viz::format_of(preset) || preset.find('/') != preset.npos ||
@@ -40,7 +40,7 @@ void change(Excerpt& to, const std::vector<std::string>& changes) {
   if (!to.preset.empty() && to.parameters != viz::preset(*to.lesson, to.preset).parameters) to.preset.clear();
 }
 
-/// The objects of a file and what it asks of them.
+/// Returns the objects of a file and the questions in it.
 Excerpt from_scene(const std::string& text, const PresetFile& file) {
   const SaidLater busy = deciding(file.path);
   Excerpt e;
@@ -52,7 +52,7 @@ Excerpt from_scene(const std::string& text, const PresetFile& file) {
   return e;
 }
 
-/// A preset beside a scene says by which method the lesson goes through many objects, if it has several.
+/// Returns the method for many objects that a preset beside a scene names, if the lesson has several.
 std::string method_for(const viz::Lesson& lesson, const std::vector<std::string>& presets) {
   if (presets.empty()) return {};
   const viz::Preset& preset = viz::preset(lesson, presets.front());
@@ -67,7 +67,7 @@ std::string method_for(const viz::Lesson& lesson, const std::vector<std::string>
                                       : fmt::format("it is for the method, one of {}", fmt::join(known, ", "))));
 }
 
-/// The lesson's walks through a scene's objects.
+/// Returns the lesson's walks through a scene's objects.
 Excerpt from_scene_for(const viz::Lesson& lesson, const std::string& method, const PresetFile& file) {
   require_utf8(file);
   try {
@@ -97,7 +97,7 @@ Excerpt at(const std::vector<const viz::Lesson*>& lessons, const viz::Place& pla
   return e;
 }
 
-/// The preset of a file, whose name becomes the folder's; or the place where a figure was made, and its folder.
+/// Returns the preset of a file, whose name becomes the folder; or the place where a figure was made, and its folder.
 Excerpt from_file(const Program& program, const PresetFile& file) {
   if (std::error_code absent; fs::is_directory(file.path, absent))
     throw viz::FileError(
@@ -135,7 +135,7 @@ bool is_lesson(const Program& program, const std::string& id) {
   return std::ranges::any_of(program.lessons, [&](const viz::Lesson* lesson) { return lesson->id == id; });
 }
 
-/// The lessons asked for; none if the answer is left to a preset's file.
+/// Returns the lessons asked for; none if a preset's file decides.
 std::vector<const viz::Lesson*> lessons_of(const Program& program, const Selection& asked) {
   if (program.only) return {program.only};
   if (asked.all && !asked.lessons.empty()) throw viz::BadInput("lesson: give either names or --all, not both");
@@ -155,14 +155,14 @@ std::vector<const viz::Lesson*> lessons_of(const Program& program, const Selecti
   return lessons;
 }
 
-/// Where a file lies, links followed. A pipe, as <(command) is one, lies nowhere: as it is named.
+/// Returns where a file lies, links followed; the name of a pipe, such as <(command), which lies nowhere.
 fs::path place_of(const std::string& path) {
   std::error_code nowhere;
   const fs::path place = fs::weakly_canonical(path, nowhere);
   return nowhere ? fs::absolute(path).lexically_normal() : place;
 }
 
-/// The files in order, each once, by their own names; where two have the same, by where they lie.
+/// Returns the files in order, each once, by their own names; if two have the same name, by where they lie.
 std::vector<PresetFile> named_files(const std::vector<std::string>& paths) {
   std::vector<PresetFile> files;
   std::set<fs::path> known;
@@ -173,7 +173,7 @@ std::vector<PresetFile> named_files(const std::vector<std::string>& paths) {
       names.insert(files.back().name);
     }
   if (names.size() == files.size()) return files;
-  const fs::path first = *known.begin(), last = *known.rbegin();  // in order: all lie where these two do
+  const fs::path first = *known.begin(), last = *known.rbegin();  // sorted: all lie where these two do
   fs::path above = first.parent_path();
   while (last.lexically_relative(above).string().starts_with("..")) above = above.parent_path();
   for (PresetFile& file : files) file.name = place_of(file.path).lexically_relative(above).replace_extension().string();
@@ -187,7 +187,7 @@ std::vector<std::string> step_names(const viz::Walk& walk) {
   return names;
 }
 
-/// The first part of it that a walk has no step for.
+/// Returns the first part of it for which a walk has no step.
 std::string without_step(const std::string& asked, const viz::Walk& walk) {
   std::istringstream parts(asked);
   for (std::string part; std::getline(parts, part, ',');)
@@ -201,7 +201,7 @@ void walk(Excerpt& e, const std::string& asked, bool one_of_many) {
                            : !e.several.empty() ? e.several
                            : e.step             ? std::to_string(*e.step + 1)
                                                 : "all";
-  one_of_many = one_of_many && !asked.empty();  // the step that a file names must be there
+  one_of_many = one_of_many && !asked.empty();  // the step that a file names must exist
   const std::optional<Steps> wanted = Steps::read(text);
   if (!wanted || (!one_of_many && !wanted->all_in(e.walk))) {
     const std::string part = without_step(text, e.walk);
@@ -217,7 +217,7 @@ void walk(Excerpt& e, const std::string& asked, bool one_of_many) {
   e.steps = wanted->of(e.walk);
 }
 
-/// One line on what was asked for and is not there, as it is not in every preset.
+/// Prints one line on what was asked for and is missing in some presets.
 void say_skipped(const std::vector<Excerpt>& found, const std::string& asked) {
   const std::optional<Steps> wanted = asked.empty() ? std::nullopt : Steps::read(asked);
   if (!wanted) return;
@@ -238,7 +238,7 @@ void say_skipped(const std::vector<Excerpt>& found, const std::string& asked) {
   if (!lessons.empty()) say(fmt::format("step {}: not in these presets: {}", asked, fmt::join(lessons, ", ")));
 }
 
-/// None of the presets has it.
+/// Returns the error for a step that no preset has.
 viz::BadInput no_such_step(const std::vector<Excerpt>& found, const std::string& asked) {
   std::set<std::string> names;
   std::size_t most = 0;
@@ -253,13 +253,13 @@ viz::BadInput no_such_step(const std::vector<Excerpt>& found, const std::string&
                       fmt::format("no preset has it; they have {} steps at most, and verdict is one of each", most))));
 }
 
-/// One figure in two formats, or two steps of one setting, may be given side by side.
+/// Whether both are one setting: a figure in two formats, or two steps of one setting, may be given side by side.
 bool same_setting(const Excerpt& a, const Excerpt& b) {
   return a.lesson == b.lesson && a.folder == b.folder && !a.style.empty() && a.style == b.style &&
          a.parameters == b.parameters;
 }
 
-/// No two may be written to the same place.
+/// Throws viz::BadInput if two would be written to the same place.
 void require_own_places(std::vector<Excerpt>& found) {
   for (std::size_t i = 0; i < found.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
@@ -273,7 +273,7 @@ void require_own_places(std::vector<Excerpt>& found) {
   std::erase_if(found, [](const Excerpt& e) { return e.steps.empty(); });
 }
 
-/// The presets of a folder: all, or those for the lessons asked for.
+/// Returns the presets of a folder: all, or those for the lessons asked for.
 std::vector<Excerpt> from_folder(const Program& program, const Selection& asked) {
   const std::vector<const viz::Lesson*> lessons = lessons_of(program, asked);
   std::vector<Excerpt> found;
@@ -301,7 +301,7 @@ std::vector<Excerpt> named(const viz::Lesson& lesson, const std::vector<std::str
   return found;
 }
 
-/// Presets may be joined by commas, as formats are. A file of that very name is meant itself.
+/// Splits presets joined by commas, as formats are. A file with that very name is taken as a whole.
 std::vector<std::string> each_of(const std::vector<std::string>& words) {
   std::vector<std::string> all;
   for (const std::string& word : words) {
@@ -315,7 +315,7 @@ std::vector<std::string> each_of(const std::vector<std::string>& words) {
   return all;
 }
 
-/// The presets that words name: files, and names in each of the lessons.
+/// Returns the presets that words name: files, and names in each of the lessons.
 std::vector<Excerpt> from_words(const Program& program, Selection asked) {
   std::vector<std::string> names = each_of(asked.presets), files;
   if (!asked.preset.empty()) names.push_back(asked.preset);
@@ -362,7 +362,7 @@ viz::Parameters changed(const viz::Lesson& lesson, viz::Parameters parameters,
 }
 
 std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
-  for (const std::string& text : asked.changes)  // before a word after it is taken for a lesson
+  for (const std::string& text : asked.changes)  // checked before a word after it is taken for a lesson
     if (text.find('=') == text.npos)
       throw viz::BadInput(fmt::format("set: \"{}\" has no '='; write name=value, such as {}=2", text, text));
   std::vector<Excerpt> found = asked.files.empty() ? from_words(program, asked) : from_folder(program, asked);

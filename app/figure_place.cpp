@@ -14,7 +14,7 @@ namespace isect::program {
 
 namespace {
 
-/// Of the file as which it was made, "ray-sphere/tangent/03-distance": "tangent". None that leads elsewhere.
+/// Returns the folder of the figure's file: "tangent" of "ray-sphere/tangent/03-distance". Empty if it leads elsewhere.
 std::string folder_in(const viz::Metadata& data, const std::string& lesson) {
   const auto file = data.find("file");
   if (file == data.end() || !file->second.starts_with(lesson + "/") || file->second.find('\0') != std::string::npos)

@@ -58,7 +58,7 @@ Gallery::~Gallery() {
   try {
     list();
   } catch (const std::exception&) {
-    // What went wrong first is what is told.
+    // The first error is the one that is reported.
   }
 }
 
@@ -68,7 +68,7 @@ void Gallery::need_ours(const Piece& piece, const viz::Format& format) const {
 
 std::string Gallery::path(const std::string& file) const { return (fs::path(folder_) / file).string(); }
 
-/// Also where there is no file, or no file that could be lost.
+/// Whether a file is isect's, or may be replaced because it is absent, not a regular file, or empty.
 bool Gallery::is_ours(const std::string& file) const {
   const fs::path there = path(file);
   std::error_code absent;
@@ -107,7 +107,7 @@ Gallery::Manifest Gallery::read_manifest() const {
   try {
     if (manifest.at("program") != "isect") not_ours(file);
     for (const Json& entry : manifest.at("figures")) {
-      static_cast<void>(entry.value("alt", ""));  // the text that it speaks of
+      static_cast<void>(entry.value("alt", ""));  // the text that the entry names
       listed.figures.emplace(entry.at("file").get<std::string>(), entry);
     }
     for (const Json& entry : manifest.value("pages", Json::array()))
@@ -165,7 +165,7 @@ std::size_t Gallery::remove_stale(const Excerpt& e) {
   std::set<std::string> wanted, gone;
   for (int i = 0; i < static_cast<int>(e.walk.steps.size()); ++i) {
     wanted.insert(file_of(e, i));
-    if (e.walk.steps[i].question) wanted.insert(file_of_question(e, i));  // of a deck or a handout
+    if (e.walk.steps[i].question) wanted.insert(file_of_question(e, i));  // for a deck or a handout
   }
   const std::vector<fs::path> figures = figures_in(path(folder_of(e)));
   std::size_t removed = 0;
@@ -173,7 +173,7 @@ std::size_t Gallery::remove_stale(const Excerpt& e) {
     const std::string stem = folder_of(e) + "/" + figure.stem().string();
     if (wanted.contains(stem)) continue;
     const viz::Metadata data = metadata_in(figure);
-    if (shows_several(data)) continue;  // whatever steps there are now
+    if (shows_several(data)) continue;  // it stays, whatever steps there are now
     const std::string file = stem + figure.extension().string();
     if (!made_as(data, stem, {}) && !(listed_.figures.contains(file) && made_for(data, folder_of(e), {}))) continue;
     if (is_edited(file, &Manifest::figures, {})) {
@@ -183,7 +183,7 @@ std::size_t Gallery::remove_stale(const Excerpt& e) {
     removed += fs::remove(figure);
     gone.insert(stem);
   }
-  for (const fs::path& figure : figures_in(path(folder_of(e))))  // another's figure of that name keeps the text
+  for (const fs::path& figure : figures_in(path(folder_of(e))))  // a foreign figure of that name keeps the text
     gone.erase(folder_of(e) + "/" + figure.stem().string());
   for (const std::string& stem : gone)
     if (is_our_text(stem, {}))

@@ -39,8 +39,8 @@ constexpr const char* html_style =
     "}\n"
     "ol.choices { list-style: lower-alpha; }\n";
 
-/// The steps in order; a step's question stands before its picture, which shows the answer. `drawn`: the questions
-/// that have a picture of their own.
+/// Returns the steps in order; a step's question stands before its picture, which shows the answer. `drawn`: the
+/// questions with a picture of their own.
 Blocks contents(const Excerpt& e, const std::set<int>& drawn) {
   Blocks all = {Prose{e.lesson->summary}, Prose{given(*e.lesson, e.parameters, e.walk), "Given"}};
   if (!e.walk.pseudocode.empty()) all.push_back(code(e));
@@ -69,7 +69,7 @@ Blocks contents(const Excerpt& e, const std::set<int>& drawn) {
   return all;
 }
 
-/// A step's picture without words: what a question's is compared with.
+/// Draws a step's picture without words, to compare with that of its question.
 viz::Drawing bare(Studio& studio, Excerpt e, int step) {
   viz::Step& s = e.walk.steps[step];
   s.formula.clear(), s.verdict = {};

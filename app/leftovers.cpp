@@ -14,7 +14,7 @@ std::string sibling(const std::string& baseline, const std::string& ending) {
   return baseline.substr(0, baseline.size() - std::string(".png").size()) + ending;
 }
 
-/// The name of the file, if it could be written.
+/// Writes a picture. Returns the name of the file, if it could be written.
 std::string write(const std::string& file, const std::string& png, const std::string& folder, Failure& f) {
   if (png.empty()) return {};
   if (viz::is_there(file) && !made_for(metadata_in(file), folder, {})) {
@@ -45,7 +45,7 @@ void write_leftovers(Failure& f, const std::string& folder) {
 void remove_leftovers(const std::string& baseline, const std::string& folder) {
   for (const std::string ending : {".new.png", ".diff.png"}) {
     const std::string file = sibling(baseline, ending);
-    std::error_code ignored;  // nothing is lost where they stay
+    std::error_code ignored;  // it does no harm if they stay
     if (fs::exists(file, ignored) && made_for(metadata_in(file), folder, {})) fs::remove(file, ignored);
   }
 }

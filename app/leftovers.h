@@ -1,5 +1,5 @@
 #pragma once
-// X.new.png and X.diff.png: what a baseline X.png that fails gets beside it, until it fails no more.
+// X.new.png and X.diff.png: files beside a baseline X.png that fails, until it no longer does.
 
 #include <filesystem>
 #include <string>
@@ -10,10 +10,10 @@ namespace isect::program {
 
 bool is_leftover(const std::filesystem::path&);
 
-/// Writes the failure's pictures beside its baseline and names them in it. Where that can't be done, or would replace a
+/// Writes the failure's pictures beside its baseline and names them in it. If that can't be done, or would replace a
 /// file that isect did not make for this folder, the failure gets a note instead.
 void write_leftovers(Failure&, const std::string& folder);
-/// Removes those that isect made for this folder.
+/// Removes those files that isect made for this folder.
 void remove_leftovers(const std::string& baseline, const std::string& folder);
 
 }  // namespace isect::program

@@ -1,5 +1,5 @@
-// isect list: what there is to see. The list of lessons walks none of them, so that it answers at once; the steps of
-// the presets are told of one lesson.
+// isect list: what there is to see. The list of lessons walks none of them, so that it answers at once; for one lesson
+// it also lists the steps of the presets.
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t line_width = 80;
 
-/// The presets' names, one line a group.
+/// Returns the presets' names, one line per group.
 std::string preset_lines(const viz::Lesson& lesson) {
   std::vector<std::pair<std::string, std::string>> groups;
   for (const viz::Preset& p : lesson.presets) {
@@ -46,7 +46,7 @@ std::string builds_on(const viz::Lesson& lesson) {
   return lesson.after.empty() ? "" : wrapped(fmt::format("after: {}", fmt::join(lesson.after, ", ")), line_width, 2);
 }
 
-/// "shares: Minkowski sum (sphere-aabb, obb-obb); slab (clipping)"
+/// Returns "shares: Minkowski sum (sphere-aabb, obb-obb); slab (clipping)".
 std::string shares(const viz::Lesson& lesson) {
   std::vector<std::string> all;
   for (const viz::SharedIdea& shared : viz::shared_ideas(lesson)) {
@@ -71,7 +71,7 @@ std::string in_rows(const std::string& name, std::size_t widest, const std::stri
   return "    " + name + lines.substr(4 + viz::count_characters(name));
 }
 
-/// What is taken where it is not set: the value of the first preset.
+/// Returns a parameter's default: the value of the first preset.
 std::string initial(const viz::Lesson& lesson, const viz::Parameter& p) {
   if (p.optional) return "not moved";
   return viz::to_text(lesson.presets.empty() ? p.initial : lesson.presets.front().parameters.at(p.name));
@@ -82,7 +82,7 @@ const viz::Condition* condition_of(const viz::Lesson& lesson, const viz::Paramet
   return found == lesson.conditions.end() ? nullptr : &*found;
 }
 
-/// Help with the unit, what is allowed, and what is taken where nothing is set.
+/// Returns the help with the unit, what is allowed, and the default.
 std::string told(const viz::Lesson& lesson, const viz::Parameter& p) {
   std::string takes = viz::wanted(p);
   takes.erase(std::min(takes.find(", such as"), takes.size()));  // the default is example enough
@@ -148,7 +148,7 @@ int list_one(const viz::Lesson& lesson, bool as_json) {
   return done;
 }
 
-/// The ids of further lessons that have the idea.
+/// Returns the ids of further lessons that have the idea.
 std::vector<std::string> also_in(const lessons::Term& term) {
   std::vector<std::string> ids;
   for (const viz::Lesson* lesson : lessons::all_lessons())

@@ -15,7 +15,7 @@ namespace isect::program {
 
 namespace {
 
-/// The one who held the lock before may have removed the file, and another made it anew.
+/// Whether the locked file still exists: the previous holder may have removed it, and another process made a new one.
 bool still_there(int descriptor, const std::string& file) {
   struct stat held, named;
   return ::fstat(descriptor, &held) == 0 && ::stat(file.c_str(), &named) == 0 && held.st_ino == named.st_ino &&
@@ -29,7 +29,7 @@ Lock::Lock(std::string file) : file_(std::move(file)) {
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (descriptor_ < 0) break;
     while (::flock(descriptor_, LOCK_EX) != 0)
-      if (errno != EINTR) break;  // a file system without locks: better to go on than to refuse
+      if (errno != EINTR) break;  // a file system without locks: going on is better than refusing
     if (still_there(descriptor_, file_)) return;
     ::close(descriptor_);
   }
@@ -37,7 +37,7 @@ Lock::Lock(std::string file) : file_(std::move(file)) {
 }
 
 Lock::~Lock() {
-  ::unlink(file_.c_str());  // before it is let go, so that nobody holds a file that is gone
+  ::unlink(file_.c_str());  // before the lock is released, so that nobody locks a file that is gone
   ::close(descriptor_);
 }
 

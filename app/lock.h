@@ -1,12 +1,12 @@
 #pragma once
-// One process at a time, where several change the same file.
+// A lock for one process at a time, where several change the same file.
 
 #include <string>
 
 namespace isect::program {
 
-/// Waits until no other process holds the lock of this file, which is made for it and gone afterwards. The system lets
-/// go where a process ends, however it ends: a file left by one that was killed keeps nobody out. Throws
+/// Waits until no other process holds the lock of this file, which is created for it and removed afterwards. The system
+/// releases the lock when a process ends, however it ends: a file left by a killed process blocks nobody. Throws
 /// viz::FileError.
 class Lock {
  public:

@@ -8,7 +8,7 @@
 #include "viz/resources.h"
 
 namespace isect::program {
-extern const char* const only_lesson;  ///< its id, or null: for all of them. CMake writes it for each program.
+extern const char* const only_lesson;  ///< the lesson's id, or null: all lessons. CMake writes it for each program.
 }
 
 int main(int argc, char** argv) try {

@@ -13,43 +13,43 @@
 
 namespace isect::program {
 
-/// A file with a preset. Its name is where it lies below the folder that was asked for, "week-3/tangent", or the file's
-/// own where it was asked for itself; figures and baselines are named after it.
+/// A file with a preset. Its name is its path below the folder that was asked for, "week-3/tangent", or the file's own
+/// name if it was asked for itself; figures and baselines are named after it.
 struct PresetFile {
   std::string path, name;
 };
 
-/// As written on the command line. A preset is a name or a file: a word that ends in .json or has a slash.
+/// A selection as written on the command line. A preset is a name or a file: a word that ends in .json or has a slash.
 struct Selection {
   std::vector<std::string> lessons;  ///< or presets' files
   bool all = false;
   std::string preset;                ///< empty: the lesson's first (every one with `all`)
   std::vector<std::string> presets;  ///< several, in place of one; those of a word joined by commas
-  std::string scene;                 ///< a scene's file, whose objects the lesson is to take; empty: none
+  std::string scene;                 ///< a scene's file with the objects for the lesson; empty: none
   std::string step;                  ///< empty: the step of the preset's file, or all where it names none
   std::vector<std::string> changes;  ///< name=value
   std::vector<PresetFile> files;     ///< in place of names
 };
 
-/// The lesson's name as a positional, where the program has more than one lesson.
+/// Adds the lesson's name as a positional argument, if the program has more than one lesson.
 enum class Takes { one, many };
 void add_lesson(CLI::App&, const Program&, Selection&, Takes, const std::string& help);
 void add_preset(CLI::App&, Selection&, Takes, const std::string& help);
 void add_step(CLI::App&, Selection&, Takes, const std::string& help);
 void add_set(CLI::App&, Selection&);
-/// Where the program has more than one lesson, as that of one takes some objects alone.
+/// Adds the option for a scene, if the program has more than one lesson: each lesson takes certain objects only.
 void add_scene_file(CLI::App&, const Program&, Selection&);
-/// The parameters with these changes, name=value each. Throws viz::BadInput.
+/// Returns the parameters with these changes, name=value each. Throws viz::BadInput.
 viz::Parameters changed(const viz::Lesson&, viz::Parameters, const std::vector<std::string>& changes);
-/// Refuses an empty value, which is most often a shell's variable that is not set.
+/// Refuses an empty value, mostly a shell variable that is not set.
 CLI::Validator not_empty();
-/// A file or a folder.
+/// Adds an option for a file or a folder.
 CLI::Option* add_path(CLI::App&, const std::string& name, std::string& to, const std::string& help,
                       const std::string& type);
 
-/// Everything that is asked for. Throws viz::BadInput, or viz::FileError where a preset's file can't be read.
+/// Returns everything that is asked for. Throws viz::BadInput, or viz::FileError if a preset's file can't be read.
 std::vector<Excerpt> excerpts(const Program&, const Selection&);
-/// The same where only one lesson and preset make sense.
+/// Returns the only excerpt, where just one lesson and preset make sense.
 Excerpt excerpt(const Program&, const Selection&);
 
 }  // namespace isect::program

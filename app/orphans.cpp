@@ -1,4 +1,4 @@
-// Baselines that nothing is compared with any more.
+// Baselines with which nothing is compared any more.
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ std::vector<fs::path> sorted_children(const fs::path& folder) {
   return children;
 }
 
-/// A preset's name may have folders in it: all that are below, those further up first.
+/// Returns all folders below, upper ones first: a preset's name may contain folders.
 std::vector<fs::path> folders_below(const fs::path& folder) {
   std::error_code absent;
   std::vector<fs::path> folders;
@@ -79,7 +79,7 @@ std::vector<Baselines::Move> Baselines::moves(const std::vector<Excerpt>& checke
   for (const Excerpt& e : checked) {
     if (left.empty()) break;
     if (viz::is_there(path(e, ""))) continue;
-    std::string now;  // drawn where another one's parameters are the same
+    std::string now;  // drawn only if another preset has the same parameters
     const auto from = std::ranges::find_if(left, [&](const auto& place) {
       if (place.first != e.lesson->id) return false;
       const std::optional<OwnTrace>& trace = trace_of(place.first + "/" + place.second);
@@ -97,7 +97,7 @@ std::vector<Baselines::Move> Baselines::moves(const std::vector<Excerpt>& checke
 }
 
 void Baselines::join(const std::vector<Move>& moves, std::vector<Failure>& failures) const {
-  if (update_ == Update::missing) return;  // takes one half of it
+  if (update_ == Update::missing) return;  // it accepts only the missing half
   for (const Move& move : moves) {
     const auto of = [&](const Failure& f) {
       return f.lesson == move.lesson && ((f.kind == Failure::Kind::missing && f.preset == move.to) ||

@@ -39,7 +39,7 @@ viz::Metadata metadata_of(const Excerpt& e, int step) {
 }
 
 viz::Metadata metadata_in(const fs::path& picture) {
-  std::error_code hidden;  // what can't be read does not say that it is ours
+  std::error_code hidden;  // an unreadable file is not known as ours
   const viz::Format* const format = viz::format_of(picture);
   if (!format || !fs::is_regular_file(picture, hidden)) return {};
   try {
@@ -59,7 +59,7 @@ std::optional<OwnTrace> own_trace(const fs::path& file) try {
     own.stems.insert(fmt::format("{:02}-{}", own.stems.size() + 1, step.at("slug").get<std::string>()));
   return own;
 } catch (const std::exception&) {
-  return {};  // not to be read as one
+  return {};  // it can't be read as a trace
 }
 
 bool is_lfs_pointer(const std::string& bytes) { return bytes.starts_with("version https://git-lfs.github.com/spec/"); }

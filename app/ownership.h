@@ -1,6 +1,6 @@
 #pragma once
-// What isect knows as its own: a picture by the metadata inside, a trace by the lesson and preset it names. All else in
-// a folder is a user's, and is neither changed nor removed; nor is what someone has edited since, known by its digest.
+// How isect knows its own files: a picture by the metadata inside, a trace by the lesson and preset it names. Others
+// are a user's, and are neither changed nor removed; nor are those that someone has edited, as their digests show.
 
 #include <filesystem>
 #include <functional>
@@ -13,14 +13,14 @@
 
 namespace isect::program {
 
-/// "ray-sphere/two-roots": the folder of a setting's files, below that of all figures or baselines.
+/// Returns "ray-sphere/two-roots": the folder of a setting's files, below that of all figures or baselines.
 std::string folder_of(const Excerpt&);
-/// "ray-sphere/two-roots/03-foot": a step's file, without its ending.
+/// Returns "ray-sphere/two-roots/03-foot": a step's file, without its ending.
 std::string file_of(const Excerpt&, int step);
-/// What a picture of this step carries inside: where it was made, and as which file.
+/// Returns what a picture of this step carries inside: where it was made, and its file's name.
 viz::Metadata metadata_of(const Excerpt&, int step);
 
-/// What a figure says of itself; empty where it is none of isect's, or no picture at all.
+/// Returns a figure's metadata; empty if it is not isect's, or no picture at all.
 viz::Metadata metadata_in(const std::filesystem::path& picture);
 
 /// A trace of isect's, as far as it says what it is for.
@@ -29,28 +29,28 @@ struct OwnTrace {
   std::string parameters;       ///< as in a picture's metadata
   std::set<std::string> stems;  ///< of its steps' files: "03-foot"
 };
-/// Nothing where the file is no such trace.
+/// Returns the trace; nothing if the file is no such trace.
 std::optional<OwnTrace> own_trace(const std::filesystem::path& file);
 
-/// Whether a file of isect's may stand in this place: nothing is there, no regular file, an empty one, or one of whose
-/// first 512 bytes `ours` says that isect wrote it.
+/// Whether a file of isect's may be written here: there is nothing, no regular file, an empty one, or one that isect
+/// wrote, as `ours` says of its first 512 bytes.
 bool may_be_replaced(const std::filesystem::path& file, const std::function<bool(const std::string& begin)>& ours);
 
-/// What Git LFS leaves in a file's place until that is fetched.
+/// Whether the file is what Git LFS leaves in its place until it is fetched.
 bool is_lfs_pointer(const std::string& bytes);
 
-/// isect made this picture for this folder. One from before pictures named their file is known by its preset, or by the
-/// parameters it shares with the trace beside it.
+/// Whether isect made this picture for this folder. One from before pictures named their file is known by its preset,
+/// or by the parameters it shares with the trace beside it.
 bool made_for(const viz::Metadata&, const std::string& folder, const std::optional<OwnTrace>& beside);
-/// ... and for this very file: a copy under another name is not isect's.
+/// Whether it also made it for this very file: a copy under another name is not isect's.
 bool made_as(const viz::Metadata&, const std::string& file, const std::optional<OwnTrace>& beside);
 
-/// Tells on stderr that someone has edited a file of isect's, so that it is neither written nor removed.
+/// Says on stderr that someone has edited a file of isect's, so that it is neither written nor removed.
 void say_left_alone(const std::string& file);
 
-/// A trace of isect's in a preset's folder below that of a lesson.
+/// Returns a trace of isect's in a preset's folder below that of a lesson.
 std::optional<std::filesystem::path> trace_below(const std::filesystem::path& lesson);
-/// A trace that shows that figures written below `folder` would lie among baselines.
+/// Returns a trace which shows that figures written below `folder` would lie among baselines.
 std::optional<std::filesystem::path> baseline_below(const std::filesystem::path& folder, const Program&);
 
 }  // namespace isect::program

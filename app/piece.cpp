@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* several = "steps";
 
-/// "03-06" where they follow each other, "03+05" otherwise.
+/// Returns "03-06" if the steps follow each other, "03+05" otherwise.
 std::string numbers(const std::vector<int>& steps) {
   const bool in_a_row = steps.back() - steps.front() + 1 == static_cast<int>(steps.size());
   std::string text;

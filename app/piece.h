@@ -20,11 +20,11 @@ struct Piece {
 };
 
 Piece piece_of(const Excerpt&, int step);
-/// All chosen steps in one file, "strip-03-06": `kind` is how it is called.
+/// Returns all chosen steps in one file, "strip-03-06": `kind` is its first word.
 Piece piece_of(const Excerpt&, const std::string& kind);
 /// Whether a figure shows several steps.
 bool shows_several(const viz::Metadata&);
-/// Those of a figure of several, as --step takes them; empty where it is of one.
+/// Returns the steps of a figure of several, as --step takes them; empty for a figure of one.
 std::string steps_of(const viz::Metadata&);
 
 }  // namespace isect::program

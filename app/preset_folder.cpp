@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// All JSON files that isect did not leave itself, in order of their names.
+/// Returns all JSON files that isect did not leave itself, in order of their names.
 std::vector<PresetFile> json_files(const fs::path& folder) {
   std::vector<PresetFile> files;
   std::error_code error;
@@ -29,7 +29,7 @@ std::vector<PresetFile> json_files(const fs::path& folder) {
     const fs::path& path = entry->path();
     const std::string name = path.filename();
     const bool baselines = entry.depth() == 0 && name == "snapshots";
-    std::error_code hidden;  // it is asked what it is once it is read
+    std::error_code hidden;  // what it is shows once it is read
     const bool is_folder = entry->is_directory(hidden);
     if (is_folder && (name.starts_with(".") || baselines)) entry.disable_recursion_pending();
     if (is_folder || name.starts_with(".") || path.extension() != ".json") continue;
@@ -41,12 +41,12 @@ std::vector<PresetFile> json_files(const fs::path& folder) {
   return files;
 }
 
-/// One that is no JSON any more.
+/// Whether a scene's text is no longer valid JSON.
 bool is_broken_scene(const std::string& text) {
   return !Json::accept(text, true) && std::regex_search(text, std::regex("\"objects\"\\s*:"));
 }
 
-/// A preset names its lesson; where the text is no JSON any more, a field of that name shows what was meant.
+/// Whether it is meant as a preset, which names its lesson; in invalid JSON, a field of that name shows it.
 bool is_meant_as_preset(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_discarded()) return json.is_object() && json.contains("lesson");

@@ -1,5 +1,5 @@
 #pragma once
-// A folder of presets of one's own: which of its files are presets, which should be, and which are none.
+// A folder of a user's own presets: which of its files are presets, which should be, and which are neither.
 
 #include <string>
 #include <vector>
@@ -20,13 +20,13 @@ struct PresetFolder {
   std::vector<std::string> foreign;  ///< JSON that is something else
 };
 
-/// The presets and scenes (*.json) of the folder and of those below it, but for hidden ones, `snapshots`, and what
-/// isect itself leaves there. Throws viz::FileError where the folder can't be read, viz::BadInput where no file in it
-/// is meant as a preset.
+/// Returns the presets and scenes (*.json) of the folder and of those below it, except for hidden ones, `snapshots`,
+/// and what isect itself leaves there. Throws viz::FileError if the folder can't be read, viz::BadInput if no file in
+/// it is meant as a preset.
 PresetFolder preset_folder(const std::string& folder, const Program&);
-/// Throws viz::BadInput where the file's name can't go into traces and metadata, which are UTF-8.
+/// Throws viz::BadInput if the file's name can't go into traces and metadata, which are UTF-8.
 void require_utf8(const PresetFile&);
-/// One line on stderr for each foreign file, but not for hundreds.
+/// Prints one line on stderr for each foreign file, but not hundreds.
 void say_passed_over(const PresetFolder&);
 
 }  // namespace isect::program

@@ -38,7 +38,7 @@ class Help final : public CLI::Formatter {
   }
 };
 
-/// Without a subcommand the window is meant.
+/// Inserts `show`, the window, if there is no subcommand.
 void complete(const CLI::App& app, std::vector<std::string>& arguments) {
   const std::string first = arguments.empty() ? "" : arguments.front();
   if (first == "--help" || first == "-h" || first == "--version") return;
@@ -58,7 +58,7 @@ void complete(const CLI::App& app, std::vector<std::string>& arguments) {
 void describe(CLI::App& app, Program& program) {
   app.formatter(std::make_shared<Help>());  // subcommands inherit it
   app.set_help_flag("-h,--help", "this text; every SUBCOMMAND has its own");
-  app.require_subcommand(0, 1);  // after one, the name of another is an argument like any other
+  app.require_subcommand(0, 1);  // after one subcommand, the name of another is an ordinary argument
   app.set_version_flag("--version", fmt::format("{} {}", program.name, viz::version()), "the version");
   if (!program.only) add_list(app, program);
   add_show(app, program);

@@ -48,8 +48,8 @@ void add_query(CLI::App&, Program&);
 void add_bench(CLI::App&, Program&);
 void add_doctor(CLI::App&, Program&);
 
-/// The program of these lessons, or of the one with this id, if it is not null. `arguments` without the program's name.
-/// The exit status.
+/// Runs the program of these lessons, or of the one with this id, if it is not null. `arguments` without the program's
+/// name. Returns the exit status.
 int run(std::vector<const viz::Lesson*> lessons, const char* only, std::vector<std::string> arguments);
 
 }  // namespace isect::program

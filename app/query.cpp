@@ -1,4 +1,4 @@
-// isect query: a JSON case a line in, a JSON answer a line out.
+// isect query: one JSON case per line in, one JSON answer per line out.
 
 #include "app/query/query.h"
 
@@ -25,14 +25,14 @@ namespace isect::program {
 
 namespace {
 
-/// Lines of a file or pipe, as they come, in memory for one line.
+/// The lines of a file or pipe, as they come, with memory for one line.
 class Lines {
  public:
   explicit Lines(int file) : file_(file) {}
 
   enum class Next { line, too_long, out_of_memory, end };
-  /// The next line without its end; the last may lack one. Of what can't be kept nothing is. Calls `idle` before it has
-  /// to wait for more.
+  /// Reads the next line without its end; the last may lack one. A line that can't be kept is dropped whole. Calls
+  /// `idle` before it has to wait for more.
   template <class Idle>
   Next next(std::string& line, const Idle& idle) {
     line.clear();
@@ -103,7 +103,7 @@ void write_line(const std::string& text) {
 
 struct QueryOptions {
   std::string path = "-";
-  std::optional<std::string> files;  ///< the folder that scenes may name files of
+  std::optional<std::string> files;  ///< the folder whose files scenes may name
   bool strict = false;
 };
 
@@ -138,7 +138,7 @@ int answer_all(const QueryOptions& options) {
     const query::Answer reply = answer(next, line, number, options);
     write_line(reply.text);
     errors = errors || reply.error;
-    if (line.capacity() > (1 << 20)) std::string().swap(line);  // a long one leaves no memory behind
+    if (line.capacity() > (1 << 20)) std::string().swap(line);  // releases the memory of a long line
   }
   flush();
   return errors ? check_failed : done;

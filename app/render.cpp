@@ -33,10 +33,10 @@ struct RenderOptions {
   Selection asked;
   StyleOptions style;
   std::string dir, out = "figures", backend = "auto", each, camera;
-  double seconds = 2.5;  ///< of each step, where they move
+  double seconds = 2.5;  ///< per step of an animation
 };
 
-/// What the manifest says of a figure besides its step.
+/// Returns the manifest's entry for a figure, except for its step.
 Json made_with(const Style& style, const viz::Format& format, const viz::Drawing& drawing,
                const std::string& renderer) {
   Json made = {{"theme", viz::name_of(style.theme)}, {"renderer", renderer}};
@@ -52,7 +52,7 @@ Json made_with(const Style& style, const viz::Format& format, const viz::Drawing
   return made;
 }
 
-/// What draws each excerpt: as was asked, or as the figure was that it comes from.
+/// The studios for the excerpts: with the options asked for, or those of the figure from which an excerpt comes.
 class Studios {
  public:
   Studios(const std::vector<Excerpt>& all, const RenderOptions& options) : backend_(options.backend) {
@@ -84,10 +84,10 @@ class Studios {
     std::unique_ptr<Studio> studio;
   };
   std::string backend_, font_;
-  std::map<std::string, Made> made_;  ///< by the words of a figure, "" for all else
+  std::map<std::string, Made> made_;  ///< by the words of a figure, "" for all others
 };
 
-/// A file of the run: a step, or all steps of an excerpt in one that moves.
+/// A file of the run: a step, or all steps of an excerpt in one animation.
 struct Job {
   const Excerpt& e;
   Piece piece;
@@ -106,7 +106,7 @@ std::vector<Job> jobs_of(const std::vector<Excerpt>& chosen, const Studios& stud
   return jobs;
 }
 
-/// What moves shows a card of text for longer than a picture.
+/// Repeats cards of text, so that an animation shows them for longer than a picture.
 std::vector<viz::Drawing> time_to_read(const std::vector<viz::Drawing>& drawings, const Job& job) {
   constexpr int as_long = 4;
   std::vector<viz::Drawing> frames;
@@ -115,7 +115,7 @@ std::vector<viz::Drawing> time_to_read(const std::vector<viz::Drawing>& drawings
   return frames;
 }
 
-/// Each format of a job, given to `take`.
+/// Makes each format of a job, and passes it to `take`.
 template <class Take>
 void make(const Job& job, const RenderOptions& options, Studios& studios, const Take& take) {
   const Style& style = studios.style(job.e);
@@ -155,7 +155,7 @@ void draw_all(const std::vector<Job>& jobs, const RenderOptions& options, Studio
   }
 }
 
-/// The presets of a folder in place of those that words name. Whether all of them can be read: the others are told.
+/// Takes the presets of a folder instead of named ones. Returns whether all can be read; unreadable ones are reported.
 bool choose_folder(const Program& program, RenderOptions& options) {
   const PresetFolder folder = preset_folder(options.dir, program);
   say_passed_over(folder);
@@ -164,7 +164,7 @@ bool choose_folder(const Program& program, RenderOptions& options) {
   return folder.broken.empty();
 }
 
-/// All seen from there. A lesson of one plane is refused.
+/// Turns all views to this direction. A lesson of one plane is refused.
 void turn(std::vector<Excerpt>& chosen, const std::string& direction) {
   double azimuth = 0, elevation = 0;
   char comma = 0, more = 0;
@@ -189,7 +189,7 @@ int render(const Program& program, RenderOptions options) {
   if (!whole && options.asked.files.empty()) return bad_input;
   std::vector<Excerpt> chosen = excerpts(program, options.asked);
   if (!options.camera.empty()) turn(chosen, options.camera);
-  Studios studios(chosen, options);  // a font is chosen before any is looked at
+  Studios studios(chosen, options);  // sets the font before any is used
   need_surroundings(program);
   const std::vector<Job> jobs = jobs_of(chosen, studios);
   if (options.out == "-") return to_stdout(jobs, options, studios);

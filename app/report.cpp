@@ -24,15 +24,15 @@ std::string counted(std::size_t n, const std::string& what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
-/// "2 failures in 5 pictures and the trace of 1 preset"
+/// Returns "2 failures in 5 pictures and the trace of 1 preset".
 std::string failed(const Report& r) {
   const std::string failures = counted(open_failures(r), "failure");
-  if (r.checked.empty()) return failures;  // none could be read
+  if (r.checked.empty()) return failures;  // no preset could be read
   return fmt::format("{} in {} and the trace{} of {}", failures, counted(r.pictures, "picture"),
                      r.checked.size() == 1 ? "" : "s", counted(r.checked.size(), "preset"));
 }
 
-/// Not one file of the preset is there, which is told in one line.
+/// Whether not one file of the preset exists, which is reported in one line.
 bool all_missing(const Failure& f) {
   return f.kind == Kind::missing && !viz::is_there(std::filesystem::path(f.baseline).parent_path());
 }

@@ -10,7 +10,7 @@
 
 namespace isect::program {
 
-/// The part of the command line that chose what is checked; the same again, with --update, accepts it.
+/// The part of the command line that chose what is checked; repeated with --update, it accepts it.
 struct Asked {
   std::string program;               ///< how it was called
   std::vector<std::string> lessons;  ///< none: all
@@ -31,40 +31,40 @@ struct Report {
   bool nothing_there = false;             ///< none of the presets has a baseline
 };
 
-/// 0, 1, 2 or 3: a failed check, then a broken preset file, then a missing baseline. What was accepted counts for
-/// nothing.
+/// Returns 0, 1, 2 or 3: a failed check, then a broken preset file, then a missing baseline. Accepted failures do not
+/// count.
 int status(const Report&);
-/// No update touches the others: a picture of nothing, a file that isect did not make, a preset that can't be read.
+/// Whether an update may accept it: no empty picture, no file that isect did not make, no preset that can't be read.
 bool may_be_accepted(const Failure&);
-/// The command that accepts all that may be accepted; empty where there is nothing of the kind.
+/// Returns the command that accepts all failures that may be accepted; empty if there are none.
 std::string accept_command(const Report&);
-/// The command that accepts this failure, and others of its preset; empty where none may.
+/// Returns the command that accepts this failure, and others of its preset; empty if it may not be accepted.
 std::string accept_command(const Report&, const Failure&);
 
-/// As one word of a shell's.
+/// Returns the text quoted as one word for a shell.
 std::string quoted(const std::string& word);
 
 std::string to_text(const Report&);
 std::string to_json(const Report&);
-/// Self-contained: old, new and difference side by side.
+/// Returns a self-contained page: old, new and difference side by side.
 std::string to_html(const Report&);
-/// One test suite a lesson, one test case a preset.
+/// Returns one test suite per lesson, one test case per preset.
 std::string to_junit(const Report&);
 /// Whether a file that begins so is a report of isect's as HTML, as JUnit XML.
 bool begins_html_report(const std::string& bytes);
 bool begins_junit_report(const std::string& bytes);
 
-// What the forms share.
+// Shared by the forms.
 
-/// "ray-sphere tangent, step 3 (foot)"
+/// Returns "ray-sphere tangent, step 3 (foot)".
 std::string where(const Failure&);
-/// "2 failures in 12 pictures and the trace of 1 preset; 3 accepted"
+/// Returns "2 failures in 12 pictures and the trace of 1 preset; 3 accepted".
 std::string summary(const Report&);
-/// What there is to know of a failure besides its first difference, a line each.
+/// Returns what is known of a failure besides its first difference, one line each.
 std::vector<std::string> details(const Failure&);
-/// Why a file among the baselines is left alone.
+/// Returns why a file among the baselines is left alone.
 std::string told_left_alone(const std::string& file);
-/// For XML and HTML: what they hold no way or would read as their own is replaced.
+/// Escapes text for XML and HTML: characters that these forbid or would interpret are replaced.
 std::string escaped(const std::string&);
 
 }  // namespace isect::program

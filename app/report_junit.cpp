@@ -19,7 +19,7 @@ const std::string junit_head = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<tes
 using Case = std::vector<const Failure*>;
 using Cases = std::vector<std::pair<std::string, Case>>;  ///< by preset
 
-/// A suite for each lesson that was checked, then one for each other name: of lessons that are gone, of broken presets.
+/// Returns a suite per lesson that was checked, then one per other name: of lessons that are gone, of broken presets.
 std::vector<std::pair<std::string, Cases>> suites(const Report& r) {
   std::vector<std::pair<std::string, Cases>> found;
   const auto at = [](auto& list, const std::string& name) -> auto& {
@@ -43,7 +43,7 @@ std::string test_case(const Report& r, const std::string& lesson, const std::str
     for (const std::string& more : f->more) text += "  " + more + "\n";
     for (const std::string& line : details(*f)) text += "  " + line + "\n";
   }
-  std::string accept;  // all of the preset, if anything can be
+  std::string accept;  // for the whole preset, if anything may be accepted
   for (const Failure* f : failures)
     if (accept.empty() || f->kind != Kind::missing)
       if (const std::string command = accept_command(r, *f); !command.empty()) accept = command;
@@ -54,7 +54,7 @@ std::string test_case(const Report& r, const std::string& lesson, const std::str
                      name_of(first.kind), escaped(first.what), escaped(text));
 }
 
-/// "tests=\"27\" failures=\"2\" errors=\"0\"" of these suites.
+/// Returns "tests=\"27\" failures=\"2\" errors=\"0\"" for these suites.
 std::string counts(const std::vector<std::pair<std::string, Cases>>& all) {
   int tests = 0, failures = 0, errors = 0;
   for (const auto& [lesson, cases] : all)

@@ -1,4 +1,4 @@
-// isect scene: objects of one's own, and the exact answers about them.
+// isect scene: a user's own objects, and the exact answers about them.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,7 +28,7 @@ struct SceneOptions {
   bool json = false;
 };
 
-/// Writes over the scene itself, and over nothing else.
+/// Writes over the scene itself, and over no other file.
 void save(const SceneOptions& options, const std::string& text, const scene::File& file, const viz::Parameters& to) {
   std::error_code absent;
   if (fs::exists(options.save, absent) && !fs::equivalent(options.save, options.path, absent))
@@ -43,7 +43,7 @@ std::string verdicts(const scene::File& file) {
   return all;
 }
 
-/// A list of answers, one below the other.
+/// Returns a list of answers, one below the other.
 std::string as_json(const scene::File& file) {
   std::string all;
   scene::each_answer(file, [&](const scene::Json& answer) {

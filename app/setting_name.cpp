@@ -10,7 +10,7 @@ namespace isect::program {
 
 namespace {
 
-/// What every file system and shell takes as it is.
+/// Whether every file system and shell takes the character as it is.
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
          std::string_view("+-.,=_").find(c) != std::string_view::npos;

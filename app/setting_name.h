@@ -7,8 +7,8 @@
 
 namespace isect::program {
 
-/// "+origin=-4,1,0+radius=1.25": what `to` changes in `from`, by name; empty where it changes nothing. Fit for a file's
-/// name, and short: a long one ends in a digest. The same change has the same name, another change another.
+/// Returns "+origin=-4,1,0+radius=1.25": what `to` changes in `from`, by name; empty if it changes nothing. It suits a
+/// file's name, and is short: a long one ends in a digest. The same change has the same name, another change another.
 std::string name_of_change(const viz::Parameters& from, const viz::Parameters& to);
 
 }  // namespace isect::program

@@ -26,14 +26,14 @@ namespace {
 
 using Lessons = std::vector<const viz::Lesson*>;
 
-/// `file` becomes the scene's, if it is one that can be written to.
+/// Returns where to begin. `file` becomes the scene's, if that can be written to.
 viz::Place place_of(const Program& program, Selection asked, Lessons& lessons, std::optional<scene::KeptFile>& file) {
   const std::string first = asked.lessons.empty() ? std::string() : asked.lessons.front();
   if (const viz::Format* format = viz::format_of(first); format && asked.step.empty() && asked.changes.empty())
     return place_in_figure(program, first, *format, lessons).place;
   const bool anywhere = asked.lessons.empty() && asked.preset.empty() && asked.changes.empty() && asked.step.empty() &&
                         asked.scene.empty();
-  if (anywhere && program.only == nullptr) return {};  // where the reader left off, or the first lesson
+  if (anywhere && program.only == nullptr) return {};  // where the reader stopped last time, or the first lesson
   if (asked.lessons.empty() && asked.preset.empty() && asked.scene.empty())
     asked.lessons = {program.lessons.front()->id};
   const Excerpt e = excerpt(program, asked);

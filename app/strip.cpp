@@ -16,10 +16,10 @@ namespace isect::program {
 
 namespace {
 
-/// What a reader takes in at once; a lesson has more.
+/// The most steps that a reader takes in at once; a lesson may have more.
 constexpr std::size_t most_steps = 26;
 constexpr int usual_columns = 3;
-constexpr const char* any_columns = "auto";  ///< as many of them as have room
+constexpr const char* any_columns = "auto";  ///< as many as there is room for
 
 struct StripOptions {
   Selection asked;
@@ -27,7 +27,7 @@ struct StripOptions {
   std::string out = "figures";
 };
 
-/// Unless they are asked for, without the map and the card, which tell no step.
+/// Returns the excerpt without the map and the card, which are no steps of the algorithm, unless they are asked for.
 Excerpt excerpt_of(const Program& program, const Selection& asked) {
   Excerpt e = excerpt(program, asked);
   if (asked.step.empty() && e.several.empty() && !e.step) e.steps.resize(verdict_of(e.walk) + 1);
@@ -42,7 +42,7 @@ int strip(const Program& program, StripOptions options) {
   const Excerpt e = excerpt_of(program, options.asked);
   if (!e.style.empty()) fill_in(asked, e.style), asked.size.clear(), asked.height.clear();  // of a strip drawn before
   if (asked.width.empty()) asked.width = "16cm";
-  asked.no_title = true;  // it stands below
+  asked.no_title = true;  // the title stands below
   const int steps = static_cast<int>(e.steps.size());
   if (asked.columns == any_columns) asked.columns.clear();
   const bool fewer = asked.columns.empty();

@@ -24,7 +24,7 @@ std::string told(const std::string& which, double width) {
   return fmt::format("{}: {:.1f} cm", which, width / points_a_cm);
 }
 
-/// The walks of all presets, made once for each lesson: presets stay as they are.
+/// Returns the walks of all presets, made once for each lesson: presets do not change.
 const std::vector<viz::Walk>& walks_of(const viz::Lesson& lesson) {
   static std::map<const viz::Lesson*, std::vector<viz::Walk>> known;
   std::vector<viz::Walk>& walks = known[&lesson];
@@ -38,14 +38,14 @@ viz::Figure composed(const Excerpt& e, int step, const viz::PageLayout& layout) 
                      layout);
 }
 
-/// On one line.
+/// Returns title and caption on one line.
 std::string with_caption(const viz::Lesson& lesson, const viz::Step& step) {
   std::string text = viz::as_sentence(step.title) + " " + viz::own_caption(lesson, step);
   std::ranges::replace(text, '\n', ' ');
   return text;
 }
 
-/// All pictures of a file together.
+/// Throws viz::BadInput if all pictures of a file together have too many pixels.
 void need_pixels_in_bounds(double pixels, const std::string& cure) {
   constexpr double most = 1 << 26;
   if (pixels > most)
@@ -53,7 +53,7 @@ void need_pixels_in_bounds(double pixels, const std::string& cure) {
                                     pixels / 1e6, most / 1e6, cure));
 }
 
-// On paper a picture is twice as wide as it is high, or higher for what would leave much of that width empty.
+// On paper a picture is twice as wide as it is high, or higher if it would leave much of that width empty.
 constexpr double widest_shape = 2, highest_shape = 1.4;
 
 double shape_of(const Excerpt& e, const viz::Walk& walk) {
@@ -67,13 +67,13 @@ double shape_of(const Excerpt& e, const viz::Walk& walk) {
   return size.y() > 0 && size.x() > 0 ? std::clamp(size.x() / size.y(), highest_shape, widest_shape) : widest_shape;
 }
 
-/// All walks of the lesson.
+/// Frames all walks of the lesson alike.
 viz::Camera framed_alike(const Excerpt& e, double aspect) {
   return viz::frame_alike(viz::opening(*e.lesson), e.walk, walks_of(*e.lesson), aspect);
 }
 
-/// As camera_for. On paper, where room is dear, a scene that is seen from nearer than the others of its walk takes
-/// more.
+/// Returns the camera as camera_for does; but on paper, where room is scarce, a scene that is seen from nearer than the
+/// others of its walk fills more of the picture.
 viz::Camera paper_camera(const Excerpt& e, const viz::Step& step, double aspect) {
   constexpr double taken = 0.8;
   if (e.camera) return *e.camera;
@@ -141,7 +141,7 @@ std::vector<viz::Drawing> Studio::cropped_to_paper(const std::function<Drawings(
     const double wide = for_width ? now.front().width - asked.width : 0;
     const double high = for_height ? now.front().height - asked.height : 0;
     const double over = !for_height ? wide : !for_width ? high : std::max(wide, high);
-    // Too large is worse than too small, of which the largest is best.
+    // Too large is worse than too small; among those too small the largest is best.
     const bool better = over > near ? over < best_over : best_over > near || over > best_over;
     if (better) best = now, best_over = over;
     if (std::abs(over) <= near && (!for_width || !for_height || std::min(wide, high) >= -near)) break;
@@ -199,11 +199,11 @@ viz::Drawing Studio::whole_strip(const Excerpt& e, int columns, bool captions, c
   const double gap = strip_gap * size.text_size;
   viz::PaperSize each = size;
   each.width = (each.width - (columns - 1) * gap) / columns;
-  viz::Walk part = e.walk;  // rows that none of these steps needs take no room
+  viz::Walk part = e.walk;  // rows that none of these steps needs are omitted
   part.steps.clear();
   for (const int step : e.steps) part.steps.push_back(e.walk.steps[step]);
   std::vector<viz::Frame> frames;
-  for (std::size_t i = 0; i < part.steps.size(); ++i) {  // as wide as the one that needs most
+  for (std::size_t i = 0; i < part.steps.size(); ++i) {  // all get the width of the one that needs most
     viz::OnPaper made = on_paper(e, part, static_cast<int>(i), each, false);
     if (made.size.width > each.width) {
       each = made.size, frames.clear(), i = static_cast<std::size_t>(-1);

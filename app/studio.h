@@ -15,31 +15,31 @@ namespace isect::program {
 
 class Studio {
  public:
-  /// A rendering back end is started only where a format needs one. Throws viz::NoBackend.
+  /// Starts a rendering back end only if a format needs one. Throws viz::NoBackend.
   Studio(const Style&, const std::string& backend);
 
-  /// On paper no narrower than its labels need, which is told once all are drawn. What is empty all round is taken away
-  /// before the size on paper is given.
+  /// Draws a step. On paper it is no narrower than its labels need; say_widened reports that once all are drawn. Empty
+  /// margins are cropped before the size on paper is fitted.
   viz::Drawing draw(const Excerpt&, int step);
-  /// All of one size: each in the middle of it.
+  /// Draws several steps, all of one size: each in the middle of it.
   std::vector<viz::Drawing> draw(const Excerpt&, const std::vector<int>& steps);
-  /// Several steps as one drawing, side by side, each under its letter and title; on paper only. `columns` a row, or
-  /// `fewer` where the strip would be wider than was asked for.
+  /// Draws several steps as one drawing, side by side, each above its letter and title; on paper only. `columns` per
+  /// row, or `fewer` if the strip would be wider than was asked for.
   viz::Drawing draw_strip(const Excerpt&, int columns, bool fewer, bool captions);
   std::string write(const Piece&, const viz::Drawing&, const viz::Format&);
-  /// Several steps in one file, one after the other.
+  /// Writes several steps into one file, one after the other.
   std::string film(const Piece&, const std::vector<viz::Drawing>&, double seconds, const viz::Format&);
   std::string renderer(const viz::Format&) const;
-  /// Figures that are wider than what was asked for: "ray-sphere/tangent/03-distance: 4.1 cm".
+  /// Returns the figures that are wider than was asked for: "ray-sphere/tangent/03-distance: 4.1 cm".
   const std::vector<std::string>& widened() const { return widened_; }
 
  private:
   using Drawings = std::vector<viz::Drawing>;
-  /// Where no height is given, as high as the walk's pictures need.
+  /// Draws a step on paper; if no height is given, as high as the walk's pictures need.
   viz::OnPaper on_paper(const Excerpt&, const viz::Walk&, int step, viz::PaperSize, bool title);
   Drawings whole(const Excerpt&, const std::vector<int>& steps, const viz::PaperSize&);
   viz::Drawing whole_strip(const Excerpt&, int columns, bool captions, const viz::PaperSize&);
-  /// What `draw` makes at the size at which it is as large as asked for once cropped.
+  /// Returns what `draw` makes at the size at which the cropped result is as large as asked for.
   Drawings cropped_to_paper(const std::function<Drawings(const viz::PaperSize&)>& draw) const;
   bool is_widened(double width) const;
   void tell_widened(const std::string& which, double width);
@@ -52,12 +52,12 @@ class Studio {
   std::vector<std::string> widened_;
 };
 
-/// Which figures could not be as narrow as was asked: honestly wider, rather than with labels that meet.
+/// Reports the figures that could not be as narrow as was asked: they are wider, so that no labels meet.
 void say_widened(const Studio&);
 
-/// The camera for a picture of this step whose width to height is `aspect`: the one of the preset's file, which
-/// shows as much from the middle to the top edge as where it was copied; otherwise at one scale for all presets of the
-/// lesson, but nearer where that leaves the picture empty.
+/// Returns the camera for a picture of this step with this `aspect`, width / height: the one of the preset's file,
+/// which shows as much from the middle to the top edge as where it was copied; otherwise at one scale for all presets
+/// of the lesson, but nearer where that leaves the picture empty.
 viz::Camera camera_for(const Excerpt&, const viz::Step&, double aspect);
 
 }  // namespace isect::program

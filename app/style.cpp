@@ -14,18 +14,18 @@ namespace {
 
 using Letters = viz::Imprint::Letters;
 
-/// As wide as a picture for the screen is to its height.
+/// The ratio of width to height of a picture for the screen.
 constexpr double usual_shape = 1.6;
 constexpr double usual_dpi = 300;
 /// LaTeX's own letters are as wide at 10 pt as ours at 11.
 constexpr double usual_tex_size = 11;
-/// Of what is made for a page alone.
+/// The width of figures for paper only.
 constexpr const char* usual_width = "8cm";
 
 bool is_tikz(const viz::Format* format) { return format->name == "tikz"; }
 bool is_opaque(const viz::Format* format) { return format->name == "gif" || format->name == "mp4"; }
 
-/// LaTeX sets the labels of TikZ, and of nothing else.
+/// Returns how labels are set; LaTeX sets those of TikZ, and no others.
 Letters letters_of(const std::string& labels, const std::vector<const viz::Format*>& formats) {
   if (labels.empty()) return Letters::as_usual;
   if (labels == "tex" && std::ranges::all_of(formats, is_tikz)) return Letters::as_usual;
@@ -36,7 +36,7 @@ Letters letters_of(const std::string& labels, const std::vector<const viz::Forma
   return labels == "text" ? Letters::glyphs : Letters::outlines;
 }
 
-/// Options that make a figure look as it does, by name, whatever its format.
+/// Calls `take` for the options that make a figure look as it does, by name, whatever its format.
 template <class Options, class Take>
 void each_kept(Options& options, const Take& take) {
   take("theme", options.theme), take("size", options.size), take("width", options.width);
@@ -85,7 +85,7 @@ void fill_in(StyleOptions& options, const std::string& text) {
   each_kept_flag(options, [&](const char* name, bool& value) {
     if (const auto found = words.find(name); found != words.end()) value = value || *found == true;
   });
-  const std::vector<const viz::Format*> formats = formats_of(options.format);  // which may not have it
+  const std::vector<const viz::Format*> formats = formats_of(options.format);  // some formats do not take these
   if (std::ranges::all_of(formats, is_tikz)) options.font = asked.font;
   if (std::ranges::any_of(formats, is_opaque)) options.transparent = asked.transparent;
 }
@@ -124,7 +124,7 @@ Style style_of(const StyleOptions& options) {
           fmt::format("transparent: {} has no half-transparent pixels; give --format apng", format->name));
   StyleOptions kept = options;
   if (style.paper && !on_paper) kept.width = usual_width;
-  if (style.paper)  // one text, however it was written
+  if (style.paper)  // the same text for every way to write it
     for (const auto& [length, points] : {std::pair{&kept.width, style.paper->width},
                                          {&kept.height, style.paper->height},
                                          {&kept.text_size, style.paper->text_size}})

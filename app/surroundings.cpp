@@ -16,7 +16,7 @@ namespace isect::program {
 
 namespace {
 
-/// The variables that change how Mesa draws: whoever set one may have forgotten it.
+/// Returns the variables that change how Mesa draws: their setting may have been forgotten.
 std::string mesa_variables() {
   std::string set;
   for (char** entry = environ; *entry; ++entry)

@@ -1,5 +1,5 @@
 #pragma once
-// What a machine must have before anything can be drawn on it, told before work begins.
+// What a machine must have before anything can be drawn on it, checked before work begins.
 
 #include <string>
 
@@ -7,13 +7,13 @@
 
 namespace isect::program {
 
-/// Throws viz::NoFonts where there are no fonts, and viz::NoBackend where the system grants too little to draw. Other
-/// fonts than the ones figures are made for: one line on stderr.
+/// Throws viz::NoFonts if there are no fonts, and viz::NoBackend if the system grants too little to draw. If the fonts
+/// are not those for which figures are made, prints one line on stderr.
 void need_surroundings(const Program&);
 
-/// A small figure, drawn by this back end as `check` draws. Throws viz::NoBackend, or worse.
+/// Draws a small figure with this back end, as `check` draws. Throws viz::NoBackend, or worse.
 void draw_on_trial(const Program&, const std::string& backend);
-/// The same in a child process, so that what crashes there is told: why it failed; empty where it did not.
+/// Does so in a child process, so that a crash there is reported: returns why it failed; empty if it did not.
 std::string trial(const std::string& backend);
 
 }  // namespace isect::program

@@ -34,7 +34,7 @@ bool coloured() {
   return yes;
 }
 
-/// False with errno set where not everything could be written.
+/// Writes all bytes; returns false, with errno set, if not everything could be written.
 bool write_all(int descriptor, const std::string& bytes) {
   for (std::size_t sent = 0; sent < bytes.size();) {
     const ssize_t n = ::write(descriptor, bytes.data() + sent, bytes.size() - sent);
@@ -76,7 +76,7 @@ void end_by_closed_pipe() {
   std::_Exit(128 + SIGPIPE);  // never reached
 }
 
-// Nothing is left to be done where even stderr is closed.
+// If even stderr is closed, nothing can be done.
 void say(const std::string& line) { write_all(STDERR_FILENO, line + "\n"); }
 
 SaidLater::SaidLater(std::string line, bool wanted) {

@@ -1,5 +1,5 @@
 #pragma once
-// What goes to the terminal: data to stdout, talk to stderr, colour and progress only where somebody looks.
+// Output to the terminal: data to stdout, messages to stderr, colour and progress only if a person is watching.
 
 #include <condition_variable>
 #include <mutex>
@@ -12,19 +12,19 @@ namespace isect::program {
 /// and that a closed pipe or a limit on a file's size is an error to be handled instead of a signal.
 void guard_streams();
 
-/// The reader of stdout has gone away (a closed pipe): nobody is left to work for.
+/// Thrown when the reader of stdout has gone away (a closed pipe): nobody is left to work for.
 struct ReaderGone {};
-/// Data. Throws ReaderGone, or viz::FileError where it can't be written for another reason.
+/// Prints data. Throws ReaderGone, or viz::FileError if it can't be written for another reason.
 void print(const std::string& data);
 /// Throws what print throws, by errno.
 [[noreturn]] void printing_failed();
-/// Ends the process as a closed pipe ends other programs: by SIGPIPE, which a shell shows as 141. To be called when
+/// Ends the process as a closed pipe ends other programs: by SIGPIPE, which a shell shows as 141. Call it when
 /// everything has been put in order.
 [[noreturn]] void end_by_closed_pipe();
-/// Talk: one line on stderr.
+/// Prints a message: one line on stderr.
 void say(const std::string& line);
 
-/// Says a line after a second, unless it ends before or is not `wanted`: what takes long is told.
+/// Says a line after a second, unless it is destroyed before or not `wanted`: long work is announced.
 class SaidLater {
  public:
   explicit SaidLater(std::string line, bool wanted = true);
@@ -35,7 +35,7 @@ class SaidLater {
   std::jthread thread_;  // the last one, as it uses the others
 };
 
-/// Says so of the answers that a scene asks for, where somebody looks.
+/// Says so for the answers that a scene asks for, if a person is watching.
 SaidLater deciding(const std::string& scene);
 
 bool is_terminal(int descriptor);
@@ -43,7 +43,7 @@ bool is_terminal(int descriptor);
 enum class Ink { plain, bold, dim, good, bad, mark };
 std::string inked(Ink, const std::string& text);
 
-/// One line on stderr that says how far the work is; silent in a pipe. A total of 0 is one that nobody knows yet.
+/// One line on stderr that says how far the work is; silent in a pipe. A total of 0 means that it is not known yet.
 class Progress {
  public:
   explicit Progress(std::size_t total);
@@ -57,10 +57,10 @@ class Progress {
   bool shown_;
 };
 
-/// `text` broken into lines of at most `width` characters, each after `indent` spaces; '\n' separates
+/// Returns `text` broken into lines of at most `width` characters, each after `indent` spaces; '\n' separates
 /// paragraphs.
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent);
-/// How wide a line of stdout may be: COLUMNS if it is set, else the terminal's width, else 80. At least 40.
+/// Returns how wide a line of stdout may be: COLUMNS if it is set, else the terminal's width, else 80. At least 40.
 std::size_t columns();
 
 }  // namespace isect::program

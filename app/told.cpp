@@ -22,7 +22,7 @@ namespace {
 using viz::count_characters;
 using viz::plain;
 
-/// "Title" over a line of `rule`.
+/// Returns "Title" over a line of `rule`.
 std::string heading(const std::string& text, char rule, std::size_t width) {
   return inked(Ink::bold, wrapped(text, width, 0)) + std::string(std::min(count_characters(text), width), rule) + "\n";
 }
@@ -61,7 +61,7 @@ class Teller {
     return text.substr(0, std::min(line, stop == std::string::npos ? line : stop + 1));
   }
 
-  /// What a step decides or computes; else what it says first.
+  /// Returns what a step decides or computes; else the first sentence of its caption.
   std::string line_of(int index) const {
     const viz::Step& step = e_.walk.steps[index];
     std::string out = viz::as_sentence(title(index)) + " ";
@@ -94,14 +94,14 @@ class Teller {
     return out + source(step);
   }
 
-  /// Where it is another than before.
+  /// Returns the source if it differs from the one before.
   std::string source(const viz::Step& step) {
     if (step.source.empty() || step.source == source_) return {};
     source_ = step.source;
     return paragraph("Source: " + source_) + "\n";
   }
 
-  /// Whether a step does at the same line what the one before did, with other numbers.
+  /// Whether a step does the same at the same line as the one before, with other numbers.
   static bool goes_on(const viz::Step& before, const viz::Step& step) {
     return step.line >= 0 && step.line == before.line &&
            without_numbers(step.caption) == without_numbers(before.caption) && step.verdict.text == before.verdict.text;
@@ -111,7 +111,7 @@ class Teller {
     return text;
   }
 
-  /// Such a step, in one paragraph: what is new.
+  /// Returns such a step in one paragraph: what is new.
   std::string again(int index) {
     const viz::Step &step = e_.walk.steps[index], &before = e_.walk.steps[index - 1];
     std::string out = viz::as_sentence(title(index));
@@ -139,7 +139,7 @@ class Teller {
     return formula.starts_with(plain(v.name) + " = ") && formula.ends_with("= " + viz::shown(v.value));
   }
 
-  /// What this step computes; what was known before stands above, but for the first step told.
+  /// Returns the values that this step computes; known ones were told before, so only the first step told has all.
   std::string values(const viz::Step& step) const {
     const bool all = &step == &e_.walk.steps[e_.steps.front()];
     const auto told = [&](const viz::Value& v) { return (v.fresh || all) && !is_in_formula(v, step); };
@@ -156,7 +156,7 @@ class Teller {
     return out.empty() ? out : out + "\n";
   }
 
-  /// Where the points lie that the picture names and that are no parameters, when they first appear.
+  /// Returns where the points lie that the picture names and that are no parameters, when they first appear.
   std::string points(const viz::Step& step) {
     const auto five_digits = [&](const viz::Vec3& p) {
       const std::string xy = viz::shown(p.x()) + ", " + viz::shown(p.y());
@@ -174,7 +174,7 @@ class Teller {
     return list.empty() ? list : paragraph("In the picture: " + list + ".") + "\n";
   }
 
-  /// Of a card.
+  /// Returns the rows of a card.
   std::string rows(const viz::Step& step) const {
     std::string out;
     if (viz::is_card(step.scene))
@@ -190,7 +190,7 @@ class Teller {
   static bool is_marked(const viz::Scene& scene, const viz::Vec3& at) {
     return std::ranges::any_of(scene.items, [&](const viz::Item& item) {
       const auto* dot = std::get_if<viz::Dot>(&item);
-      const auto* edge = std::get_if<viz::Line>(&item);  // the one in question
+      const auto* edge = std::get_if<viz::Line>(&item);  // the edge asked for
       return (dot && dot->at == at) ||
              (edge && edge->pen == viz::Pen::highlight && (edge->from == at || edge->to == at));
     });
@@ -209,13 +209,13 @@ class Teller {
     return fmt::format("A map of all cases. Across: {}. Up: {}.\n{}\nThe lesson's cases: {}.\nThis setting: {}.",
                        plain(map.x_title), plain(map.y_title), plain(map.told), regions, branch());
   }
-  /// Where this setting lies on the lesson's map.
+  /// Returns where this setting lies on the lesson's map.
   std::string branch() const {
     const viz::CaseMap& map = *e_.lesson->map;
     return plain(map.branches.at(static_cast<std::size_t>(map.branch(e_.parameters))));
   }
 
-  /// What the methods say that should agree.
+  /// Returns what the methods say that should agree.
   std::string side_by_side() const {
     if (!e_.lesson->opinions) return {};
     const std::vector<viz::Opinion> opinions = e_.lesson->opinions(e_.parameters);
@@ -236,7 +236,7 @@ class Teller {
     return out + "\n";
   }
 
-  /// What is known before it stands above; where the step before is not told, it comes with the question.
+  /// Returns the question. What is known was told before it; if the step before was not, it comes with the question.
   std::string question(int index) {
     const viz::Question& q = *e_.walk.steps[index].question;
     const bool known = index == 0 || told_ == &e_.walk.steps[index - 1];
@@ -276,11 +276,11 @@ class Teller {
 
   const Excerpt& e_;
   const Telling how_;
-  const viz::Step* told_ = nullptr;  ///< the last one
+  const viz::Step* told_ = nullptr;  ///< the step told last
   std::string source_;
-  const viz::Question* question_ = nullptr;  ///< the last one
+  const viz::Question* question_ = nullptr;  ///< the question told last
   int asked_ = 0;
-  std::string answers_;           ///< of what was asked so far
+  std::string answers_;           ///< to the questions so far
   std::set<std::string> placed_;  ///< points told
 };
 
@@ -295,7 +295,7 @@ std::string told_exercises(const viz::Lesson& lesson, const Telling& how) {
   for (const viz::Exercise& e : lesson.closing->exercises) {
     out += wrapped(fmt::format("{}. {}", ++number, plain(e.prompt)), how.columns, 0);
     if (!e.preset.empty()) out += wrapped(fmt::format("Start: --preset {}", e.preset), how.columns, 3);
-    std::string way;  // all of it together
+    std::string way;  // the whole way
     for (const auto& [name, value] : e.by) way += fmt::format(" --set {}={}", name, value);
     if (!way.empty()) out += wrapped("One way:" + way, how.columns, 3);
     out += wrapped("Solution: " + plain(e.solution), how.columns, 3) + "\n";

@@ -9,13 +9,13 @@ namespace isect::program {
 
 struct Telling {
   std::size_t columns = 80;
-  bool brief = false;    ///< a line a step and what it decides; no values, no questions
+  bool brief = false;    ///< one line per step and what it decides; no values, no questions
   bool answers = false;  ///< right after each question, not at the end
 };
 
-/// The chosen steps of an excerpt.
+/// Returns the chosen steps of an excerpt.
 std::string told(const Excerpt&, const Telling&);
-/// A lesson's exercises with their solutions.
+/// Returns a lesson's exercises with their solutions.
 std::string told_exercises(const viz::Lesson&, const Telling&);
 
 }  // namespace isect::program

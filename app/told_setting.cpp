@@ -18,7 +18,7 @@ using viz::plain;
 std::string settings(const Excerpt& e, std::size_t columns) {
   std::string out = "Setting:\n";
   for (const viz::Parameter& p : e.lesson->parameters) {
-    if (!e.parameters.contains(p.name)) continue;  // as the choices have it
+    if (!e.parameters.contains(p.name)) continue;  // the choices decide it
     const std::string name = plain(p.label.empty() ? p.name : p.label);
     out +=
         wrapped(fmt::format("{} = {}. {}", name, in_full(e.parameters.at(p.name), e.lesson->flat), p.help), columns, 2);
@@ -26,7 +26,7 @@ std::string settings(const Excerpt& e, std::size_t columns) {
   return out + "\n";
 }
 
-/// What is fixed besides the parameters.
+/// Returns what is fixed besides the parameters.
 std::string objects(const Excerpt& e, std::size_t columns) {
   const viz::Scene& scene = e.walk.steps.front().scene;
   if (scene.chart) return {};

@@ -1,5 +1,5 @@
 #pragma once
-// What a lesson's text begins with: all that a reader needs to compute along.
+// The beginning of a lesson's text: all that a reader needs to compute along.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace isect::program {
 
-/// The parameters, where the objects lie, and the pseudocode with its errata.
+/// Returns the parameters, where the objects lie, and the pseudocode with its errata.
 std::string told_setting(const Excerpt&, const Telling&);
 
 }  // namespace isect::program

@@ -14,12 +14,12 @@ using viz::plain;
 
 namespace {
 
-/// How far five digits are from the number, as a share of it.
+/// Returns how far five digits are from the number, relative to it.
 double lost(double x) {
   return x == 0 || !std::isfinite(x) ? 0 : std::abs(std::stod(fmt::format("{:.4e}", x)) / x - 1);
 }
 
-/// All digits are told of a number that has few, and of one next to a number that five digits hold.
+/// Whether all digits are told: for a number that has few, or lies next to a number of five digits.
 bool wants_all(double x) {
   constexpr std::size_t few = 12;  // letters
   constexpr double next = 1e-9;

@@ -16,7 +16,7 @@ namespace isect::program {
 
 namespace {
 
-/// The whole of `text` as a number, whatever the locale.
+/// Reads the whole of `text` as a number, whatever the locale.
 template <class T>
 std::optional<T> number(std::string_view text) {
   T value = 0;
@@ -35,7 +35,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
   }
 }
 
-/// A length as people write it: "8 CM" and "8,5cm" as "8cm" and "8.5cm".
+/// Returns a length as people write it in plain form: "8 CM" and "8,5cm" as "8cm" and "8.5cm".
 std::string plainly(std::string length) {
   std::ranges::replace(length, ',', '.');
   std::ranges::transform(length, length.begin(),
@@ -114,7 +114,7 @@ std::vector<const viz::Format*> formats_of(const std::string& text) {
 
 int verdict_of(const viz::Walk& walk) {
   int step = viz::outcome(walk);
-  while (step > 0 && viz::is_card(walk.steps[step].scene)) --step;  // of a scene's answers
+  while (step > 0 && viz::is_card(walk.steps[step].scene)) --step;  // the card of a scene's answers
   return step;
 }
 
@@ -148,7 +148,7 @@ std::vector<int> Steps::of(const Part& part, const viz::Walk& walk) {
   for (int step = 0; step < count; ++step)
     if (part.name == walk.steps[step].slug || part.name == viz::file_stem(step, walk.steps[step]))
       found.push_back(step);
-  if (part.name == verdict_step) return {verdict_of(walk)};  // whatever it is called
+  if (part.name == verdict_step) return {verdict_of(walk)};  // whatever its own name is
   return found;
 }
 

@@ -37,8 +37,7 @@ class Player {
   int index() const { return at_; }
   /// Returns the last step that was told.
   const Step& step() const { return walk().steps[index()]; }
-  /// Returns what is shown: step() or, while a question is open, what is known of the step it asks about
-  /// (viz/asking.h).
+  /// Returns step() or, while a question is open, what is known of the step that it asks about (viz/asking.h).
   const Step& shown() const { return asking_ ? *asked_step_ : step(); }
   /// Returns the scene that is drawn.
   const Scene& scene() const { return shown().scene; }

@@ -241,7 +241,7 @@ bool BorderSearch::tell() {
     found_ = Snapped{*far_.setting, true, told_case(lesson_, *far_.setting, *near_.setting) + ", exactly"};
     return false;
   }
-  // Of the two neighbours the shorter number is taken, whichever case it has: readers want to stand on it.
+  // The shorter of the two numbers is taken, whichever case it has: readers want to stand on it.
   const std::size_t near_digits = digits_in(*near_.setting), far_digits = digits_in(*far_.setting);
   const Place& side = near_digits != far_digits ? (near_digits < far_digits ? near_ : far_)
                       : near_.share < wish_     ? far_

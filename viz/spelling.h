@@ -47,7 +47,7 @@ inline bool is_near(std::string_view word, std::string_view name) {
 inline std::string nearest(std::string_view word, const std::vector<std::string>& names) {
   word = word.substr(0, 40);
   const auto rank = [&](const std::string& name) {
-    // Of equally distant names, the one with the same beginning is more likely.
+    // Among names at equal distance, the one with the same beginning is more likely.
     const auto [end, unused] = std::mismatch(word.begin(), word.end(), name.begin(), name.end());
     return std::tuple{!is_near(word, name), edits(word, name), word.end() - end};
   };

@@ -1,5 +1,5 @@
 #pragma once
-// The pages round the lessons: contents in the order of the course, and the terms.
+// The pages around the lessons: contents in the order of the course, and the terms.
 
 #include <string>
 #include <vector>
@@ -11,8 +11,8 @@
 
 namespace isect::program::book {
 
-/// `openings`: of each lesson its first preset, walked; its outcome is the picture of the lesson. `with_scene`: whether
-/// there is the page of a scene of one's own.
+/// `openings`: the first preset of each lesson, walked; its outcome is the picture of the lesson. `with_scene`: whether
+/// there is the page for users' own scenes.
 Page contents_page(const std::vector<Excerpt>& openings, const viz::Course&, bool with_scene, viz::PageColours&);
 Page glossary_page(const viz::Course&, const std::vector<const viz::Lesson*>&);
 

@@ -13,7 +13,7 @@ namespace isect::program::book {
 
 namespace {
 
-/// The characters of UTF-8 text, each by its bytes.
+/// Returns the characters of UTF-8 text, each as its bytes.
 std::set<std::string> characters(const std::string& text) {
   std::set<std::string> all;
   for (std::size_t i = 0; i < text.size();) {

@@ -1,5 +1,5 @@
 #pragma once
-// The fonts that a book brings along: the letters of its formulas and pictures, and no others.
+// The fonts that a book contains: the letters of its formulas and pictures, and no others.
 
 #include <string>
 
@@ -7,16 +7,16 @@ namespace isect::program::book {
 
 class Letters {
  public:
-  /// All that stands on a page, tags included: they are letters, too.
+  /// Adds all letters of a page, including those of its tags.
   void add(const std::string& page);
-  /// A style sheet that holds the fonts, with their licence. Empty where the font of figures is another than usual.
+  /// Returns a style sheet that holds the fonts, with their licence. Empty if the font of figures is not the usual one.
   std::string fonts() const;
 
  private:
   std::string known_;  ///< UTF-8, each once
 };
 
-/// The same for one page.
+/// Returns such a style sheet for one page.
 std::string fonts_text(const std::string& page);
 
 }  // namespace isect::program::book

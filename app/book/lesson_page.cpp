@@ -20,7 +20,7 @@ using viz::xml_escaped;
 
 std::string prose(const std::string& markup) { return html(Blocks{Prose{markup}}); }
 
-/// Links to the walks, a list for each method.
+/// Returns links to the walks, a list for each method.
 std::string settings(const std::vector<Excerpt>& presets, const viz::Lesson& lesson) {
   std::string out = "<nav class=\"settings\" aria-label=\"Settings\">\n", group;
   bool open = false;
@@ -39,7 +39,7 @@ std::string settings(const std::vector<Excerpt>& presets, const viz::Lesson& les
   return out + (open ? "</ul>\n" : "") + "</nav>\n";
 }
 
-/// The address of the step where an exercise begins: the first in which what is to be moved has a handle.
+/// Returns the address of the step where an exercise begins: the first in which the point to be moved has a handle.
 std::string start_of(const viz::Lesson& lesson, const viz::Exercise& e) {
   const std::vector<viz::Step> steps = lesson.walk(viz::preset(lesson, e.preset).parameters).steps;
   for (std::size_t i = 0; i < steps.size(); ++i)
@@ -70,7 +70,7 @@ std::string link(const viz::Lesson& to, bool alone) {
   return alone ? title : fmt::format("<a href=\"{}\">{}</a>", file_of(to), title);
 }
 
-/// A row of the card: each of its ideas, with links to the lessons where it occurs again.
+/// Returns a row of the card: each of the lesson's ideas, with links to the lessons where it occurs again.
 std::string same_ideas(const viz::Lesson& lesson, bool alone) {
   std::string out;
   for (const viz::SharedIdea& shared : viz::shared_ideas(lesson)) {

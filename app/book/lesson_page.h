@@ -1,5 +1,5 @@
 #pragma once
-// A lesson as one page: what is asked, every preset step by step, the card, exercises and sources.
+// A lesson as one page: the question, every preset step by step, the card, exercises and sources.
 
 #include <string>
 #include <vector>
@@ -10,11 +10,11 @@
 
 namespace isect::program::book {
 
-/// A setting, walked, under the id and the title of `as`; `end`: what stands below it.
+/// Returns a walked setting, under the id and the title of `as`; `end`: what stands below it.
 std::string walk_section(const Excerpt&, const viz::Preset& as, bool first, viz::PagePictures&,
                          const std::string& end = {});
 
-/// `presets`: all of the lesson's, walked, in order.
+/// `presets`: all those of the lesson, walked, in order.
 Page lesson_page(const viz::Lesson&, const std::vector<Excerpt>& presets, const std::vector<const viz::Lesson*>& course,
                  const Neighbours&, viz::PageColours&);
 

@@ -21,7 +21,7 @@ std::string lit_text(const std::string& markup, const std::set<std::string>& kno
   std::vector<viz::Name> names = viz::names_in(markup);
   std::erase_if(names, [&](const viz::Name& n) { return !known.contains(n.key); });
   std::string out;
-  std::size_t at = 0, next = 0;  // bytes of the runs' text; the name that comes or is open
+  std::size_t at = 0, next = 0;  // bytes of the runs' text; the next or current name
   for (const viz::Run& run : viz::parse_markup(markup)) {
     const std::size_t run_end = at + run.text.size();
     for (std::size_t from = at; from < run_end;) {

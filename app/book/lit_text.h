@@ -6,9 +6,9 @@
 
 namespace isect::program::book {
 
-/// Markup, as html_text has it; `known`: only these names.
+/// Converts markup as html_text does; `known`: only these names.
 std::string lit_text(const std::string& markup, const std::set<std::string>& known);
-/// Plain text, such as a line of pseudocode.
+/// Converts plain text, such as a line of pseudocode.
 std::string lit_line(const std::string& text, const std::set<std::string>& known);
 
 }  // namespace isect::program::book

@@ -39,7 +39,7 @@ std::string mark(const std::string& file) { return fmt::format("Made by isect bo
 std::string file_of(const viz::Lesson& lesson) { return lesson.id + ".html"; }
 
 std::string html(const Page& page, const Looks& looks) {
-  // Where there are scripts, one step is seen at a time from the first moment on.
+  // If scripts run, one step is shown at a time from the beginning.
   const std::string scripted = "<script>document.documentElement.className = \"scripted\"</script>\n";
   const std::string head =
       page.neighbours.alone

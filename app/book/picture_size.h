@@ -1,5 +1,5 @@
 #pragma once
-// How large the pictures of a page are, in points.
+// The sizes of the pictures of a page, in points.
 
 #include <string>
 
@@ -7,10 +7,10 @@
 
 namespace isect::program::book {
 
-/// Of a scene's picture; height 0: what a chart needs. Its texts have 9, which are 11 pixels where a phone has 330
-/// across.
+/// Returns the size of a scene's picture; height 0: as a chart needs. Its texts have 9 pt, which are 11 pixels on a
+/// phone 330 pixels wide.
 viz::PaperSize picture_size(const viz::Scene&);
-/// The attributes of its <figure>: a wider picture is moved rather than made smaller where there is less room.
+/// Returns the attributes of its <figure>: if there is less room, a wider picture is scrolled rather than made smaller.
 std::string attributes_of_picture(double width, double height);
 
 }  // namespace isect::program::book

@@ -1,5 +1,5 @@
 #pragma once
-// A step's picture for a page of the book, in the light and in the dark.
+// A step's picture for a page of the book, in the light and in the dark theme.
 
 #include <string>
 
@@ -11,12 +11,12 @@ namespace isect::program::book {
 /// Draws the steps of one walk. Formula and verdict stand beside the picture, as text.
 class Pictures {
  public:
-  /// Both must outlive it. Throws viz::BadInput where labels can't be set apart.
+  /// Both must outlive it. Throws viz::BadInput if labels can't be kept apart.
   Pictures(const Excerpt&, viz::PagePictures&);
-  /// As a <figure>.
+  /// Returns a step's picture as a <figure>.
   std::string of(int step);
-  /// What is drawn while the question before this step is open: nothing of the answer. Of the class "again" where the
-  /// picture before it looks the same.
+  /// Returns what is drawn while the question before this step is open: nothing of the answer. It has the class "again"
+  /// if the picture before it looks the same.
   std::string asked(int step);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes of one's own as a page: examples step by step, and how a scene is written.
+// A page for users' own scenes: examples step by step, and how a scene is written.
 
 #include <string>
 #include <vector>
@@ -11,13 +11,13 @@ namespace isect::program::book {
 
 inline constexpr const char* scene_file = "scene.html";
 
-/// A scene file that the page begins with.
+/// A scene file with which the page begins.
 struct ExampleScene {
   std::string name, text;
 };
 const std::vector<ExampleScene>& example_scenes();
 
-/// Of use where the lessons run beside it.
+/// Makes the page; it is useful if the compiled lessons are beside it.
 Page scene_page(viz::PageColours&);
 
 }  // namespace isect::program::book

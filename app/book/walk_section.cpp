@@ -97,7 +97,7 @@ std::string WalkSection::article(const Station& at, bool shown) const {
                      shown ? " shown" : "", id(at), attributes(at), above(at), picture, below(at));
 }
 
-/// A question stands before its step, whose title may be the answer.
+/// Returns what stands above a picture. A question stands before its step, whose title may be the answer.
 std::string WalkSection::above(const Station& at) const {
   if (at.asks) return {};
   return fmt::format("<h3><span>{}</span> {}</h3>\n", at.step + 1, text(walk_.steps[at.step].title));
@@ -119,7 +119,7 @@ std::string WalkSection::question(int step) const {
                      known(step));
 }
 
-/// What is known of a step before its question is answered; what the question is given stands in its words.
+/// Returns what is known of a step before its question is answered; the values given to the question are in its text.
 std::string WalkSection::known(int step) const {
   viz::Step asked = viz::asking_step(walk_, step);
   asked.values.resize(asked.values.size() - asked.question->given.size());
@@ -138,7 +138,7 @@ std::string WalkSection::numbers(const viz::Step& s) const {
   return counted.empty() ? counted : "<div class=\"numbers\">\n" + counted + "</div>\n";
 }
 
-/// The lesson's opening stands above all walks.
+/// Returns the caption without the lesson's opening, which stands above all walks.
 std::string WalkSection::caption(const viz::Step& s) const {
   if (s.slug == viz::opening_slug) return "This is what is given.";
   return viz::own_caption(lesson_, s);
@@ -151,7 +151,7 @@ std::string WalkSection::verdict(const viz::Verdict& v) const {
   return fmt::format("<p class=\"verdict {}\">{}</p>\n", kind, text(v.text));
 }
 
-/// Where it is another than the one told before.
+/// Returns the source, if it differs from the one told before.
 std::string WalkSection::source(int step) const {
   const std::string& source = walk_.steps[step].source;
   int before = step - 1;
@@ -167,7 +167,7 @@ std::string WalkSection::line(const viz::Step& s) const {
                      std::ranges::count(s.refused, s.line) > 0 ? " <b class=\"refused\">no</b>" : "");
 }
 
-/// All that is known; on paper, and where there are no scripts, what is new.
+/// Returns all known values; on paper, and without scripts, only new ones are shown.
 std::string WalkSection::values(const viz::Step& s) const {
   if (s.values.empty()) return {};
   const bool fresh = std::ranges::any_of(s.values, &viz::Value::fresh);

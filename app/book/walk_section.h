@@ -10,16 +10,16 @@
 
 namespace isect::program::book {
 
-/// Where a reader may be in a walk: at a step, or at the question before it.
+/// A reader's place in a walk: at a step, or at the question before it.
 struct Station {
   int step = 0;
   bool asks = false;
   bool operator==(const Station&) const = default;
 };
-/// In order. The closing card is none: it stands on the page once.
+/// Returns the stations in order. The closing card is none: it stands on the page once.
 std::vector<Station> stations(const viz::Walk&);
 
-/// What all of it is about; the values must outlive the section.
+/// What the whole section is about; the values must outlive it.
 struct Told {
   const viz::Lesson& lesson;
   const viz::Parameters& parameters;
@@ -29,7 +29,7 @@ struct Told {
 class WalkSection {
  public:
   using Picture = std::function<std::string(const Station&)>;  ///< as a <figure>
-  /// `id`: what the ids of its parts begin with. `names`: those that can be lit wherever they stand.
+  /// `id`: the prefix of its parts' ids. `names`: those that can be lit wherever they occur.
   WalkSection(const Told& told, std::string id, Picture picture, std::set<std::string> names = {})
       : lesson_(told.lesson),
         parameters_(told.parameters),
@@ -38,19 +38,19 @@ class WalkSection {
         picture_(std::move(picture)),
         names_(std::move(names)) {}
 
-  /// All of it; `first_is_shown`: its first step has the class "shown".
+  /// Returns the whole section; `first_is_shown`: its first step has the class "shown".
   std::string html(bool first_is_shown = false) const;
 
   std::string given() const;
   std::string algorithm() const;
-  /// What the methods say that should agree.
+  /// Returns what the methods say that should agree.
   std::string opinions() const;
-  /// What the walk ends with, and how many methods say otherwise; empty: it ends with no verdict.
+  /// Returns the last verdict of the walk, and how many methods disagree; empty: it ends without a verdict.
   std::string outcome() const;
-  /// What stands above a station's picture, and below it.
+  /// Return what stands above a station's picture, and below it.
   std::string above(const Station&) const;
   std::string below(const Station&) const;
-  /// The attributes of its element: which lines of code are lit.
+  /// Returns the attributes of its element: which lines of code are lit.
   std::string attributes(const Station&) const;
 
  private:
@@ -79,7 +79,7 @@ class WalkSection {
   const std::set<std::string> names_;
 };
 
-/// Of the answer to a question, and of the solution of an exercise: unfolded by a click, never on paper.
+/// Folds the answer to a question, or the solution of an exercise: it unfolds at a click; paper omits it.
 std::string folded(const std::string& head, const std::string& prose);
 
 }  // namespace isect::program::book

@@ -14,7 +14,7 @@ bool has_picture(const Blocks& blocks) {
   return std::ranges::any_of(blocks, [](const Block& b) { return std::holds_alternative<Image>(b); });
 }
 
-/// Words alone are larger, and stand in the middle.
+/// Returns a slide's frame. Words alone are larger, and centred.
 std::string frame(const Slide& s) {
   if (s.first)
     return fmt::format(

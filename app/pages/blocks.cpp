@@ -84,7 +84,7 @@ std::string answer(const viz::Question& q) {
 
 namespace {
 
-/// The names of a lesson's texts, and which of them are bold there.
+/// Returns the names in a lesson's texts, and whether they are bold there.
 std::map<std::string, bool> names_of_texts(const viz::Lesson& lesson, const viz::Walk& walk) {
   std::map<std::string, bool> bold;
   const auto add = [&](const std::string& markup) {
@@ -98,7 +98,7 @@ std::map<std::string, bool> names_of_texts(const viz::Lesson& lesson, const viz:
   return bold;
 }
 
-/// "t_max" as *t*_{max}
+/// Returns "t_max" as *t*_{max}.
 std::string name_as_markup(const std::string& name, bool bold) {
   const std::size_t end = std::min(name.find('_'), name.size());
   const std::string mark = bold ? "**" : "*", letters = mark + viz::as_markup(name.substr(0, end)) + mark;
@@ -120,7 +120,7 @@ Code code(const Excerpt& e, int current) {
     std::size_t at = 0;
     for (const viz::Name& name : viz::names_in_line(line, known)) {
       markup += viz::as_markup(line.substr(at, name.begin - at));
-      const bool squared = line.compare(name.end, 2, "²") == 0;  // a number then, of a vector too
+      const bool squared = line.compare(name.end, 2, "²") == 0;  // then it is a number, even for a vector
       markup += name_as_markup(line.substr(name.begin, name.end - name.begin), bold.at(name.key) && !squared);
       at = name.end;
     }

@@ -60,7 +60,7 @@ std::string html_text(const std::string& markup) {
 
 std::string html(const Blocks& blocks) {
   std::string out;
-  std::string end;  // of what comes later
+  std::string end;  // what comes after
   for (const Block& block : blocks) {
     out += std::visit(AsHtml(), block);
     if (std::holds_alternative<Pause>(block)) end += "</div>\n";

@@ -1,5 +1,5 @@
 #pragma once
-// Pages as HTML. What a page needs is in it, but for pictures that it points to.
+// Pages as HTML. A page contains all that it needs, except for pictures that it points to.
 
 #include <string>
 
@@ -8,13 +8,13 @@
 
 namespace isect::program {
 
-/// The first line, by which a file is known to be isect's; `what` is "handout" or "deck".
+/// Returns the first line, by which isect knows a file as its own; `what` is "handout" or "deck".
 std::string html_mark(const std::string& what);
-/// Markup as HTML, on one line.
+/// Converts markup to HTML, on one line.
 std::string html_text(const std::string& markup);
 std::string html_text(const viz::Run&);
 std::string html(const Blocks&);
-/// A whole file: the mark, the head with title and style, the body.
+/// Returns a whole file: the mark, the head with title and style, the body.
 std::string html_page(const std::string& mark, const std::string& title, const std::string& style,
                       const std::string& body);
 

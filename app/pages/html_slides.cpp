@@ -33,7 +33,7 @@ constexpr const char* slides_style =
     "@media print { .stepping section { display: block; } .stepping .later { visibility: visible !important; }\n"
     "  #place { display: none; } }\n";
 
-/// Without it all slides stand one below the other, answers and all.
+/// Without this script all slides stand one below the other, including answers.
 constexpr const char* slides_script = R"script(<div id="place" aria-live="polite"></div>
 <script>
 const slides = [...document.querySelectorAll("section")], place = document.getElementById("place");

@@ -8,13 +8,13 @@ namespace isect::program {
 
 namespace {
 
-/// A line on a ground of its own, as wide as the text around it.
+/// Returns a line on a coloured ground as wide as the text around it.
 std::string lit(const std::string& line) {
   return "\\hspace*{-\\fboxsep}\\colorbox{yellow!40}{\\parbox{\\linewidth}{\\raggedright " + line +
          "}}\\hspace*{-\\fboxsep}\\par\n";
 }
 
-/// A line of markup after the spaces that it begins with.
+/// Returns a line of markup after the spaces with which it begins.
 std::string indented(const std::string& line) {
   const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
   std::string spaces;
@@ -47,7 +47,7 @@ struct AsLatex {
     return fmt::format("\\begin{{center}}{}\\end{{center}}\n", image.fits ? fitted(picture) : picture);
   }
   std::string operator()(const Choices& choices) const {
-    // No page ends within them, or between them and what they answer.
+    // No page break within them, or between them and their question.
     std::string out =
         "{\\csname @beginparpenalty\\endcsname=10000\n\\begin{itemize}\\csname @itempenalty\\endcsname=10000\n";
     for (std::size_t i = 0; i < choices.all.size(); ++i)

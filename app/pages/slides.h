@@ -10,7 +10,7 @@ namespace isect::program {
 
 struct Slide {
   std::string title;  ///< markup
-  Blocks left;        ///< the whole width where nothing stands on the right
+  Blocks left;        ///< the whole width if nothing stands on the right
   Blocks right = {}, below = {};
   bool first = false;  ///< the title in large letters
 };

@@ -12,7 +12,7 @@ namespace {
 
 using Parser = nlohmann::ordered_json;
 
-/// A character of the line that says how far the parser has come.
+/// A character of the line that shows how far the parser has come.
 class Place {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -45,8 +45,8 @@ std::string out_of_place(std::size_t character, const char* what) {
   return "no JSON: character " + std::to_string(character) + what;
 }
 
-/// The parser stops at a character of what other programs write for a number that is none, if that is what stands
-/// there.
+/// Returns the message if the parser stops at a character of a word that other programs write for numbers that are
+/// none; empty for anything else.
 std::string no_number(std::string_view line, std::size_t at) {
   std::size_t begin = std::min(at, line.size()), end = begin;
   while (begin > 0 && is_letter(line[begin - 1])) --begin;
@@ -65,11 +65,11 @@ std::string no_number(std::string_view line, std::size_t at) {
 
 }  // namespace
 
-/// What the parser tells, one value after the other.
+/// Receives the parser's events, one value after the other.
 class Document::Reader {
  public:
   Reader(Document& to) : to_(to), line_(to.line_), reached_(line_.data()) {
-    // a value stands at the beginning, behind each of these, or nowhere
+    // values stand only at the beginning and behind each of these
     to_.values_.reserve(1 + static_cast<std::size_t>(std::ranges::count_if(
                                 line_, [](char c) { return c == ',' || c == ':' || c == '[' || c == '{'; })));
   }
@@ -132,7 +132,7 @@ class Document::Reader {
     return {Type::text, text.size(), at};
   }
 
-  /// The number just read. Its end shows only in the character behind it.
+  /// Returns the number just read. Its end shows only in the character behind it.
   std::string_view number() const {
     const char* end = reached_;
     if (!part_of_number(end[-1])) --end;
@@ -158,12 +158,12 @@ class Document::Reader {
   bool start(Type type) {
     ++level_;
     if (shown()) {
-      put({type, 0, std::numeric_limits<std::uint32_t>::max()});  // its end, as long as it is open
+      put({type, 0, std::numeric_limits<std::uint32_t>::max()});  // its end is unknown while it is open
       open_.push_back(to_.values_.size() - 1);
     } else {
       complain(open_[1],
                "lists and objects nest deeper than the " + std::to_string(most_levels) + " levels that are allowed");
-      id_behind_ = nullptr;  // of that depth it would be the reader's end, if not ours
+      id_behind_ = nullptr;  // an id of that depth would crash its reader, if not us
     }
     return true;
   }
@@ -176,7 +176,7 @@ class Document::Reader {
     return ended(reached_);
   }
 
-  /// A value ends there.
+  /// Called where a value ends.
   bool ended(const char* there) {
     if (level_ == 1 && id_behind_) {
       const char* begin = std::find(id_behind_, there, ':') + 1;
@@ -200,7 +200,7 @@ class Document::Reader {
     complain(twice->second + 1, "it is given twice");
   }
 
-  /// Of the first only: a path takes time in proportion to what comes before it.
+  /// Keeps the first complaint only: a path takes time in proportion to the text before it.
   void complain(std::size_t value, const std::string& what) {
     if (trouble_.empty()) trouble_ = "field \"" + to_.path(value) + "\": " + what;
   }

@@ -1,6 +1,6 @@
 #pragma once
 // Events of the core as JSON: {"event": "Decision", "a": 1, ...}. A new event needs one line at the end of this file,
-// or of the handler file that alone knows it: its name and its members' in order.
+// or of the only handler file that uses it: its name and its members' in order.
 
 #include <algorithm>
 #include <array>
@@ -86,7 +86,7 @@ Json value(const E& inner) {
   return object;
 }
 
-/// The members by position; a wrong count of names does not compile.
+/// Returns the members by position; a wrong count of names does not compile.
 template <class E>
 std::vector<Json> members(const E& e) {
   constexpr int count = EventNames<E>::count;
@@ -117,7 +117,7 @@ std::vector<Json> members(const E& e) {
 
 }  // namespace detail
 
-/// An object of an event's name and its values, under the names of its members.
+/// Returns an object of an event's name and its values, under the names of its members.
 inline Json event(std::string_view name, std::string_view members, std::vector<Json> values) {
   Json object = {{"event", name}};
   for (Json& value : values) {
@@ -133,7 +133,7 @@ Json event(const E& e) {
   return event(EventNames<E>::name, EventNames<E>::members, detail::members(e));
 }
 
-/// Tells the events as they come, if they are wanted. One that is not heard would be a second call to compile.
+/// Writes the events as they come, if they are wanted. An ignoring listener would mean compiling each call twice.
 struct Teller {
   Job& job;
 
@@ -145,12 +145,12 @@ struct Teller {
  private:
   template <class E>
   [[gnu::noinline, gnu::cold]] static void tell(Job& job,
-                                                const E& e) {  // once, not at every place that tells it
+                                                const E& e) {  // one copy, not one for every place that reports it
     job.tell(event(e));
   }
 };
 
-/// Runs call(trace). `Event` is the test's own variant: what may be told.
+/// Runs call(trace). `Event` is the test's own variant of possible events.
 template <class Event, class Call>
 auto run(Job& job, const Call& call) {
   return call(Teller{job});

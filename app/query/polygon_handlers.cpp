@@ -55,7 +55,7 @@ Polygon<S, 2> polygon(const Field& rings) {
   return p;
 }
 
-/// The naive methods know neither boundary nor other rings: each ring by itself, summed.
+/// The naive methods handle neither the boundary nor other rings: each ring is counted by itself, and the sum returned.
 template <class S, class Method>
 int summed(Job& job, const Polygon<S, 2>& p, const Method& method) {
   int sum = 0;
@@ -66,7 +66,7 @@ int summed(Job& job, const Polygon<S, 2>& p, const Method& method) {
 
 Json in_or_out(bool in) { return in ? "in" : "out"; }
 
-/// Point location after preprocessing: the winding number, none on the boundary, is all there is to know.
+/// Locates a point after preprocessing: the winding number, none on the boundary, is the only result.
 template <class Event, class S, class Make>
 Json by_map(Job& job, const Polygon<S, 2>& polygon, const Point<S, 2>& point, const Make& make) {
   const auto map = [&] {
@@ -136,7 +136,7 @@ Json convex_polygons(Job& job) {
   return related(run<convex_polygons::Event>(job, [&](auto&& trace) { return relate(a, b, trace); }));
 }
 
-/// What is left of a polygon, from the first of its vertices that is kept, or of its edges that is cut, on.
+/// Returns what is left of a polygon, beginning at the first of its vertices that is kept, or of its edges that is cut.
 template <class S, int N>
 Json left_of(const Ring<S, N>& ring) {
   return {{"hit", !ring.empty()}, {"points", numbers<S, N>(ring)}};
@@ -183,7 +183,7 @@ Json polygon_normal(Job& job) {
   return {{"normal", n ? numbers<S, 3>(*n) : nullptr}, {"area", number(area(outline))}};
 }
 
-/// The axes and the diagonals of the square or cube: an 8-DOP in the plane, a 14-DOP in space.
+/// Returns the axes and the diagonals of the square or cube: an 8-DOP in the plane, a 14-DOP in space.
 template <class S, int N>
 std::vector<Vector<S, N>> usual_normals() {
   if constexpr (N == 2)

@@ -42,7 +42,7 @@ const std::vector<Known>& known() {
   return all;
 }
 
-/// Where "kind" is missing it may be misspelt.
+/// Throws for a missing "kind"; it may be misspelt.
 [[noreturn]] void complain_of_no_kind(const Field& fields) {
   std::vector<std::string> all;
   for (const Known& kind : known()) all.insert(all.end(), kind.fields.begin(), kind.fields.end());
@@ -63,7 +63,7 @@ const Known& kind_of(const Field& fields) {
   given->refuse(described_text(kind) + " is not known" + spelling::instead(kind, names, "allowed: " + listed(names)));
 }
 
-/// The text of a field that may be missing, one of those allowed. The first is what it is then.
+/// Returns the text of a field, one of those allowed; the first of them if the field is missing.
 std::string chosen(const Field& fields, const char* key, const std::vector<std::string>& allowed,
                    const std::string& whose) {
   const auto given = fields.find(key);
@@ -73,7 +73,7 @@ std::string chosen(const Field& fields, const char* key, const std::vector<std::
   given->refuse(described_text(text) + " is not known; allowed" + whose + ": " + listed(allowed));
 }
 
-/// The reply behind its id.
+/// Returns the reply behind its id.
 std::string solved(const Field& fields) {
   const Known& kind = kind_of(fields);
   fields.only(kind.fields);
@@ -91,7 +91,7 @@ Answer failed(const std::string& id, std::size_t number, const std::string& what
   const std::string where = id == "null" && number > 0 ? "line " + std::to_string(number) + ": " : "";
   return {"{\"id\":" + id + ",\"error\":" + written(where + what) + "}", true};
 }
-/// ... with the line as a whole.
+/// Returns an error about the line as a whole.
 Answer failed(std::size_t number, const std::string& what) {
   return failed("null", number, number > 0 ? what : "the line: " + what);
 }
@@ -114,7 +114,7 @@ Answer answer(const std::string& line, std::size_t number, bool strict) {
   if (line.size() > most_bytes()) return too_long(number);
   try {
     return answered(line, number, strict);
-  } catch (const std::bad_alloc&) {  // all that the line took is given back
+  } catch (const std::bad_alloc&) {  // the line's memory has been released
     return out_of_memory(number);
   } catch (const std::exception& e) {
     return failed(number, e.what());

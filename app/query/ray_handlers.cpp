@@ -89,7 +89,7 @@ template <> struct EventNames<ray_outline::Nearer> : Named<"Nearer", "ring index
 
 namespace {
 
-/// The note's methods know the first t on the surface, nothing else.
+/// The note's methods find the first t on the surface, nothing else.
 template <class S, int N>
 Json ray_sphere_by(Job& job, const Ray<S, N>& r, const Sphere<S, N>& ball) {
   using Quadratic = ray_sphere::QuadraticEvent<S, N>;

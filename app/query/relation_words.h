@@ -1,5 +1,5 @@
 #pragma once
-// What a relation is called in queries, scenes and the files of hard cases.
+// The names of relations in queries, scenes and the files of hard cases.
 
 #include <array>
 #include <cstddef>

@@ -17,10 +17,10 @@ namespace isect::query {
 
 using Json = nlohmann::ordered_json;
 
-/// On one line, and UTF-8 whatever the texts are.
+/// Returns the JSON on one line, in UTF-8 whatever the texts are.
 inline std::string written(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-/// The number, "inf" or "-inf"; -0 as it is.
+/// Returns the number, "inf" or "-inf"; -0 as it is.
 template <class S>
 Json number(S x) {
   if (std::isnan(x)) return "nan";
@@ -61,9 +61,9 @@ template <class S>
 bool has_no_point(const Cone<S>& cone) {
   return empty(cone);
 }
-/// Says which of the shapes has no point, where one has none: of a box lo is above hi on some axis, a half is
-/// negative, or the axes lie in one plane, in the plane on one line, so that there is no such box; of a cylinder or a
-/// cone the radius is negative, or there is no axis.
+/// Adds which of the shapes has no point, if any: of a box lo is above hi on some axis, a half is negative, or the axes
+/// lie in one plane, in the plane on one line, so that there is no such box; of a cylinder or a cone the radius is
+/// negative, or there is no axis.
 template <class Shape>
 Json telling_empty(Json result, const Shape& shape, const char* name) {
   if (has_no_point(shape))
@@ -73,7 +73,7 @@ Json telling_empty(Json result, const Shape& shape, const char* name) {
 
 inline Json name(Location l) { return l == Location::in ? "in" : l == Location::on ? "on" : "out"; }
 
-/// One case on its way: what was asked, and the trace if it was asked for.
+/// A case in progress: the question, and the trace if it was asked for.
 struct Job {
   const Field& fields;
   std::string variant;

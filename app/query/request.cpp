@@ -11,7 +11,7 @@ namespace isect::query {
 
 namespace {
 
-/// What a value is, for complaints.
+/// Returns what a value is, for complaints.
 std::string described(const Document& document, std::size_t at) {
   switch (document.value(at).type) {
     case Type::list:
@@ -29,7 +29,7 @@ std::string described(const Document& document, std::size_t at) {
   }
 }
 
-/// The nearest S, infinite beyond the largest.
+/// Returns the nearest S, infinite beyond the largest.
 template <class S>
 S rounded(std::string_view number) {
   S x = 0;

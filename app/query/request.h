@@ -25,31 +25,31 @@ class Field {
  public:
   Field(const Document& document, std::size_t at) : document_(&document), at_(at) {}
 
-  /// The member `key` of an object. Throws BadCase when there is none.
+  /// Returns the member `key` of an object. Throws BadCase if there is none.
   Field operator[](std::string_view key) const;
   std::optional<Field> find(std::string_view key) const;
   /// Throws BadCase that names a member that is not among these, and the nearest one.
   void only(const std::vector<std::string>& names) const;
 
-  /// How many entries the list has.
+  /// Returns how many entries the list has.
   std::size_t size() const;
-  /// The entries of a list, to be gone through.
+  /// The entries of a list, to iterate over.
   class Entries;
   Entries list() const;
-  /// Those of a list of exactly `count`.
+  /// Returns the entries of a list of exactly `count`.
   Entries list(std::size_t count) const;
   template <std::size_t Count>
   std::array<Field, Count> list_of() const;
   std::string text() const;
   bool boolean() const;
 
-  /// A finite number, rounded to S, in whose range it must be.
+  /// Returns a finite number, rounded to S; it must be in the range of S.
   template <class S>
   S number() const;
-  /// The same, or "inf" or "-inf".
+  /// Returns such a number, or an infinite one for "inf" or "-inf".
   template <class S>
   S end() const;
-  /// Whether it is one of those two.
+  /// Whether it is "inf" or "-inf".
   bool infinite() const { return says("inf") || says("-inf"); }
 
   /// Whether a shape without a point is to be refused.
@@ -109,7 +109,7 @@ std::array<Field, Count> Field::list_of() const {
   (std::make_index_sequence<Count>());
 }
 
-/// 2 or 3: how many numbers the list has.
+/// Returns 2 or 3: how many numbers the list has.
 int dimension(const Field&);
 
 template <class S, int N>
@@ -150,14 +150,14 @@ Segment<S, N> segment(const Field& field) {
 /// Names of a shape's fields in their order; none: those of isect/described.h.
 using FieldNames = std::initializer_list<std::string_view>;
 
-/// Under --strict, throws BadCase that names the field, where the shape has no point.
+/// Throws BadCase, which names the field, if the shape has no point and the request is strict.
 template <class X>
 void need_points(const Field& request, const X& x, FieldNames names = {}) {
   if (!request.strict()) return;
   const Need<X>* need = broken_need(x);
   if (!need) return;
   const std::string_view* other = names.begin();
-  std::optional<Field> blamed;  // if it is not given, the one before
+  std::optional<Field> blamed;  // if the field is not given, the one before
   bool reached = false;
   each_field(x, [&](const auto& field, const auto&) {
     const std::string_view name = names.size() == 0 ? field.name : *other++;
@@ -167,7 +167,7 @@ void need_points(const Field& request, const X& x, FieldNames names = {}) {
   blamed->refuse(need->otherwise);
 }
 
-/// A shape of fields.
+/// Reads a shape from its fields.
 template <class X>
 X shape(const Field& request, FieldNames names = {}) {
   X x = {};
@@ -212,9 +212,9 @@ Plane<S, N> plane(const Field& request) {
   return shape<Plane<S, N>>(request);
 }
 
-/// Of a box that has points: names the first of its ends that is infinite.
+/// Throws BadCase for a box that has points: names the first of its ends that is infinite.
 void need_finite_ends(const Field& lo, const Field& hi);
-/// Its ends are infinite only where the box is empty.
+/// Reads a box. Its ends may be infinite only if the box is empty.
 template <class S, int N>
 Aabb<S, N> box(const Field& request, const char* lo = "lo", const char* hi = "hi") {
   const Aabb<S, N> b = {vector_of_ends<S, N>(request[lo]), vector_of_ends<S, N>(request[hi])};
@@ -225,7 +225,7 @@ Aabb<S, N> box(const Field& request, const char* lo = "lo", const char* hi = "hi
 
 inline const std::vector<std::string> obb_fields = {"c", "u", "e"}, slab_fields = {"lo", "hi"},
                                       capsule_fields = {"p", "q", "r"};
-/// c, u: N rows, e, as public suites have it
+/// Reads c, u: N rows, e, as public suites write them.
 template <class S, int N>
 Obb<S, N> obb(const Field& request) {
   Obb<S, N> b;
@@ -238,7 +238,7 @@ Obb<S, N> obb(const Field& request) {
                            "there is no such box: its axes depend on each other");
   return b;
 }
-/// normals, and {lo, hi} lists of as many ends
+/// Reads normals, and {lo, hi} lists of as many ends.
 template <class S, int N>
 Kdop<S, N> kdop(const Field& normals, const Field& slabs) {
   slabs.only(slab_fields);

@@ -1,5 +1,5 @@
 #pragma once
-// What the core answers as a result's fields: written once for queries and for scenes.
+// The core's answers as a result's fields: the same for queries and for scenes.
 
 #include <isect/point_line.h>
 #include <isect/point_polygon.h>
@@ -14,7 +14,7 @@ namespace isect::query {
 
 inline constexpr const char* meeting_words[] = {"disjoint", "touch", "cross", "overlap"};  ///< of two segments
 
-/// What the relation's word calls the two where one contains the other.
+/// Returns a relation's fields; `a` and `b` are names for its word if one contains the other.
 inline Json related(Relation r, const std::string& a = "a", const std::string& b = "b") {
   return {{"intersects", r != Relation::disjoint},
           {"relation", r == Relation::a_inside_b   ? b + "_contains_" + a
@@ -26,7 +26,7 @@ Json related(Relation r, const std::string& a, const std::string& b, const Box& 
   return telling_empty(related(r, a, b), box, "box");
 }
 
-/// Both kinds of tangency are told apart.
+/// Returns the result for two balls; both kinds of tangency are distinguished.
 template <class S, int N>
 Json two_balls(Relation r, bool tangent, const Sphere<S, N>& a, const Sphere<S, N>& b) {
   Json result = related(r);
@@ -37,8 +37,8 @@ Json two_balls(Relation r, bool tangent, const Sphere<S, N>& a, const Sphere<S, 
   return result;
 }
 
-/// Whether on every axis each begins before the other ends, as the suites that this answers to ask: of flat boxes, too,
-/// unless both are flat along one axis.
+/// Whether on every axis each box begins before the other ends, as the suites that this answers to define it: true for
+/// flat boxes, too, unless both are flat along one axis.
 template <class S, int N>
 bool share_more_than_a_face(const Aabb<S, N>& a, const Aabb<S, N>& b) {
   return intersects(a, b) && (a.lo.array() < b.hi.array()).all() && (b.lo.array() < a.hi.array()).all();
@@ -66,7 +66,7 @@ inline Json wound(const Winding& w) {
           {"winding", w.nonzero == Location::on ? Json(nullptr) : Json(w.winding)}};
 }
 
-/// The stretch of a line inside a solid.
+/// Returns the stretch of a line inside a solid.
 template <class S>
 Json stretch(const std::optional<Interval<S>>& inside) {
   return {{"hit", inside.has_value()},
@@ -99,7 +99,7 @@ Json line_and_plane(const RayPlane<S>& shared) {
           {"t", number(shared.line)},
           {"ray_hit", shared.meets}};
 }
-/// The same, and whether t of [0, 1] is in the plane.
+/// Returns the result for a ray and a plane, and whether t of [0, 1] is in the plane.
 template <class S, int N>
 Json ray_and_plane(const RayPlane<S>& shared, Ray<S, N> ray, const Plane<S, N>& plane) {
   ray.range = {S(0), S(1)};
@@ -108,7 +108,7 @@ Json ray_and_plane(const RayPlane<S>& shared, Ray<S, N> ray, const Plane<S, N>& 
   return result;
 }
 
-/// Whether a segment meets the plane, and the part of it that lies where the normal points to.
+/// Returns whether a segment meets the plane, and the part of it on the side to which the normal points.
 template <class S>
 Json segment_and_plane(const RayPlane<S>& shared, const std::optional<Interval<S>>& above) {
   return {{"parallel", shared.parallel},

@@ -58,7 +58,7 @@ template <> struct EventNames<round_half_spaces::Contained> : Named<"Contained",
 
 namespace {
 
-// Each pair once, for whichever round solid: its name and fields are those of isect/described.h.
+// Each pair once, for any round solid: its name and fields are those of isect/described.h.
 
 template <class Solid>
 Json of_solid(const Json& result, const Solid& solid) {
@@ -68,7 +68,7 @@ template <class Solid>
 Json relation_of(Relation r, const Solid& solid) {
   return of_solid({{"intersects", r != Relation::disjoint}, {"relation", name(r)}}, solid);
 }
-/// A method's yes or no, as `field`.
+/// Returns a method's yes or no, as `field`.
 template <class Event>
 Json yes_or_no(Job& job, const char* field, const auto& method) {
   return {{field, run<Event>(job, method)}};
@@ -83,7 +83,7 @@ Json point_and(Job& job, const auto& method) {
   return of_solid({{"location", name(run<Event>(job, [&](auto&& trace) { return locate(point, c, trace); }))}}, c);
 }
 
-/// A method finds the first t alone.
+/// Returns the first t, the only result of a method.
 template <class Solid, class Event, class MethodsEvent, class S>
 Json ray_and(Job& job, const auto& method) {
   const Ray<S, 3> r = ray<S, 3>(job.fields);

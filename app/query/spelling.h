@@ -1,5 +1,5 @@
 #pragma once
-// Names in messages: which one is meant, and which there are.
+// Names in messages: the one that is probably meant, and those that exist.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace isect::query {
 
-/// "a, b or c"
+/// Returns "a, b or c".
 inline std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i)

@@ -1,4 +1,4 @@
-// Two objects, and what a ray meets first.
+// Answers about two objects, and about what a ray meets first.
 
 #include "app/scene/answered.h"
 
@@ -26,7 +26,7 @@ namespace {
 struct Hit {
   std::size_t object;
   double t;
-  mutable std::optional<Place> place = {};  ///< t itself, where it was asked for
+  mutable std::optional<Place> place = {};  ///< t itself, if it was asked for
 };
 
 /// Whether their doubles, each within 4 ulp of the true t, leave no doubt that x is less than y.
@@ -36,7 +36,7 @@ bool surely_less(double x, double y) {
          y - x > 8 * (Limits::epsilon() * std::max(std::abs(x), std::abs(y)) + Limits::denorm_min());
 }
 
-/// The sign of x's t less y's, exactly.
+/// Returns the sign of x's t minus y's, exactly.
 int order(const Context& c, std::size_t ray, const Hit& x, const Hit& y) {
   if (surely_less(x.t, y.t)) return -1;
   if (surely_less(y.t, x.t)) return 1;
@@ -45,7 +45,7 @@ int order(const Context& c, std::size_t ray, const Hit& x, const Hit& y) {
   return compare(*x.place, *y.place);
 }
 
-/// What an answer about the pair tells no t of: where a ray lies in a plane, and what else is thin.
+/// Returns the hit for pairs whose answer has no t: a ray that lies in a plane, and other thin objects.
 std::optional<Hit> thin_hit(const Context& c, std::size_t ray, std::size_t i) {
   const Type type = c.object(i).type;
   if (!(type == Type::point || type == Type::cloud || type == Type::plane || runs_along_a_line(type))) return {};
@@ -58,7 +58,7 @@ std::optional<Hit> thin_hit(const Context& c, std::size_t ray, std::size_t i) {
 struct Hits {
   std::vector<Hit> in_order;      ///< by rising t
   std::vector<std::size_t> open,  ///< no test decides whether it meets them
-      endless;                    ///< a whole line lies in them, and so meets them nowhere first
+      endless;                    ///< a whole line lies in them, so there is no first t
 };
 
 Hits hits_of(const Context& c, std::size_t ray, const std::vector<std::size_t>& objects) {
@@ -168,7 +168,7 @@ Answered answered(const Context& c, const FirstHitAsked& asked) {
 
 namespace {
 
-/// All pairs of boxes that meet.
+/// Answers which pairs of boxes meet.
 Answered all_that_meet(const Context& c, const WalkAsked& asked) {
   std::vector<Aabb<double, 2>> boxes;
   Json names = Json::array(), found = Json::array();
@@ -193,7 +193,7 @@ Answered all_that_meet(const Context& c, const WalkAsked& asked) {
   return out;
 }
 
-/// The nodes of the boxes' hierarchy; the box that the ray meets first.
+/// Answers about the boxes' hierarchy: its nodes, or the box that the ray meets first.
 Answered of_hierarchy(const Context& c, const WalkAsked& asked) {
   const std::size_t boxes = asked.many.size() - (asked.with_ray ? 1 : 0);
   Json names = Json::array();
@@ -221,7 +221,7 @@ Answered of_hierarchy(const Context& c, const WalkAsked& asked) {
 
 }  // namespace
 
-/// What its steps end with.
+/// Returns the walk's last verdict as an answer.
 Answered answered(const Context& c, const WalkAsked& asked) {
   if (!asked.many.empty()) return asked.lesson == "hierarchy" ? of_hierarchy(c, asked) : all_that_meet(c, asked);
   const Object &a = c.object(asked.a), &b = c.object(asked.b);

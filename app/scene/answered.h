@@ -1,5 +1,5 @@
 #pragma once
-// A question of a scene with its exact answer, ready to become a step, a row of the summary and JSON.
+// A question about a scene with its exact answer, ready to become a step, a row of the summary and JSON.
 
 #include <map>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace isect::program::scene {
 
-/// A scene's objects with the numbers of the moment.
+/// A scene's objects with their current numbers.
 struct Context {
   const File& file;
   Setting setting;
@@ -28,12 +28,12 @@ struct Answered {
   viz::Verdict verdict;
   std::string formula = {};
   std::vector<viz::Value> values = {};
-  std::vector<std::size_t> lit = {};  ///< the objects that it is about; of two, the first and the second
+  std::vector<std::size_t> lit = {};  ///< the objects that it is about; if two, the first and the second
   std::vector<viz::Item> items = {};  ///< drawn with them
   Json json = {};                     ///< for `isect scene --json`
 };
 
-/// Throw viz::BadInput where the core refuses the input, naming the objects.
+/// Answer the question. Throw viz::BadInput if the core refuses the input, naming the objects.
 Answered answered(const Context&, const PairAsked&);
 Answered answered(const Context&, const FirstHitAsked&);
 Answered answered(const Context&, const FitAsked&);
@@ -41,7 +41,7 @@ Answered answered(const Context&, const ClipAsked&);
 Answered answered(const Context&, const HierarchyAsked&);
 Answered answered(const Context&, const WalkAsked&);
 
-/// A name as a part of a file's name: small letters, digits and hyphens.
+/// Returns a name as a part of a file's name: small letters, digits and hyphens.
 std::string slug_of(std::string text);
 
 }  // namespace isect::program::scene

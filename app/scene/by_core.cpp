@@ -1,4 +1,4 @@
-// Where isect/ask.h is compiled: any two shapes.
+// The file that compiles isect/ask.h: any two shapes.
 
 #include <algorithm>
 

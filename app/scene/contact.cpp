@@ -14,7 +14,7 @@ namespace {
 using viz::Role;
 using viz::Vec3;
 
-/// All points at most `radius` from a convex core, of which the nearest point to any other is known.
+/// All points at most `radius` from a convex core, for which the nearest point to any other point is known.
 struct Rounded {
   std::function<Vec3(const Vec3&)> nearest;
   double radius = 0;
@@ -57,7 +57,7 @@ std::optional<Rounded> rounded(const Setting& s, const Object& o) {
   }
 }
 
-/// The nearest points of both cores, by going to and fro between them.
+/// Finds the nearest points of both cores, by projecting alternately onto them. Returns a common point, rounded.
 Vec3 common_point(const Rounded& a, const Rounded& b) {
   constexpr int enough = 500;
   Vec3 p = a.nearest(Vec3::Zero()), q = b.nearest(p);
@@ -70,7 +70,7 @@ Vec3 common_point(const Rounded& a, const Rounded& b) {
   return way.isZero(0) ? p : Vec3(p + a.radius * way.normalized());
 }
 
-/// What two boxes share, as far as it is flat.
+/// Returns what two boxes share, if that is flat.
 std::vector<viz::Item> shared(const Setting& s, const Object& a, const Object& b) {
   const Vec3 lo = s.point(a, "lo").cwiseMax(s.point(b, "lo")), hi = s.point(a, "hi").cwiseMin(s.point(b, "hi"));
   std::vector<int> wide;

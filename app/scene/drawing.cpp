@@ -1,4 +1,4 @@
-// How the objects of a scene are drawn, and what of them can be dragged.
+// How the objects of a scene are drawn, and which of their points can be dragged.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -18,7 +18,7 @@ using lessons::unit;
 using viz::Role;
 using viz::Vec3;
 
-/// Where an outline in the plane is widest, by the even-odd rule: beside its notches and holes.
+/// Returns the place where an outline in the plane is widest, by the even-odd rule: beside its notches and holes.
 Vec3 inside_of(const std::vector<std::vector<Vec3>>& rings) {
   const auto lower = [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); };
   const auto [low, high] = std::minmax_element(rings.front().begin(), rings.front().end(), lower);
@@ -40,7 +40,7 @@ Vec3 inside_of(const std::vector<std::vector<Vec3>>& rings) {
   return best;
 }
 
-/// Its middle, unless that lies in a notch or a hole.
+/// Returns the outline's middle, unless that lies in a notch or a hole.
 Vec3 place_of_name(const std::vector<std::vector<Vec3>>& rings) {
   const Vec3 middle = middle_of(rings.front());
   Polygon<double, 2> polygon;
@@ -50,7 +50,7 @@ Vec3 place_of_name(const std::vector<std::vector<Vec3>>& rings) {
 
 }  // namespace
 
-// What the rows of the list of types share.
+// Shared by the rows of the list of types.
 
 std::vector<Vec3> around(const Vec3& center, double radius) {
   return {center - Vec3::Constant(radius), center + Vec3::Constant(radius)};

@@ -50,7 +50,7 @@ class SceneReader {
 
   // Questions.
 
-  /// Points among themselves are asked only where there is nothing else.
+  /// Asks all pairs; pairs of points only if there is nothing else.
   void ask_all_pairs() {
     std::vector<Asked> points;
     for (std::size_t a = 0; a < file_.objects.size(); ++a)
@@ -72,11 +72,11 @@ class SceneReader {
     }
   }
 
-  /// One with a word before it: {"first hit": "r"}.
+  /// Reads a question with a word before it: {"first hit": "r"}.
   Asked named_question(const Json& json, const Path& path) const {
     const std::vector<std::string> words = {"first hit", "fit", "clip", "hierarchy", "walk"};
     const auto word = std::ranges::find_if(words, [&](const std::string& w) { return json.contains(w); });
-    if (word == words.end()) source_.only(json, path, words);  // which refuses it
+    if (word == words.end()) source_.only(json, path, words);  // this refuses it
     if (word == words.end()) source_.refuse(path, fmt::format("one of these is expected: {}", fmt::join(words, ", ")));
     if (*word == "fit") return fit(json, path);
     if (*word == "clip") return clip(json, path);
@@ -144,7 +144,7 @@ class SceneReader {
     return asked;
   }
 
-  /// All objects of the type that the lesson takes, or those named.
+  /// Reads a walk through all objects of the type that the lesson takes, or through those named.
   Asked walk_of_many(const Json& json, const std::string& lesson, const Path& path) const {
     WalkAsked asked = {.a = 0, .b = 0, .lesson = lesson};
     if (json.contains("method")) {
@@ -179,7 +179,7 @@ class SceneReader {
     return asked;
   }
 
-  /// The one that is named, or the only one.
+  /// Returns the ray that is named, or the only one.
   std::size_t ray_of(const Json& json, const Path& path) const {
     if (json.contains("ray")) {
       const std::size_t i = named(json["ray"], below(path, "ray"));
@@ -297,7 +297,7 @@ bool is_scene(const std::string& text) {
   if (nests_too_deep(text)) return text.find("\"objects\"") != text.npos;
   const Json json = Json::parse(text, nullptr, false, true);
   if (json.is_object()) return json.contains("objects");
-  return json.is_discarded() && text.find("\"objects\"") != text.npos;  // meant as one, though broken
+  return json.is_discarded() && text.find("\"objects\"") != text.npos;  // meant as a scene, though broken
 }
 
 File read_scene(const std::string& text, const std::string& folder) { return SceneReader(text, folder).read(); }

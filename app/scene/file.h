@@ -1,8 +1,8 @@
 #pragma once
-// A scene file: objects of one's own, and what is asked of them. JSON, as presets and queries are, so that an object
+// A scene file: a user's own objects, and the questions about them. JSON, like presets and queries, so that an object
 // can be copied from one to the other; comments (// and /* */) are allowed.
 //
-//   { "title": "A ray past a box",                                   // may be left out, as may all but "objects"
+//   { "title": "A ray past a box",                                   // optional, like all but "objects"
 //     "objects": [ {"ray": "r", "origin": [-4, 0, 1], "dir": [1, 0, 0]},
 //                  {"box": "A", "lo": [-1, -1, -1], "hi": [1, 1, 1]},
 //                  {"mesh": "M", "file": "bunny.ply"} ],             // beside this file
@@ -46,14 +46,14 @@ struct ClipAsked {
   std::size_t what, to;  ///< a box, or a plane: the side that its normal points to
 };
 struct HierarchyAsked {
-  std::vector<std::size_t> objects;  ///< one of them: its triangles
+  std::vector<std::size_t> objects;  ///< if only one: its triangles
 };
 struct WalkAsked {
-  std::size_t a, b;                    ///< the same where it is of one object
-  std::string lesson = {};             ///< its id, where another than the usual one for such objects is asked for
-  std::vector<std::size_t> many = {};  ///< where it is of many: all of them, of which a is the first and b the second
-  std::string method = {};             ///< of those that the lesson has for many; empty: the first
-  bool with_ray = false;               ///< the last of the many is the ray that they are asked by
+  std::size_t a, b;                    ///< equal for a walk of one object
+  std::string lesson = {};             ///< its id, if it is not the usual one for such objects
+  std::vector<std::size_t> many = {};  ///< for a walk of many: all of them; a is the first and b the second
+  std::string method = {};             ///< one of the lesson's methods for many; empty: the first
+  bool with_ray = false;               ///< the last of the many is the ray
 };
 using Asked = std::variant<PairAsked, FirstHitAsked, FitAsked, ClipAsked, HierarchyAsked, WalkAsked>;
 
@@ -70,20 +70,20 @@ struct File {
   std::vector<Note> notes;
   viz::Camera camera;
   bool flat = false;
-  std::string text;  ///< the file as it is, without comments, and with the points of short files that it names
+  std::string text;  ///< the file as it is, without comments, with the points of the short files that it names
 };
 
-/// Throws viz::BadInput where lists and objects nest so deep that no parser of ours may see them.
+/// Throws viz::BadInput if lists and objects nest too deep for our parsers.
 void require_shallow(const std::string& text);
 /// Whether a text is meant as a scene: JSON with "objects".
 bool is_scene(const std::string& text);
 /// Whether there are objects of ours in it: not somebody else's JSON with a field of that name.
 bool holds_objects(const std::string& text);
-/// `folder`: what names of files in it are relative to. Throws viz::BadInput, which names line and field, what is
-/// allowed and the nearest name, and viz::FileError.
+/// Reads a scene. `folder`: what the names of files in it are relative to. Throws viz::BadInput, which names line and
+/// field, what is allowed and the nearest name, and viz::FileError.
 File read_scene(const std::string& text, const std::string& folder);
 
-/// What `read` gives; what it says of another file, as one of a mesh, is told with the scene's.
+/// Returns what `read` returns; an error in another file, such as a mesh, is reported with the scene's name.
 template <class Read>
 auto naming_scene(const std::string& path, const Read& read) {
   try {

@@ -11,7 +11,7 @@ Ray<double, 2> in_the_plane(const Ray<double, 3>& x) {
 }
 Segment<double, 2> in_the_plane(const Segment<double, 3>& x) { return {point_of<2>(x.p), point_of<2>(x.q)}; }
 
-/// Of all of these.
+/// Returns the first place at which the line meets any of these shapes.
 template <class Line, class Shapes>
 std::optional<Place> first_of_all(const Line& line, const Shapes& shapes) {
   std::optional<Place> first;

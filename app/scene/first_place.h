@@ -1,5 +1,5 @@
 #pragma once
-// Where a ray first meets an object, as the number itself: what orders hits that their doubles do not tell apart.
+// The exact number at which a ray first meets an object: it orders hits that their doubles do not distinguish.
 
 #include <optional>
 
@@ -9,8 +9,8 @@
 
 namespace isect::program::scene {
 
-/// The least t at which a ray, a line or a segment meets an object: nothing where it misses it, and where a whole line
-/// lies in what has no end. Where it begins within, that is where its range begins.
+/// Returns the least t at which a ray, a line or a segment meets an object: nothing if it misses it, or if a whole line
+/// lies in an unbounded object. If it begins inside, that is the beginning of its range.
 std::optional<Place> first_place(const Shaped& along, const Shaped&);
 
 }  // namespace isect::program::scene

@@ -21,7 +21,7 @@ namespace {
 using viz::Role;
 using viz::Vec3;
 
-/// A volume around points, with its area in the plane.
+/// A volume around points; in the plane its size is the area.
 struct Fitted {
   double size = 0;
   std::string told = {};  ///< its numbers, as markup
@@ -161,7 +161,7 @@ bool can_fit(Type t) {
          t == Type::cloud;
 }
 
-/// One volume drawn around the object, or all five compared; the tightest one is drawn then.
+/// Draws one volume around the object, or compares all five; then the tightest one is drawn.
 Answered answered(const Context& c, const FitAsked& asked) {
   const Object& o = c.object(asked.object);
   const bool flat = c.file.flat;

@@ -1,5 +1,5 @@
 #pragma once
-// What can be made of a scene's objects: volumes around them, parts of them, hierarchies over them.
+// Constructions from a scene's objects: volumes around them, parts of them, hierarchies over them.
 
 #include <string>
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace isect::program::scene {
 
-/// "sphere", "box", "obb", "kdop", "hull".
+/// Returns "sphere", "box", "obb", "kdop", "hull".
 const std::vector<std::string>& volumes();
 /// Whether an object is made of points, around which a volume can be fitted.
 bool can_fit(Type);
-/// Whether an object ends somewhere, so that a box can hold it.
+/// Whether an object is bounded, so that a box can hold it.
 bool has_box(Type);
 
 }  // namespace isect::program::scene

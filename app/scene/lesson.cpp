@@ -27,7 +27,7 @@ namespace {
 
 using viz::Role;
 
-/// Of more objects than that, a step about some of them shows these alone, and that of all shows them without names.
+/// Above this many objects, a step about some shows only these, and the step about all shows them without names.
 constexpr std::size_t most_in_all_pictures = 200;
 
 /// What has no inside comes first.
@@ -35,13 +35,13 @@ Role usual_role(Type t) {
   return runs_along_a_line(t) || t == Type::point || t == Type::cloud ? Role::first : Role::second;
 }
 
-/// Of all objects together: the usual ones, or where these would all look alike, as bodies do, two in turn, so that
-/// those that are asked about with each other differ.
+/// Returns the roles for the picture of all objects: the usual ones or, where these would all be equal, as for bodies,
+/// two roles, such that objects that are asked about with each other differ.
 std::vector<Role> roles_of_all(const File& file) {
   std::vector<Role> roles;
   for (const Object& o : file.objects) roles.push_back(usual_role(o.type));
   if (roles.size() < 2 || std::ranges::adjacent_find(roles, std::ranges::not_equal_to{}) != roles.end()) return roles;
-  std::vector<std::vector<std::size_t>> asked_before(roles.size());  // with which earlier ones
+  std::vector<std::vector<std::size_t>> asked_before(roles.size());  // the earlier ones they are asked with
   for (const Asked& asked : file.asked)
     if (const PairAsked* pair = std::get_if<PairAsked>(&asked))
       asked_before[std::max(pair->a, pair->b)].push_back(std::min(pair->a, pair->b));
@@ -53,8 +53,8 @@ std::vector<Role> roles_of_all(const File& file) {
   return roles;
 }
 
-/// The name of a body of many corners, in its middle or at its top, keeps off the names of others, as this camera sees
-/// them: it stands at the highest corner that does, or else at the one that is farthest from them.
+/// Moves the name of a body of many corners, in its middle or at its top, off the names of others, as this camera sees
+/// them: to the highest corner that is free or, if none is, to the one farthest from them.
 void part_names(viz::Scene& scene, const Room& room, const viz::Camera& camera) {
   const viz::Vec3 ahead = viz::View(camera, 1, 1).forward();
   const double apart = 0.15 * room.reach;
@@ -83,18 +83,18 @@ void part_names(viz::Scene& scene, const Room& room, const viz::Camera& camera) 
   }
 }
 
-/// What no number of its own tells.
+/// Returns what no parameter says: the number of triangles or points.
 std::string how_many(const Object& o) {
   if (!o.fixed.triangles.empty()) return fmt::format(" of {} triangles", o.fixed.triangles.size());
   return o.fixed.points.empty() ? "" : fmt::format(" of {} points", o.fixed.points.size());
 }
 
-/// The answers about pairs, kept while their objects stay: of many objects one is moved at a time.
+/// The answers about pairs, kept while their objects stay: of many objects only one is moved at a time.
 class PairAnswers {
  public:
   using Answer = std::shared_ptr<const Answered>;
 
-  /// From now on with these numbers.
+  /// Uses these numbers from now on.
   void move_to(const File& file, const viz::Parameters& parameters) {
     for (const Object& o : file.objects)
       if (!same(o, parameters))
@@ -107,7 +107,7 @@ class PairAnswers {
     Answer& answer = known_[{asked.a, asked.b}];
     if (answer) return answer;
     Answered made = answered(context, asked);
-    made.json = {};  // of no use to a step
+    made.json = {};  // no step needs it
     return answer = std::make_shared<const Answered>(std::move(made));
   }
 
@@ -123,15 +123,15 @@ class PairAnswers {
   std::map<std::pair<std::size_t, std::size_t>, Answer> known_;
 };
 
-/// Of more pairs, those with the same first object are told in one step.
+/// Above this many pairs, those with the same first object share one step.
 constexpr std::ptrdiff_t most_steps_of_pairs = 200;
-/// So many of their answers in full.
+/// The most of their answers in full.
 constexpr std::size_t most_told = 12;
-/// On the card of all answers.
+/// The most answers on the card of all answers.
 constexpr std::size_t most_rows = 36;
 
 class Walker {
-  /// An answer on the card.
+  /// A row of the card: one answer.
   struct Row {
     std::string head, text;  ///< markup
     bool says_no;
@@ -169,7 +169,7 @@ class Walker {
     return walk;
   }
 
-  /// As JSON, without a step.
+  /// Passes each answer on as JSON, without a step.
   void each_answer(const std::function<void(Json)>& take) {
     for (const Object& o : context_.file.objects)  // what can't be drawn is refused
       static_cast<void>(drawn(context_.setting, o, context_.room, Role::first));
@@ -185,7 +185,7 @@ class Walker {
     return std::visit([&](const auto& a) { return answered(context_, a); }, asked);
   }
 
-  /// What an object is told to meet, of all that it was asked about with.
+  /// Returns what an object meets, of all that it was asked about with.
   Answered together(std::size_t object, const std::vector<PairAnswers::Answer>& answers) const {
     const std::string name = context_.name(object);
     Answered out = {slug_of(context_.object(object).name + "-and-others"),
@@ -212,7 +212,7 @@ class Walker {
     return out;
   }
 
-  /// The two asked about in colour, the others as lines in grey, unless there are too many.
+  /// Draws the two asked about in colour, the others as lines in grey, unless there are too many.
   viz::Scene picture(const std::vector<std::size_t>& lit) const {
     viz::Scene scene;
     for (std::size_t i = 0; i < context_.file.objects.size(); ++i) {
@@ -263,7 +263,7 @@ class Walker {
     return step;
   }
 
-  /// The lesson's own steps on these numbers; a walk has one text of an algorithm, that of the first.
+  /// Adds the lesson's own steps on these numbers; a walk has only one pseudocode, that of the first.
   void add(const WalkAsked& asked, viz::Walk& to) {
     const Object &a = context_.object(asked.a), &b = context_.object(asked.b);
     const bool one = asked.a == asked.b;
@@ -289,7 +289,7 @@ class Walker {
     }
   }
 
-  /// What a lesson refuses is told with its place in the file.
+  /// Adds to what a lesson refuses its place in the file.
   template <class Made>
   viz::Walk naming_question(const WalkAsked& asked, const Made& made) const {
     try {
@@ -301,7 +301,7 @@ class Walker {
     }
   }
 
-  /// The lesson numbers them, as they come.
+  /// Adds a walk through many objects, which the lesson numbers in order.
   void add_of_many(const WalkAsked& asked, viz::Walk& to) {
     const LessonWalk& way = *walk_of_many(asked.lesson, asked.method);
     std::vector<const Object*> all;
@@ -326,7 +326,7 @@ class Walker {
     }
   }
 
-  /// In place of the lesson's, whose parameters have other names: in the step's picture and in its question's.
+  /// Replaces the lesson's handles, whose parameters have other names: in the step's picture and in its question's.
   static void give_handles(viz::Step& step, const std::vector<viz::Handle>& handles) {
     if (!step.scene.handles.empty()) step.scene.handles = handles;
     if (step.question && step.question->over && !step.question->over->handles.empty())
@@ -340,7 +340,7 @@ class Walker {
     return all;
   }
 
-  /// Of many answers those that say that something is met, as far as they can be read on one card.
+  /// Makes the card of all answers: of many, those that say that something is met, as far as one card has room.
   viz::Step summary() const {
     viz::Step step;
     step.slug = "answers";
@@ -365,7 +365,7 @@ class Walker {
   std::vector<Row> rows_;
 };
 
-/// The knobs of the window: every number of the file.
+/// Returns the knobs of the window: every number of the file.
 std::vector<viz::Parameter> parameters_of(const File& file) {
   std::vector<viz::Parameter> all;
   for (const Object& o : file.objects)
@@ -434,7 +434,7 @@ viz::Lesson lesson_of(const std::string& text, const std::string& folder) {
     return Walker(*file, parameters).made(kept->pairs);
   };
   viz::Lesson lesson = without_steps(*file);
-  // Whatever the core refuses is told now; a large mesh is asked once.
+  // What the core refuses is reported now; a large mesh is asked only once.
   lesson.steps = [file, walk, first = std::make_shared<const viz::Walk>(walk(file->parameters))](
                      const viz::Parameters& parameters) {
     return parameters == file->parameters ? *first : walk(parameters);
@@ -463,7 +463,7 @@ void keep(const viz::Lesson& kept, const std::string& folder, const viz::Paramet
 
 namespace {
 
-/// What the lesson can walk through, in the order of the file, as questions.
+/// Returns what the lesson can walk through, in the order of the file, as questions.
 Json walks_through(const viz::Lesson& lesson, const std::string& method, const File& file) {
   const Setting setting = {file.parameters, file.flat};
   Json asked = Json::array();
@@ -497,7 +497,7 @@ Json walks_through(const viz::Lesson& lesson, const std::string& method, const F
         fmt::format("{}{} {}", w.of_many() ? std::string("two ") + w.name_a + " or more" : spec(w.a).name,
                     w.of_one() || w.of_many() ? std::string() : std::string(" and ") + spec(w.b).name,
                     w.flat ? "in the plane" : "in space");
-    if (takes.find(one) == takes.npos) takes += (takes.empty() ? "" : ", ") + one;  // several methods take the same
+    if (takes.find(one) == takes.npos) takes += (takes.empty() ? "" : ", ") + one;  // several methods may take the same
   }
   if (takes.empty())
     throw viz::BadInput(fmt::format("scene: {} takes no objects of a scene; these do: {}", lesson.id,

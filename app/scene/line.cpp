@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws viz::BadInput where an object names a file that may not be read.
+/// Throws viz::BadInput if an object names a file that may not be read.
 void require_own_files(const Json& objects, const std::optional<std::string>& folder) {
   if (!objects.is_array()) return;
   for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -29,7 +29,7 @@ void require_own_files(const Json& objects, const std::optional<std::string>& fo
   }
 }
 
-/// The line's answers as a list. What is not of the scene's own fields stays out of it.
+/// Returns the line's answers as a list. Fields that are not a scene's own are removed first.
 std::string result_of(const std::string& line, const std::optional<std::string>& folder) {
   Json scene = Json::parse(line);
   scene.erase("id");
@@ -41,7 +41,7 @@ std::string result_of(const std::string& line, const std::optional<std::string>&
   return list.empty() ? "[]" : list + "]";
 }
 
-/// It is the only line of its scene.
+/// Removes "line 1: ": it is the only line of its scene.
 std::string without_line(std::string what) {
   constexpr std::string_view place = "line 1: ";
   return what.starts_with(place) ? what.substr(place.size()) : what;
@@ -56,7 +56,7 @@ bool is_scene_line(const std::string& line) try {
   const query::Field fields(document, 0);
   return fields.find("objects") && !fields.find("kind");
 } catch (const std::bad_alloc&) {
-  return false;  // whoever reads it next says so
+  return false;  // the next reader reports it
 }
 
 query::Answer answer_line(const std::string& line, std::size_t number, const std::optional<std::string>& folder) {

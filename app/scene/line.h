@@ -11,9 +11,9 @@ namespace isect::program::scene {
 /// Whether a line is meant as a scene: JSON with "objects" and no "kind".
 bool is_scene_line(const std::string& line);
 
-/// {"id", "result"}, the result as `isect scene --json` prints it, or {"id", "error"}. As query::answer, it never
-/// throws and keeps no state. Files are read below `folder` only, and none where there is no folder. All pairs of n
-/// objects are n (n - 1) / 2 answers, so time and memory grow as they do.
+/// Returns {"id", "result"}, the result as `isect scene --json` prints it, or {"id", "error"}. Like query::answer, it
+/// never throws and keeps no state. It reads files below `folder` only, and none without a folder. All pairs of n
+/// objects are n (n - 1) / 2 answers, so time and memory grow with them.
 query::Answer answer_line(const std::string& line, std::size_t number, const std::optional<std::string>& folder = {});
 
 }  // namespace isect::program::scene

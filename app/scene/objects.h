@@ -1,5 +1,5 @@
 #pragma once
-// The objects that a scene file may hold: how each is written, asked about and drawn.
+// The objects that a scene file may contain: how each is written, asked about and drawn.
 //
 // An object's numbers are parameters called "name.field" ("A.center", "t.2"), so that a scene is a lesson like others:
 // set by --set, dragged in the window, kept by figures. Many points, and those of a file, are kept as they are instead.
@@ -13,7 +13,7 @@
 
 namespace isect::program::scene {
 
-/// It takes the square of a polygon's corners, in space, to cut it into triangles: no more than these are.
+/// Cutting a polygon in space into triangles takes time in the square of its corners: these are the most.
 inline constexpr std::size_t most_corners = 2'000;
 
 using Json = nlohmann::ordered_json;
@@ -39,7 +39,7 @@ enum class Type {
   cloud
 };
 
-/// Numbers that are no parameters.
+/// Values that are not parameters.
 struct Fixed {
   std::vector<viz::Vec3> points = {};
   std::vector<std::array<int, 3>> triangles = {};  ///< of a mesh
@@ -49,16 +49,16 @@ struct Fixed {
 struct Object {
   Type type;
   std::string name;
-  std::vector<std::string> fields = {};  ///< those that the file gives, without the object's name
-  std::vector<int> rings = {};           ///< of what is made of points: how many each outline has
+  std::vector<std::string> fields = {};  ///< those in the file, without the object's name
+  std::vector<int> rings = {};           ///< for objects made of points: how many each outline has
   Fixed fixed = {};
-  std::string note = {};  ///< what is read otherwise than its file may mean it, as plain sentences
+  std::string note = {};  ///< what its file may mean differently than it is read, as plain sentences
 };
-/// A ray, a line or a segment.
+/// Whether it is a ray, a line or a segment.
 bool runs_along_a_line(Type);
-/// "a ray", "an obb"
+/// Returns "a ray", "an obb".
 std::string with_article(Type);
-/// "circle", "oriented box"
+/// Returns "circle", "oriented box".
 std::string in_words(Type, bool flat);
 
 /// Objects with their numbers, in a plane or in space.
@@ -69,29 +69,29 @@ struct Setting {
   viz::Vec3 point(const Object&, const std::string& field) const;
   double number(const Object&, const std::string& field) const;
   bool has(const Object&, const std::string& field) const;
-  /// Of what is made of points.
+  /// Return the points or outlines of an object made of points (cloud, mesh, polygon, ...).
   std::vector<viz::Vec3> points(const Object&) const;
   std::vector<std::vector<viz::Vec3>> rings(const Object&) const;
-  /// The corners of what is finite of it: an end of a ray, opposite ends of a box.
+  /// Returns the corners of its finite part: an end of a ray, opposite ends of a box.
   std::vector<viz::Vec3> extent(const Object&) const;
 
-  /// As `isect query` reads it.
+  /// Returns coordinates as `isect query` reads them.
   Json list(const viz::Vec3&) const;
   Json list(const Object& o, const std::string& field) const { return list(point(o, field)); }
 };
 
-/// The middle of a scene, and how far it reaches from there: rays and planes are drawn to beyond it.
+/// The middle of a scene, and its reach from there: rays and planes are drawn beyond it.
 struct Room {
   viz::Vec3 middle = viz::Vec3::Zero();
   double reach = 1;
 };
 Room room(const Setting&, const std::vector<Object>&);
 
-/// The object and its name. Throws viz::BadInput where the core finds no shape in its numbers.
+/// Returns the object and its name. Throws viz::BadInput if its numbers are no shape for the core.
 std::vector<viz::Item> drawn(const Setting&, const Object&, const Room&, viz::Role);
-/// What of it can be dragged.
+/// Returns the points that can be dragged.
 std::vector<viz::Handle> handles(const Setting&, const Object&, viz::Role);
-/// Its name as markup: "r1" as bold r with index 1.
+/// Returns its name as markup: "r1" as bold r with index 1.
 std::string shown_name(const std::string& name);
 
 }  // namespace isect::program::scene

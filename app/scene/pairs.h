@@ -9,8 +9,8 @@
 
 namespace isect::program::scene {
 
-/// One test: which query asks the same, if one does, and how the core is asked. `ask` gives the answer and the result;
-/// words, too, where those of `tell` do not do.
+/// One test: the query that asks the same, if any, and how the core is asked. `ask` returns the answer and the result;
+/// and words, if those of `tell` are not enough.
 struct Pair {
   Type a, b;
   const char* kind;
@@ -20,47 +20,47 @@ struct Pair {
   bool fits(bool flat) const { return in == In::both || (in == In::plane) == flat; }
 };
 
-/// Those that a query asks, too.
+/// Returns the pairs that a query can ask, too.
 std::vector<Pair> pairs_of_queries();
-/// Those of meshes, clouds, frusta and k-DOPs of which more is told than how they lie.
+/// Returns pairs of meshes, clouds, frusta and k-DOPs that report more than how they lie.
 std::vector<Pair> pairs_of_many_numbers();
-/// Those of outlines, lines and segments in the plane; points and corners beside a line or a plane.
+/// Returns pairs of outlines, lines and segments in the plane; of points and corners beside a line or a plane.
 std::vector<Pair> pairs_in_plane();
-/// Convex solids and what they are asked about; lines in space.
+/// Returns pairs of convex solids with what they are asked about; of lines in space.
 std::vector<Pair> pairs_of_solids();
-/// Those of polygons in space, but what runs along a line.
+/// Returns pairs of polygons in space, except those with a ray, a line or a segment.
 std::vector<Pair> pairs_of_polygons();
 
-// What the tables share.
+// Shared by the tables.
 
-/// What isect/ask.h says of them.
+/// Return the answer of isect/ask.h.
 Answer by_core(const Shaped& a, const Shaped& b);
 Answer by_core(const viz::Vec3& point, const Shaped&);
 Answer by_core(const Ray<double, 3>&, const Shaped&);
 Answer by_core(const Triangle<double, 3>&, const Shaped&);
-// The answer and the result's relation, location, first t or stretch of a line.
+// Set the answer and the result's relation, location, first t or stretch of a line.
 
 void give(Relation, Told&);
 void relate(const Shaped& a, const Shaped& b, Told&);
 void locate(const Shaped& a, const Shaped& b, Told&);
 void tell_first(const std::optional<double>& t, Told&);
 void tell_part(const std::optional<Interval<double>>& part, Told&);
-/// Whether the point lies on what has no inside: a point, a segment, a ray, a line, a triangle in space, a cloud.
+/// Whether the point lies on an object without inside: a point, a segment, a ray, a line, a triangle in space, a cloud.
 bool lies_on(const viz::Vec3&, const Shaped&);
-/// Where each point of cloud a lies: in, on or out of b, or on what is thin and out of it.
+/// Tells where each point of cloud a lies: in, on or out of b, or on what is thin and out of it.
 void tell_cloud(const Shaped& a, const Shaped& b, const std::vector<Location>& where, Told&);
 void tell_cloud_on(const Shaped& a, const Shaped& b, const std::vector<Location>& where, Told&);
 /// Tells how far the corners of a polygon in space lie off one plane, if they do.
 void tell_bent(const Shaped&, Told&);
-/// Throws NotDecided: an outline that has no area, crosses or touches itself.
+/// Throws NotDecided for an outline that has no area, crosses or touches itself.
 [[noreturn]] void refuse_outline(const Object&);
 
-/// Verdict, values and marks of an answer, and its formula.
+/// Adds verdict, values and marks of an answer, and its formula.
 void tell(const Shaped& a, const Shaped& b, Told&);
-/// The pair's query: the kind and its fields.
+/// Returns the pair's query: the kind and its fields.
 Json query_of(const char* kind, const Shaped& a, const Shaped& b);
 
-/// A ray, line or segment as its lesson takes it. Throws NotDecided for a segment that is no ray.
+/// Returns the direction of a ray, line or segment for its lesson. Throws NotDecided for a segment that is no ray.
 viz::Vec3 direction_of(const Setting&, const Object& a);
 
 }  // namespace isect::program::scene

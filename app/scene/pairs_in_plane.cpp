@@ -1,5 +1,5 @@
-// In the plane: outlines against outlines, and whatever runs along a line against outlines. Points and corners beside a
-// line or a plane.
+// In the plane: outlines with outlines, and rays, lines and segments with outlines. Points and corners beside a line or
+// a plane.
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ void along_outline(const Shaped& a, const Shaped& b, Told& out) {
       out);
 }
 
-/// How they lie, by the even-odd rule; what has no area, as a segment.
+/// Asks how they lie, by the even-odd rule; one without area counts as a segment.
 void two_outlines(const Shaped& a, const Shaped& b, Told& out) {
   give(ask_pairs::outlines(a.outline(), b.outline()), out);
 }
@@ -34,7 +34,7 @@ void beside_plane(const Shaped& a, const Shaped& b, Told& out) {
   out.result = {{"side", *out.answer.side}};
 }
 
-/// Its corners, or its points.
+/// Returns its corners, or its points.
 std::vector<viz::Vec3> all_corners(const Shaped& x) {
   if (x.type() != Type::mesh) return x.points();
   std::vector<viz::Vec3> all;  // those of its triangles
@@ -47,7 +47,7 @@ void plane_and_corners(const Shaped& a, const Shaped& b, Told& out) {
   const Sides count = ask_pairs::corners<double, 3>(a.as<Plane, 3>(), all_corners(b));
   out.answer = answer(count);
   out.result = {{"behind", count.behind}, {"on", count.on}, {"before", count.before}};
-  if (b.type() == Type::mesh) return;  // whose triangles share corners
+  if (b.type() == Type::mesh) return;  // its triangles share corners
   const char* unit = b.type() == Type::cloud || b.type() == Type::hull ? "points" : "corners";
   using viz::Role;
   out.values = {{"where the normal points", static_cast<double>(count.before), unit, Role::text, true},
@@ -55,7 +55,7 @@ void plane_and_corners(const Shaped& a, const Shaped& b, Told& out) {
                 {"on the other side", static_cast<double>(count.behind), unit, Role::text, true}};
 }
 
-/// Left of it, right of it, on it, or in line with it and beyond an end.
+/// Asks whether a point is left of it, right of it, on it, or in line with it and beyond an end.
 void beside_line(const Shaped& a, const Shaped& b, Told& out) {
   out.answer = by_core(a, b);
   const int side = *out.answer.side;

@@ -1,4 +1,4 @@
-// Meshes and clouds of points against others; frusta and k-DOPs of which more is told than how they lie.
+// Meshes and clouds of points with other objects; frusta and k-DOPs that report more than how they lie.
 
 #include <fmt/format.h>
 
@@ -59,7 +59,7 @@ void cloud_on(const Shaped& a, const Shaped& b, Told& out) {
 
 // Meshes.
 
-/// How many triangles have a point in the other; and how that lies to the solid that the mesh bounds, if it bounds one.
+/// Counts triangles with a point in the other; tells how that lies to the solid that the mesh bounds, if it bounds one.
 void triangles_met(const Shaped& a, const Shaped& b, Told& out) {
   out.answer = by_core(a, b);
   out.result = {{"triangles_met", *out.answer.triangles}};
@@ -82,7 +82,7 @@ void line_and_mesh(const Shaped& a, const Shaped& b, Told& out) {
 
 // Frusta and k-DOPs.
 
-/// What six planes tell, as a renderer asks, and how they lie. Only "outside" and "inside" are certain: see
+/// Asks the six planes, as a renderer does, and how they lie. Only "outside" and "inside" are certain: see
 /// isect/aabb_frustum.h.
 void frustum_and(const Shaped& a, const Shaped& b, Told& out) {
   relate(a, b, out);
@@ -94,7 +94,7 @@ void frustum_and(const Shaped& a, const Shaped& b, Told& out) {
                            shown_name(a.object.name), shown_name(b.object.name));
 }
 
-/// How they lie; and what their slabs tell, where these are the same.
+/// Asks how they lie; and their slabs, if their normals are equal.
 void two_kdops(const Shaped& a, const Shaped& b, Told& out) {
   relate(a, b, out);
   if (a.object.fixed.normals != b.object.fixed.normals) return;

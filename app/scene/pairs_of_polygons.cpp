@@ -35,7 +35,7 @@ void cloud_and_polygon(const Shaped& a, const Shaped& b, Told& out) {
   tell_cloud_on(a, b, where, out);
 }
 
-/// Refuses an outline that is no polygon's, and tells one that is not flat.
+/// Refuses an outline that is no polygon, and notes one that is not flat.
 template <void (*asked)(const Shaped&, const Shaped&, Told&)>
 void polygon_asked(const Shaped& a, const Shaped& b, Told& out) {
   for (const Shaped* const x : {&a, &b})

@@ -1,4 +1,4 @@
-// Pairs that a query asks, too: the result is written as it writes its own.
+// Pairs that a query can ask, too: the result is written as a query writes it.
 
 #include <fmt/format.h>
 
@@ -75,7 +75,7 @@ void point_in_outline(const Shaped& a, const Shaped& b, Told& out) {
   if (w.even_odd != w.nonzero) out.formula = "by the even-odd rule";
 }
 
-// What runs along a line. A segment that is no ray is asked with both ends as given, and no query asks the same.
+// Rays, lines and segments. A segment that is no ray is asked with both ends as given, and no query asks the same.
 
 template <int N>
 void along(const Shaped& a, Told& out, const auto& asked) {
@@ -131,7 +131,7 @@ void line_and_plane(const Shaped& a, const Shaped& b, Told& out) {
   });
 }
 
-/// A triangle or a polygon in space.
+/// Asks a line and a triangle or a polygon in space.
 template <class Line>
 void line_and_outline(const Line& line, const Shaped& b, Told& out) {
   const Ring<double, 3>& ring = b.ring();

@@ -1,5 +1,5 @@
-// Convex solids against each other and against balls, capsules, triangles, planes and lines; lines in space; points
-// beside what is thin.
+// Convex solids with each other and with balls, capsules, triangles, planes and lines; lines in space; points beside
+// thin objects.
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@ namespace isect::program::scene {
 
 namespace {
 
-/// A ball or capsule and a hull: each facet is asked. Without a radius it is a segment, which is a solid.
+/// Asks a ball or capsule and each facet of a hull. Without a radius it is a segment, which is a solid.
 void round_and_hull(const Shaped& a, const Shaped& b, Told& out) {
   const Capsule<double, 3> capsule = capsule_in_space(a.setting, a.object);
   if (a.flat() || capsule.radius == 0) return relate(a, b, out);

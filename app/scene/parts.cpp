@@ -42,7 +42,7 @@ std::optional<Interval<double>> part_of_line(const Shaped& line, const Shaped& t
   return to.type() == Type::plane ? part_of_line<N>(line, to.as<Plane, N>()) : part_of_line<N>(line, to.as<Aabb, N>());
 }
 
-/// Whether no more than a point of the line is left, which has some: rounded, both its ends may be one number.
+/// Whether no more than a point is left of the line, given that some is: rounded, both its ends may be one number.
 bool leaves_one_point(const Setting& s, const Object& o, const Object& to) {
   const bool segment = o.type == Type::segment;
   const Vec3 from = s.point(o, segment ? "from" : "origin");
@@ -86,7 +86,7 @@ Ring<double, N> part_of_ring(const Ring<double, N>& ring, const Setting& s, cons
   return to.type == Type::plane ? clip(ring, made<Plane<double, N>>(s, to)) : clip(ring, made<Aabb<double, N>>(s, to));
 }
 
-/// What is left of each outline; of one with holes nothing where it has no point there.
+/// Returns what is left of each outline; nothing of one with holes that has no point there.
 template <int N>
 std::vector<std::vector<Vec3>> part_of_outline(const Setting& s, const Object& o, const Object& to) {
   const std::vector<std::vector<Vec3>> rings =
@@ -105,13 +105,13 @@ std::vector<std::vector<Vec3>> part_of_outline(const Setting& s, const Object& o
   return all;
 }
 
-/// "in A", "where the normal of E points"
+/// Returns "in A", "where the normal of E points".
 std::string where(const Context& c, const ClipAsked& asked) {
   const std::string name = c.name(asked.to);
   return c.object(asked.to).type == Type::plane ? fmt::format("where the normal of {} points", name) : "in " + name;
 }
 
-/// "the part from *t* = 1 to 2". Beside a plane it may have no end; in a box an infinite one is too large for a number.
+/// Returns "the part from *t* = 1 to 2". Beside a plane it may have no end; in a box an infinite one is just too large.
 std::string part_in_words(const Interval<double>& part, const Object& to) {
   const bool bounded = to.type == Type::box;
   const bool begins = bounded || std::isfinite(part.lo), ends = bounded || std::isfinite(part.hi);
@@ -136,7 +136,7 @@ void tell_line(const Context& c, const ClipAsked& asked, Answered& out) {
   const Vec3 along = o.type == Type::segment ? Vec3(s.point(o, "to") - from) : s.point(o, "dir");
   const double foot = (c.room.middle - from).dot(along) / along.squaredNorm(), beyond = c.room.reach / along.norm();
   const double lo = std::isfinite(part->lo) ? part->lo : std::min(foot, part->hi) - beyond,
-               hi = std::isfinite(part->hi) ? part->hi : std::max(foot, lo) + beyond;  // as far as it is drawn
+               hi = std::isfinite(part->hi) ? part->hi : std::max(foot, lo) + beyond;  // the end that is drawn
   const Vec3 a = from + lo * along, b = from + hi * along;
   out.items.push_back(viz::Line{a, b, Role::hit, viz::Pen::thick});
   for (const auto& [end, t] : {std::pair{a, part->lo}, {b, part->hi}})
@@ -182,12 +182,12 @@ void tell_outline(const Context& c, const ClipAsked& asked, Answered& out) {
 
 // Hierarchies.
 
-/// The box of an object, no smaller than it is.
+/// Returns the box of an object, no smaller than the object.
 Aabb<double, 3> box_around(const Setting& s, const Object& o) {
   Aabb<double, 3> box = fit_aabb(s.extent(o));
   constexpr Type rounded[] = {Type::sphere, Type::obb, Type::capsule, Type::cylinder, Type::cone};
   if (std::ranges::find(rounded, o.type) == std::end(rounded)) return box;
-  for (int i = 0; i < 3; ++i) {  // sums of an ulp or two
+  for (int i = 0; i < 3; ++i) {  // sums are off by an ulp or two
     for (int k = 0; k < 4; ++k) {
       box.lo[i] = std::nextafter(box.lo[i], -std::numeric_limits<double>::infinity());
       box.hi[i] = std::nextafter(box.hi[i], std::numeric_limits<double>::infinity());
@@ -197,7 +197,7 @@ Aabb<double, 3> box_around(const Setting& s, const Object& o) {
   return box;
 }
 
-/// Boxes of the uppermost nodes: all of a small hierarchy.
+/// Draws boxes of the uppermost nodes: all of a small hierarchy.
 void draw_nodes(const Bvh<double, 3>& bvh, bool flat, Answered& out) {
   constexpr std::size_t most_drawn = 31;
   for (std::size_t i = 0; i < std::min(bvh.nodes.size(), most_drawn); ++i) {
@@ -262,7 +262,7 @@ Answered answered(const Context& c, const HierarchyAsked& asked) {
       left_out += (left_out.empty() ? "" : ", ") + c.name(i);
   if (!left_out.empty()) out.caption += " Without " + left_out + ", whose corners would be rounded.";
   out.lit = asked.objects;
-  if (out.lit.size() == 2) out.lit.push_back(asked.objects[0]);  // a set of objects, not a first and a second one
+  if (out.lit.size() == 2) out.lit.push_back(asked.objects[0]);  // a set of objects: no first and second role
   out.values = {{"nodes", static_cast<double>(n.nodes), "", Role::text, true},
                 {"leaves", static_cast<double>(n.leaves), "", Role::text, true},
                 {"depth", static_cast<double>(n.depth), "", Role::text, true},

@@ -1,4 +1,4 @@
-// Pairs of objects as `isect query` reads them.
+// The fields of pairs of objects as `isect query` reads them.
 
 #include <string>
 
@@ -29,7 +29,7 @@ Json ray_fields(const Setting& s, const Object& o) {
   return ray;
 }
 
-/// The fields of an object among those of another type.
+/// Returns the fields of an object beside one of another type.
 Json fields_of(const Setting& s, const Object& o) {
   switch (o.type) {
     case Type::point:
@@ -54,7 +54,7 @@ Json fields_of(const Setting& s, const Object& o) {
   return all;
 }
 
-/// Those of an outline, and of what it is asked about with.
+/// Returns the fields of an outline, and of what it is asked about with.
 Json with_outline(const Shaped& a, const Shaped& b) {
   const Setting& s = a.setting;
   Json fields;

@@ -52,7 +52,7 @@ Told asked_in_order(const Shaped& a, const Shaped& b, const Pair& pair) {
   return out;
 }
 
-/// What was asked of b and a.
+/// Turns the answer about b and a into one about a and b.
 Told turned_round(Told out, const Shaped& a, const Shaped& b) {
   const auto names = [](const Shaped& x, const Shaped& y) {
     return shown_name(x.object.name) + " and " + shown_name(y.object.name);
@@ -61,7 +61,7 @@ Told turned_round(Told out, const Shaped& a, const Shaped& b) {
     out.verdict.text.replace(0, other.size(), names(a, b));  // in the order of the question
   const std::optional<Relation> was = out.answer.relation;
   out.answer = reversed(out.answer);
-  if (out.query.is_null() && was != out.answer.relation)  // what a query says is of its own fields
+  if (out.query.is_null() && was != out.answer.relation)  // a query's result is about its own fields
     out.result["relation"] = query::name(*out.answer.relation);
   return out;
 }

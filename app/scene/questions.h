@@ -1,6 +1,6 @@
 #pragma once
-// What may be asked of two objects: the core's exact answer, also as `isect query` writes it, in words and as marks in
-// the picture.
+// Questions about two objects: the core's exact answer, also as `isect query` writes it, in words and as marks in the
+// picture.
 
 #include <string>
 #include <vector>
@@ -13,21 +13,21 @@
 namespace isect::program::scene {
 
 struct Told {
-  Answer answer = {};            ///< of the first object to the second; of a cloud nothing
-  Json query = {}, result = {};  ///< as `isect query` has them; no query where it has no kind for the pair
+  Answer answer = {};            ///< of the first object to the second; empty for a cloud
+  Json query = {}, result = {};  ///< as in `isect query`; no query if it has no kind for the pair
   viz::Verdict verdict = {};
-  std::string formula = {}, note = {};  ///< markup, may be empty; `note`: what more is to be said of the input
+  std::string formula = {}, note = {};  ///< markup, may be empty; `note`: a remark on the input
   std::vector<viz::Value> values = {};
   std::vector<viz::Item> marks = {};  ///< where they meet
   bool open = false;                  ///< no test decides this pair; `verdict` says why
 };
 
-/// No test decides the pair: why, in words.
+/// Thrown if no test decides the pair; the message says why, in words.
 struct NotDecided : viz::BadInput {
   using BadInput::BadInput;
 };
 
-/// Of any two objects, in either order. Throws viz::BadInput where the core refuses the input, naming the objects.
+/// Asks about any two objects, in either order. Throws viz::BadInput if the core refuses the input, naming the objects.
 Told ask(const Shaped& a, const Shaped& b);
 
 }  // namespace isect::program::scene

@@ -18,9 +18,9 @@ namespace isect::program::scene {
 namespace {
 
 constexpr std::size_t most_objects = 1000, most_vertices = 10'000, most_slabs = 64;
-/// More than these are no knobs of the window, and stay as they are.
+/// An object with more points than this has no knobs in the window; its points stay as they are.
 constexpr std::size_t most_knobs = 40;
-/// Of a file whose points a figure takes along, so that it can be opened without that file.
+/// The most points of a file that a figure takes along, so that it can be opened without that file.
 constexpr std::size_t most_taken_along = 2'000;
 
 class ObjectReader {
@@ -39,7 +39,7 @@ class ObjectReader {
   }
 
  private:
-  /// A circle is the sphere of the plane.
+  /// Accepts "circle", the sphere of the plane.
   static Json with_types_own_name(const Json& json) {
     if (!json.is_object()) return json;
     const auto other = std::ranges::find_if(types(), [&](const TypeSpec& t) {
@@ -80,7 +80,7 @@ class ObjectReader {
     out_.all.push_back(std::move(o));
   }
 
-  /// Whether the numbers make one: a frustum that is empty has no corners.
+  /// Checks that the numbers make a shape: a frustum that is empty has no corners.
   void require_shape(const Object& o, const Path& path) const {
     if (o.type != Type::frustum && o.type != Type::kdop) return;
     try {
@@ -130,7 +130,7 @@ class ObjectReader {
         source_.refuse(below(path, rule.field), "give " + rule.allowed);
   }
 
-  /// "normals", and as many numbers "lo" and "hi".
+  /// Reads "normals", and as many numbers "lo" and "hi".
   void slabs(const Json& json, const Path& path, Object& o) {
     source_.only(json, path, {"kdop", "normals", "lo", "hi"});
     const Path to = below(path, "normals");
@@ -147,7 +147,7 @@ class ObjectReader {
     }
   }
 
-  /// "points": a list of points, or "file"; of a polygon with holes "rings": a list of such lists; of a mesh
+  /// Reads "points": a list of points, or "file"; for a polygon with holes "rings": a list of such lists; for a mesh
   /// "triangles".
   void points(const Json& json, const Path& path, Object& o) {
     const bool mesh = o.type == Type::mesh, outline = o.type == Type::triangle || o.type == Type::polygon;
@@ -178,7 +178,7 @@ class ObjectReader {
     keep(rings, o);
   }
 
-  /// Nothing of corners that lie in one plane, to six digits.
+  /// Returns nothing for corners that are coplanar to six digits.
   static std::string off_plane_note(const std::vector<viz::Vec3>& corners) {
     viz::Vec3 lo = corners.front(), hi = lo;
     for (const viz::Vec3& v : corners) lo = lo.cwiseMin(v), hi = hi.cwiseMax(v);
@@ -254,7 +254,7 @@ class ObjectReader {
     return rings;
   }
 
-  /// The corners of a polygon, of a mesh's only face, or points in their order.
+  /// Makes outlines of the corners of a polygon, of a mesh's only face, or of points in their order.
   void become_outlines(ShapeFile& shape, const std::string& file, const Path& path) const {
     if (!shape.triangles.empty()) {
       if (shape.only_face.empty())
@@ -269,7 +269,7 @@ class ObjectReader {
   void take_along(const ShapeFile& shape, const std::string& file, Type type) {
     Json& json = out_.json.back();
     if (std::max(shape.points.size(), shape.triangles.size()) > most_taken_along) {
-      json["file"] = file;  // from wherever the figure is opened
+      json["file"] = file;  // relative to where the figure is opened
       return;
     }
     json.erase("file");

@@ -14,7 +14,7 @@ namespace isect::program::scene {
 
 namespace {
 
-/// The paths at which a field may stand: that of a vertex depends on how the object is written.
+/// Returns the paths at which a field may stand: that of a vertex depends on how the object is written.
 std::vector<std::string> places(const Object& o, const std::string& field) {
   std::vector<std::string> all = {"/" + field};
   if (o.type == Type::kdop) all.push_back(fmt::format("/{}/{}", field.substr(0, 2), std::stoi(field.substr(2)) - 1));

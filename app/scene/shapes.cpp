@@ -25,7 +25,7 @@ using viz::Vec3;
 
 HalfSpaces hull_faces(const Setting& s, const Object& o) {
   if (!s.flat) {
-    static_cast<void>(solid_of(s, o));  // refuses one without a volume
+    static_cast<void>(solid_of(s, o));  // this refuses one without a volume
     return half_spaces_of(hull_of(s, o));
   }
   HalfSpaces result = {{}, 2};

@@ -15,7 +15,7 @@
 
 namespace isect::program::scene {
 
-/// The first N coordinates.
+/// Returns the first N coordinates.
 template <int N>
 Point<double, N> point_of(const viz::Vec3& p) {
   return p.head<N>();
@@ -29,7 +29,7 @@ std::vector<Point<double, N>> points_of(const std::vector<viz::Vec3>& points) {
 }
 std::vector<viz::Vec3> in_space(const std::vector<Point<double, 2>>&);
 
-/// The shape whose fields the object has (isect/described.h).
+/// Returns the shape whose fields the object has (isect/described.h).
 template <class X>
 X made(const Setting& s, const Object& o) {
   X x = {};
@@ -54,27 +54,27 @@ Kdop<double, N> kdop_of(const Setting& s, const Object& o) {
   }
   return kdop;
 }
-/// Its planes as rounded: what is said of it is true of these.
+/// Returns a frustum of rounded planes: statements about it are exact for these.
 Frustum<double> frustum_of(const Setting&, const Object&);
 Hull3<double> hull_of(const Setting&, const Object&);
 TriangleMesh<double> mesh_of(const Object&);
 Triangle<double, 3> triangle_of(const Setting&, const Object&);
-/// A ball is a capsule whose ends coincide.
+/// Returns a capsule; a ball is one whose ends coincide.
 Capsule<double, 3> capsule_in_space(const Setting&, const Object&);
-/// A box, an OBB, a k-DOP, a frustum, or a hull, which throws viz::BadInput where it has no volume, in the plane no
-/// area.
+/// Returns the faces of a box, an OBB, a k-DOP, a frustum, or a hull. Throws viz::BadInput for a hull without volume,
+/// in the plane without area.
 HalfSpaces faces_of(const Setting&, const Object&);
 
-/// A k-DOP or a hull in space. Throws viz::BadInput where it has no volume to be drawn.
+/// Returns a k-DOP or a hull in space. Throws viz::BadInput if it has no volume to be drawn.
 viz::Solid solid_of(const Setting&, const Object&);
-/// The same in the plane: its corners, counter-clockwise.
+/// Returns it in the plane: its corners, counter-clockwise.
 std::vector<viz::Vec3> outline_of(const Setting&, const Object&);
 
-/// A ray or a line, or a segment as a ray: none where its ends do not differ by a vector of floating-point numbers, as
-/// the ray would be another segment.
+/// Returns a ray or a line, or a segment as a ray: none if the difference of its ends is no vector of floating-point
+/// numbers, as the ray would be another segment.
 std::optional<Ray<double, 3>> ray_in_space(const Setting&, const Object&);
 
-/// An object as shapes of the core, each made when it is first asked for, and then kept.
+/// An object as shapes of the core, each made when it is first needed, and then kept.
 class Shaped {
  public:
   Shaped(const Setting& s, const Object& o) : setting(s), object(o) {}
@@ -84,8 +84,8 @@ class Shaped {
   Type type() const { return object.type; }
   bool flat() const { return setting.flat; }
 
-  /// In N dimensions. k-DOPs, frusta and hulls are half-spaces, segments have both ends as given. What is made of
-  /// several outlines or of points has none.
+  /// Returns the shape in N dimensions. k-DOPs, frusta and hulls are half-spaces, segments have both ends as given.
+  /// Objects made of several outlines or of points have no such shape.
   template <int N>
   const AnyShape<double, N>& shape() const;
   template <template <class, int> class X, int N>
@@ -96,14 +96,14 @@ class Shaped {
   /// See faces_of.
   const HalfSpaces& faces() const;
   const Hull3<double>& hull() const;
-  /// A triangle, a polygon, a box or a hull in the plane; a segment as a ring that has no inside.
+  /// Returns a triangle, a polygon, a box or a hull in the plane; a segment as a ring without inside.
   const Polygon<double, 2>& outline() const;
-  /// A triangle or a polygon in space: its first outline.
+  /// Returns a triangle or a polygon in space: its first outline.
   const Ring<double, 3>& ring() const;
-  /// Throws NotDecided where the outline of a polygon in space has no area, crosses or touches itself, or has too many
+  /// Throws NotDecided if the outline of a polygon in space has no area, crosses or touches itself, or has too many
   /// corners.
   const TriangulatedPolygon<double>& polygon() const;
-  /// How far the corners of a polygon in space lie off one plane, see isect/polygon_triangles.h; 0 of a triangle.
+  /// Returns how far the corners of a polygon in space lie off one plane (isect/polygon_triangles.h); 0 for a triangle.
   double off_plane() const;
   const std::optional<Ray<double, 3>>& ray() const;
   const std::vector<viz::Vec3>& points() const;

@@ -13,7 +13,7 @@ namespace isect::program::scene {
 
 namespace {
 
-/// "objects[2].lo"
+/// Returns "objects[2].lo".
 std::string told(const Path& path) {
   std::string text;
   for (const std::string& key : path) {
@@ -23,7 +23,7 @@ std::string told(const Path& path) {
   return text;
 }
 
-/// Of "/objects/2/lo".
+/// Returns the path of "/objects/2/lo".
 Path path_of(const std::string& text) {
   Path path;
   for (std::size_t at = 1; at <= text.size();) {
@@ -34,7 +34,7 @@ Path path_of(const std::string& text) {
   return path;
 }
 
-/// The last part of the parser's sentence.
+/// Returns the last part of the parser's sentence.
 std::string reason(const std::string& what) {
   const std::size_t dash = what.find(" - ");
   return dash == what.npos ? what.substr(what.find("] ") + 2) : what.substr(dash + 3);
@@ -42,7 +42,7 @@ std::string reason(const std::string& what) {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// The word that a character stands in.
+/// Returns the word that contains a character.
 std::string_view word_at(const std::string& text, std::size_t at) {
   std::size_t begin = at, end = at;
   while (begin > 0 && is_letter(text[begin - 1])) --begin;
@@ -50,8 +50,8 @@ std::string_view word_at(const std::string& text, std::size_t at) {
   return std::string_view(text).substr(begin, end - begin);
 }
 
-/// What people write by hand that is no JSON, by the character that the parser stops at; empty where there is nothing
-/// to tell.
+/// Returns a message on what people write by hand that is no JSON, by the character at which the parser stops; empty if
+/// there is none.
 std::string habit(const std::string& text, std::size_t at, const std::string& parsers) {
   if (at >= text.size()) return {};
   const char c = text[at], last = at > 0 ? text[at - 1] : ' ';
@@ -115,7 +115,7 @@ int Source::line_at(std::size_t byte) const {
                  text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text_.size())), '\n'));
 }
 
-/// Counted from 1, as editors do.
+/// Returns the column, from 1, as in editors.
 int Source::column_at(std::size_t byte) const {
   const std::size_t line = byte == 0 ? 0 : text_.rfind('\n', byte - 1) + 1;  // 0 after npos
   int column = 1;
@@ -124,7 +124,7 @@ int Source::column_at(std::size_t byte) const {
   return column;
 }
 
-/// The line of a field, or of what lacks it.
+/// Returns the line of a field, or of the object that lacks it.
 int Source::line_of(const Path& path) const {
   std::size_t line = 0;
   std::string to;
@@ -162,7 +162,7 @@ std::string Source::text(const Json& value, const Path& path) const {
 }
 
 double Source::number(const Json& value, const Path& path) const {
-  constexpr double most = 1e300;  // what is drawn is added up and multiplied
+  constexpr double most = 1e300;  // drawing adds and multiplies coordinates
   if (!value.is_number() || !std::isfinite(value.get<double>())) refuse(path, "a finite number is expected");
   if (std::abs(value.get<double>()) > most) refuse(path, value.dump() + " is too large; 1e300 is the most");
   return value;

@@ -1,5 +1,5 @@
 #pragma once
-// The text of a scene file as it is read: fields by their path, and what is wrong told with the line.
+// The text of a scene file while it is read: fields by their path, and errors with their lines.
 
 #include <string>
 #include <vector>
@@ -15,26 +15,26 @@ Path below(Path, const std::string& key);
 
 class Source {
  public:
-  /// Throws viz::BadInput where it is no JSON, nests too deep or gives a field twice.
+  /// Throws viz::BadInput if it is no JSON, nests too deep or gives a field twice.
   explicit Source(const std::string& text);
 
   const Json& json() const { return json_; }
   /// Throws viz::BadInput: "line 3: objects[2].lo: why".
   [[noreturn]] void refuse(const Path&, const std::string& why) const;
-  /// "line 3: objects[2].lo"
+  /// Returns "line 3: objects[2].lo".
   std::string place(const Path&) const;
 
-  // What is expected at a place, or else refused.
+  // Return or check what is expected at a place; anything else is refused.
   void only(const Json& object, const Path&, const std::vector<std::string>& allowed) const;
   const Json& member(const Json& object, const Path&, const std::string& key) const;
   std::string text(const Json&, const Path&) const;
   double number(const Json&, const Path&) const;
   const Json& list(const Json&, const Path&, std::size_t least, std::size_t most, const std::string& of) const;
-  /// As many coordinates as the first one of the file has.
+  /// Reads a vector with as many coordinates as the first one of the file.
   viz::Vec3 vector(const Json&, const Path&);
 
   bool flat() const { return dimension_ == 2; }
-  /// The scene's coordinates are two or three, from here on.
+  /// Requires two or three coordinates, for the whole scene from here on.
   void need_dimension(std::size_t, const Path&);
 
  private:

@@ -7,7 +7,7 @@ namespace isect::program::scene {
 
 namespace {
 
-/// "\u0061" is "a".
+/// Decodes escapes: "\u0061" is "a".
 std::string without_escapes(const std::string& written) {
   if (written.find('\\') == written.npos) return written;
   const nlohmann::json text = nlohmann::json::parse('"' + written + '"', nullptr, false);

@@ -1,5 +1,5 @@
 #pragma once
-// Where each value of a JSON text stands, comments allowed.
+// The place of each value in a JSON text, with comments allowed.
 
 #include <map>
 #include <string>
@@ -12,18 +12,18 @@ class Spans {
   struct Span {
     std::size_t begin, end;
   };
-  /// Lists and objects within each other.
+  /// The most levels of nested lists and objects.
   static constexpr int most_levels = 64;
 
-  /// Of a text that is no JSON, what of it could be made out.
+  /// If the text is no JSON, contains what could be made out.
   explicit Spans(const std::string& text);
 
-  /// By the path of a value: "/objects/2/center". Null: there is none.
+  /// Returns the span of a value by its path: "/objects/2/center". Null: there is none.
   const Span* at(const std::string& path) const;
   const std::map<std::string, Span>& all() const { return all_; }
-  /// Paths of fields that an object gives twice.
+  /// Returns the paths of fields that an object gives twice.
   const std::vector<std::string>& twice() const { return twice_; }
-  /// Where the first list or object begins that lies too deep; npos: nowhere.
+  /// Returns where the first list or object begins that is nested too deep; npos: nowhere.
   std::size_t too_deep() const { return too_deep_; }
 
  private:

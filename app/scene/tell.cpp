@@ -65,7 +65,7 @@ struct Teller {
     if (answer.side == 0) return say(Kind::no, fmt::format("{} lies in line with {}, beyond its end", na, nb));
     say(Kind::no, fmt::format("{} lies {} of {}", na, answer.side > 0 ? "left" : "right", nb));
   }
-  /// Of what lies to one side of a plane, or in it.
+  /// Says that something lies to one side of a plane, or in it.
   void beside_plane(const std::string& one, const std::string& plane) const {
     if (answer.coplanar) return say(Kind::on, one + " lies in " + plane);
     say(Kind::no, fmt::format("{} lies beside {}, {}", one, plane,
@@ -105,7 +105,7 @@ struct Teller {
     relation();
   }
 
-  // What runs along a line.
+  // Rays, lines and segments.
 
   void hit(const char* name, double t, viz::Mark mark) const {
     if (std::isinf(t)) return;
@@ -145,7 +145,7 @@ struct Teller {
     say(answer.meet ? Kind::yes : Kind::no, met + (outline && answer.coplanar ? ", in whose plane it lies" : ""));
   }
 
-  /// What a mesh bounds counts where its triangles are not met, and beside them.
+  /// The solid that a mesh bounds counts where none of its triangles is met, and is noted beside them.
   void mesh() const {
     const int met = *answer.triangles;
     if (met == 0 && answer.relation) return relation();
@@ -174,7 +174,7 @@ void tell(const Shaped& a, const Shaped& b, Told& out) {
 }
 
 void tell_cloud(const Shaped& a, const Shaped& b, const std::vector<Location>& where, Told& out) {
-  /// Filled inside, diamonds on the boundary, rings outside.
+  /// Marks of points: filled inside, diamonds on the boundary, rings outside.
   struct Place {
     Location at;
     const char* word;

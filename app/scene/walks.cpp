@@ -32,7 +32,7 @@ using viz::Parameters;
 using viz::Vec3;
 using Walk = viz::Walk (*)(const Setting&, const Object& a, const Object& b);
 
-/// Of a lesson whose parameters say all of its objects.
+/// Walks through a lesson whose parameters define all of its objects.
 viz::Walk of_lesson(const char* id, const Parameters& parameters) {
   const viz::Lesson& lesson = viz::lesson_named(lessons::all_lessons(), id);
   Parameters all = lesson.presets.front().parameters;
@@ -90,7 +90,7 @@ constexpr Walk ray_and_ball = [](const Setting& s, const Object& a, const Object
                                   {"radius", s.number(b, "radius")}});
 };
 
-// Of lessons that walk through any shapes.
+// Walks of lessons that take any shapes.
 
 constexpr Walk oriented_boxes = [](const Setting& s, const Object& a, const Object& b) {
   lessons::obb_obb_lesson::Setup setup;
@@ -109,7 +109,7 @@ constexpr Walk ray_and_polygon = [](const Setting& s, const Object& a, const Obj
   setup.ray = {s.point(a, "origin"), s.point(a, "dir")};
   setup.ring = s.rings(b).front();
   setup.truth = intersect(setup.ray, setup.ring);
-  Vec3 normal = Vec3::Zero();  // what spans the plane is only drawn
+  Vec3 normal = Vec3::Zero();  // the vectors that span the plane are only drawn
   for (std::size_t i = 2; i < setup.ring.size(); ++i)
     normal += (setup.ring[i - 1] - setup.ring[0]).cross(setup.ring[i] - setup.ring[0]);
   if (normal.isZero(0)) throw viz::BadInput(b.name + " has no area");
@@ -139,7 +139,7 @@ constexpr Walk culled_ball = [](const Setting& s, const Object& a, const Object&
   return lessons::culling_lesson::one_volume(frustum_of(s, a), s.point(a, "eye"), made<Sphere<double, 3>>(s, b));
 };
 
-/// A step each is told of them.
+/// Throws viz::BadInput if there are too many points: the lesson has a step or more for each.
 template <class Points>
 void need_few(const Object& o, const Points& points, std::size_t most = 100) {
   if (points.size() > most)
@@ -168,7 +168,7 @@ constexpr Walk point_in_convex_polygon = [](const Setting& s, const Object& a, c
   throw viz::BadInput(b.name + " is not convex, or three of its corners lie on one line");
 };
 
-/// What is stored of each corner is drawn beside the polygon.
+/// Limits the corners, as what is stored for each corner is drawn beside the polygon.
 constexpr Walk point_in_concave_polygon = [](const Setting& s, const Object& a, const Object& b) {
   need_few(b, s.points(b), 24);
   Ring<double, 2> ring = points_of<2>(s.rings(b).front());
@@ -178,7 +178,7 @@ constexpr Walk point_in_concave_polygon = [](const Setting& s, const Object& a, 
   return lessons::concave_polygon_lesson::slabs({ring, point_of<2>(s.point(a, "at"))});
 };
 
-/// The most that a walk of all their pairs is told of.
+/// The most boxes of a walk that tells of all their pairs.
 constexpr std::size_t most_boxes = 12;
 
 template <viz::Walk (*Way)(const lessons::collision_lesson::Boxes&, const lessons::collision_lesson::Frame&)>

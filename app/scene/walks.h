@@ -1,5 +1,5 @@
 #pragma once
-// The walks of the lessons, on one or two of a scene's objects, or on many of one type.
+// The walks of lessons through one or two of a scene's objects, or through many of one type.
 
 #include <string>
 #include <vector>
@@ -10,12 +10,12 @@ namespace isect::program::scene {
 
 struct LessonWalk {
   const char* lesson;           ///< its id
-  Type a, b;                    ///< the same where it is of one object
+  Type a, b;                    ///< equal for a walk of one object
   bool flat;                    ///< in the plane, or in space
-  const char *name_a, *name_b;  ///< what the lesson calls them, as markup; of one object, the second is null
+  const char *name_a, *name_b;  ///< their names in the lesson, as markup; for one object the second is null
   viz::Walk (*steps)(const Setting&, const Object& a, const Object& b);
   viz::Walk (*steps_of_many)(const Setting&, const std::vector<const Object*>&) = nullptr;
-  const char* method = "";  ///< of those that the lesson has for many
+  const char* method = "";  ///< one of the lesson's methods for many
   bool with_ray = false;    ///< the last of the many is a ray
 
   bool of_many() const { return steps_of_many != nullptr; }
@@ -25,20 +25,20 @@ struct LessonWalk {
     return a == x && b == y && flat == in_plane && of_one() == one && !of_many();
   }
 };
-/// All; of several lessons with the same types, the first is the usual one.
+/// Returns all walks; of several lessons with the same types, the first is the usual one.
 const std::vector<LessonWalk>& walks();
-/// By what it takes; nullptr where no lesson does. `lesson`: of this one alone, where it is not empty.
+/// Finds a walk by the types that it takes; nullptr if no lesson does. `lesson`: only this one, if it is not empty.
 const LessonWalk* walk_of(Type a, Type b, bool flat, bool one, const std::string& lesson);
-/// Of many objects, by the lesson's id and its method; empty: the first one. nullptr where there is none.
+/// Finds a walk through many objects, by lesson id and method; empty: the first one. nullptr if there is none.
 const LessonWalk* walk_of_many(const std::string& lesson, const std::string& method);
-/// The methods that a lesson has for many objects.
+/// Returns the methods that a lesson has for many objects.
 std::vector<std::string> methods_for_many(const std::string& lesson);
-/// "sphere and sphere", ...
+/// Returns "sphere and sphere", ...
 std::vector<std::string> walks_in_words(bool flat);
-/// The lessons that take a scene's objects.
+/// Returns the lessons that take a scene's objects.
 std::vector<std::string> walking_lessons();
 
-/// The steps of the lesson, on these numbers. Throws viz::BadInput where they are beyond what the lesson takes.
+/// Return the steps of the lesson, on these numbers. Throw viz::BadInput if they are beyond what the lesson takes.
 viz::Walk walk(const LessonWalk&, const Setting&, const Object& a, const Object& b);
 viz::Walk walk(const LessonWalk&, const Setting&, const std::vector<const Object*>&);
 

@@ -8,7 +8,7 @@ namespace isect::program::scene {
 
 namespace {
 
-/// "ray origin dir [tmin] [tmax]"
+/// Returns "ray origin dir [tmin] [tmax]".
 std::string how_written(const TypeSpec& type) {
   std::string line = type.name;
   if (const std::string other = other_name(type); !other.empty()) line += fmt::format(" (or {})", other);
@@ -17,7 +17,7 @@ std::string how_written(const TypeSpec& type) {
   return line;
 }
 
-/// All types, two a line where they fit.
+/// Lists all types, two per line where they fit.
 std::string list_of_types() {
   constexpr std::size_t half = 42;
   std::string list, left;

@@ -1,5 +1,5 @@
 #pragma once
-// How a scene file is written, for whoever writes one: in the help of `isect scene` and on its page.
+// How a scene file is written: text for the help of `isect scene` and for its page.
 
 #include <string>
 

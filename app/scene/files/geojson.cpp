@@ -1,4 +1,4 @@
-// GeoJSON (RFC 7946): polygons, and what holds some. The JSON is read by nlohmann's parser.
+// GeoJSON (RFC 7946): polygons, and objects that contain some. nlohmann's parser reads the JSON.
 
 #include <nlohmann/json.hpp>
 #include <set>
@@ -49,7 +49,7 @@ class GeoJsonReader {
       refuse_at(std::min(text_.find(number.substr(0, number.find('\''))), text_.size()), "a number beyond all doubles");
     }
   }
-  /// The last part of the parser's sentence.
+  /// Returns the last part of the parser's sentence.
   static std::string reason(const std::string& what) {
     const std::size_t dash = what.find(" - ");
     return dash == what.npos ? what.substr(what.find("] ") + 2) : what.substr(dash + 3);
@@ -59,7 +59,7 @@ class GeoJsonReader {
     const auto end = text_.begin() + static_cast<std::ptrdiff_t>(byte);
     scene::refuse(file_, fmt::format("line {}: {}", 1 + std::count(text_.begin(), end, '\n'), why));
   }
-  /// Only here it is asked where a value stands.
+  /// Throws with the value's place, which is looked up only here.
   [[noreturn]] void refuse(const GeoPath& path, const std::string& why) const {
     const Spans spans(text_);
     const Spans::Span* const span = spans.at(path);
@@ -122,7 +122,7 @@ class GeoJsonReader {
     polygons_.position(p, json.size());
   }
 
-  /// Not what is nested in it: that may be deep.
+  /// Shows a value without its nested contents: these may be deep.
   static std::string shown(const nlohmann::json& json) {
     if (json.is_object()) return "an object";
     const bool nested = std::ranges::any_of(json, [](const nlohmann::json& x) { return x.is_structured(); });
@@ -132,7 +132,7 @@ class GeoJsonReader {
   const std::string& file_;
   const std::string without_mark_;  ///< the text behind a byte order mark
   const std::string& text_;
-  GeoPath at_;  ///< of the outline that is read
+  GeoPath at_;  ///< the path of the outline being read
   PolygonBuilder polygons_;
 };
 

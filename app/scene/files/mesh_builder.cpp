@@ -27,7 +27,7 @@ bool on_one_line(const viz::Vec3& a, const viz::Vec3& b, const viz::Vec3& c) {
   return true;
 }
 
-/// The first three corners that lie on no one line; none where all lie on one.
+/// Returns the first three corners that are not collinear; none if all are.
 std::optional<std::array<viz::Vec3, 3>> corners_of_plane(const FaceOutline& o) {
   const auto second = std::ranges::find_if(o, [&](const viz::Vec3& p) { return p != o.front(); });
   if (second == o.end()) return {};
@@ -37,7 +37,7 @@ std::optional<std::array<viz::Vec3, 3>> corners_of_plane(const FaceOutline& o) {
   return std::array{o.front(), *second, *third};
 }
 
-/// How far the corners lie off one plane: 0 if and only if they lie in one, exactly.
+/// Returns how far the corners lie off one plane: 0 if and only if they are exactly coplanar.
 double off_one_plane(const FaceOutline& o, const std::array<viz::Vec3, 3>& plane) {
   const auto in_it = [&](const viz::Vec3& p) { return orient3d(plane[0], plane[1], plane[2], p) == 0; };
   if (std::ranges::all_of(o, in_it)) return 0;
@@ -45,10 +45,10 @@ double off_one_plane(const FaceOutline& o, const std::array<viz::Vec3, 3>& plane
   for (std::size_t i = 1; i + 1 < o.size(); ++i) normal += (o[i] - o[0]).cross(o[i + 1] - o[0]);
   double off = 0;
   for (const viz::Vec3& p : o) off = std::max(off, std::abs(normal.dot(p - o[0])) / normal.norm());
-  return off > 0 && std::isfinite(off) ? off : off_plane(o);  // which is slow
+  return off > 0 && std::isfinite(off) ? off : off_plane(o);  // this is slow
 }
 
-/// Whether four corners are seen to turn to one side only, along the axis of their normal's largest component.
+/// Whether a face of four corners, seen along the axis of its normal's largest component, turns to one side only.
 bool is_convex(const FaceOutline& o) {
   if (o.size() != 4) return false;
   const viz::Vec3 normal = (o[2] - o[0]).cross(o[3] - o[1]).cwiseAbs();
@@ -125,7 +125,7 @@ void MeshBuilder::cut(const Face& face, const int* corners, std::size_t count) {
   const auto plane = corners_of_plane(outline);
   const double off = plane ? off_one_plane(outline, *plane) : 0;
   auto triangles = !plane || is_convex(outline) ? fan(count) : ears(outline);
-  if (triangles.empty() && count == 4 && off > 0) triangles = fan(count);  // its edges are skew, however they are seen
+  if (triangles.empty() && count == 4 && off > 0) triangles = fan(count);  // its edges are skew from any side
   if (triangles.empty()) refuse(face.place, "a face that crosses itself, as seen along its normal");
   for (const auto& [a, b, c] : triangles) keep(corners[a], corners[b], corners[c], face.place);
   if (off == 0) return;

@@ -1,5 +1,5 @@
 #pragma once
-// Points and faces as a file has them become points and triangles.
+// Turns the points and faces of a file into points and triangles.
 
 #include <string>
 #include <vector>
@@ -8,27 +8,27 @@
 
 namespace isect::program::scene {
 
-/// A face may name points that come after it. Faces of more than three corners are cut by ears, as they are seen along
-/// the axis of the normal's largest component; where their corners lie in no one plane, a note says so.
+/// A face may name points that come after it. Faces of more than three corners are cut by ears, seen along the axis of
+/// the normal's largest component; if their corners are not coplanar, a note says so.
 class MeshBuilder {
  public:
   struct Places {
-    std::string of_face = "line";  ///< what the numbers of places count
-    int first_point = 0;           ///< the number that the file has for the first point
+    std::string of_face = "line";  ///< the unit that place numbers count
+    int first_point = 0;           ///< the file's number for the first point
   };
   MeshBuilder(const std::string& file, Places places) : file_(file), places_(std::move(places)) {}
 
-  /// Of a finite point.
+  /// Adds a finite point.
   void add(const viz::Vec3& point, int place);
   std::size_t count() const { return mesh_.points.size(); }
 
   void begin_face(int place);
-  /// A corner of the face that was begun last, by the number of its point from 0.
+  /// Adds a corner to the face that was begun last, by the number of its point from 0.
   void corner(long point);
-  /// What has no area, as a line or a point, is told and left out.
+  /// Notes and leaves out an object without area, such as a line or a point.
   void leave_out(int place);
 
-  /// Throws viz::BadInput where a face names no point, has fewer than three corners, or crosses itself.
+  /// Returns the shape; throws viz::BadInput if a face names no point, has fewer than three corners, or crosses itself.
   ShapeFile made();
 
  private:

@@ -1,4 +1,4 @@
-// Wavefront OBJ: points and faces. Names, materials, normals and textures change no shape; free-form surfaces are
+// Wavefront OBJ: points and faces. Names, materials, normals and textures do not change a shape; free-form surfaces are
 // refused.
 
 #include <array>
@@ -10,7 +10,7 @@ namespace isect::program::scene {
 
 namespace {
 
-/// Lines of names, groups, looks, normals and textures, which change no shape.
+/// Lines of names, groups, looks, normals and textures, which do not change a shape.
 constexpr std::string_view look[] = {"vt",       "vn",     "g",          "o",        "s",     "mg",
                                      "usemtl",   "mtllib", "usemap",     "maplib",   "bevel", "c_interp",
                                      "d_interp", "lod",    "shadow_obj", "trace_obj"};
@@ -43,7 +43,7 @@ class ObjReader {
     text_.refuse(fmt::format("{} begins no line of an OBJ", in_quotes(keyword)));
   }
 
-  /// x y z, then nothing, a weight of 1, a colour, or both.
+  /// Reads x y z, then nothing, a weight of 1, a colour, or both.
   void vertex() {
     const viz::Vec3 p = text_.point();
     std::array<double, 4> more = {};
@@ -55,7 +55,7 @@ class ObjReader {
     mesh_.add(p, text_.number());
   }
 
-  /// Corners such as 1, 1/2, 1//3 and 1/2/3: of a point, a texture and a normal.
+  /// Reads corners such as 1, 1/2, 1//3 and 1/2/3: a point, a texture and a normal.
   void face() {
     mesh_.begin_face(text_.number());
     while (!text_.ended()) {

@@ -1,4 +1,4 @@
-// OFF, as text: a word such as OFF or COFF, how many points, faces and edges there are, the points, the faces.
+// OFF, as text: a word such as OFF or COFF, the numbers of points, faces and edges, the points, the faces.
 
 #include "app/scene/files/mesh_builder.h"
 #include "app/scene/files/reading.h"
@@ -19,7 +19,7 @@ class OffReader {
     if (has_word) check_word(first);
     if (has_word && text_.ended()) need_line("how many points and faces there are");
     const long points = text_.whole(has_word ? text_.word() : first), faces = text_.whole(text_.word());
-    if (!text_.ended()) text_.whole(text_.word());  // edges, which nobody counts
+    if (!text_.ended()) text_.whole(text_.word());  // edges, which are ignored
     text_.end_line();
     for (const long count : {points, faces})
       if (count < 0 || count > static_cast<long>(most_in_file))
@@ -31,7 +31,7 @@ class OffReader {
   }
 
  private:
-  /// To the next line that says something.
+  /// Goes to the next line that is not empty.
   bool next() {
     while (text_.next()) {
       text_.drop_comment("#");
@@ -43,7 +43,7 @@ class OffReader {
     if (!next()) text_.refuse("it ends early: " + of + " is expected");
   }
 
-  /// [ST][C][N]OFF: points have textures, colours or normals, too.
+  /// Checks the word [ST][C][N]OFF: points may have textures, colours or normals, too.
   void check_word(std::string_view word) {
     std::string_view kind = word;
     for (const std::string_view part : {"ST", "C", "N"})

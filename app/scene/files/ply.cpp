@@ -29,7 +29,7 @@ struct PlyElement {
   std::vector<PlyProperty> properties = {};
 };
 
-/// The header, then what it tells how to read.
+/// Reads the header, then the data as it says.
 class PlyReader {
  public:
   PlyReader(const std::string& bytes, const std::string& file) : bytes_(bytes), file_(file), text_(bytes, file) {}
@@ -70,7 +70,7 @@ class PlyReader {
       text_.end_line();
     }
     body_ = text_.offset();
-    if (lines_end_by_cr && bytes_.substr(body_ - 2, 2) == "\r\n") --body_;  // the first of the data is a byte 10
+    if (lines_end_by_cr && bytes_.substr(body_ - 2, 2) == "\r\n") --body_;  // the first byte of the data is 10
     if (format_.empty()) refuse(file_, "its header names no format");
     check_points();
   }
@@ -128,7 +128,7 @@ class PlyReader {
     return p.counted_by && (p.name == "vertex_indices" || p.name == "vertex_index");
   }
 
-  /// x and y, and z but for points in the plane.
+  /// Checks that there are x and y, and z unless the points are in the plane.
   void check_points() {
     for (const PlyElement& e : elements_) {
       const auto has = [&](const char* name) {
@@ -165,7 +165,7 @@ class PlyReader {
     if (left.find_first_not_of("\r\n") != left.npos) note_ = bytes_left_out(left.size(), "element");
   }
 
-  /// Calls what(0), as a number of that type.
+  /// Calls what(0) with a number of that type.
   template <class What>
   static double as(PlyType type, const What& what) {
     switch (type) {
@@ -189,7 +189,7 @@ class PlyReader {
     return 0;
   }
 
-  /// A whole number lies within its type. What is no finite number is refused where it is a coordinate.
+  /// Returns a number. A whole one must be in its type's range. One not finite is refused only as a coordinate.
   static double number(const TextFile& text, std::string_view word, PlyType type) {
     return as(type, [&]<class T>(T) -> double {
       if constexpr (std::is_integral_v<T>) {
@@ -241,8 +241,8 @@ class PlyReader {
     mesh_->add(p, place);
   }
 
-  /// Each corner makes a triangle with the two before it, turning alternately; -1 ends a strip. One with a corner twice
-  /// only leads from one part to the next.
+  /// Each corner makes a triangle with the two before it, with alternating orientation; -1 ends a strip. A triangle
+  /// with a repeated corner only leads from one part to the next.
   void strip_corner(const PlyElement& e, long corner, int place) {
     if (corner == -1) {
       if (strip_.size() == 1 || strip_.size() == 2) wrong(e, place, "a strip of fewer than three vertices");

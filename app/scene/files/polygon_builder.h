@@ -1,5 +1,5 @@
 #pragma once
-// Polygons as a file has them become the outlines of one: inside is what lies within an odd number of them.
+// Joins the polygons of a file into the outlines of one: inside is what lies within an odd number of them.
 
 #include <functional>
 #include <string>
@@ -17,7 +17,7 @@ class PolygonBuilder {
   void begin_polygon() { ++polygons_; }
   void begin_ring() { begin_ = shape_.points.size(); }
   void position(const viz::Vec3&, std::size_t coordinates);
-  /// It ends where it began.
+  /// Ends a ring, whose last point must be its first.
   void end_ring();
 
   ShapeFile made();

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\v\f";
 
-/// Whether a line of a text goes on in the next one.
+/// Whether a line of a text continues in the next one.
 bool goes_on(std::string_view line) { return line.ends_with('\\') && line.find('#') == line.npos; }
 
 }  // namespace

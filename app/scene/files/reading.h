@@ -1,6 +1,6 @@
 #pragma once
-// What the readers of shape files share: lines, words and numbers of a text, numbers of a binary file, and what is
-// wrong told by its place.
+// Shared by the readers of shape files: lines, words and numbers of a text, numbers of a binary file, and errors with
+// their places.
 
 #include <fmt/format.h>
 
@@ -21,16 +21,16 @@ namespace isect::program::scene {
   throw viz::BadInput(file + ": " + why);
 }
 
-/// A piece of a file as a message shows it: its first 40 bytes, or up to 3 fewer so that no character is cut, control
+/// Returns a piece of a file for a message: its first 40 bytes, or up to 3 fewer so that no character is cut, control
 /// characters written out.
 std::string shortened(std::string_view piece);
-/// The same, in double quotes.
+/// Returns the shortened piece in double quotes.
 std::string in_quotes(std::string_view piece);
-/// In small letters, of ASCII.
+/// Converts ASCII letters to lower case.
 std::string lower(std::string_view);
-/// The double nearest to a decimal number; none of what is no finite number.
+/// Returns the double nearest to a decimal number; none if it is no finite number.
 std::optional<double> decimal(std::string_view);
-/// Without blanks and tabs at its ends.
+/// Removes blanks and tabs at both ends.
 std::string_view trimmed(std::string_view);
 
 /// A text, line by line. Lines end by LF, CR LF or CR; a byte order mark is no part of the first.
@@ -39,26 +39,26 @@ class TextFile {
   /// Refuses UTF-16.
   TextFile(std::string_view bytes, const std::string& file);
 
-  /// Goes to the next line; false where there is none.
+  /// Goes to the next line; returns false if there is none.
   bool next();
-  /// The same, where a line that ends by \ goes on in the next one, unless that stands in a comment.
+  /// Goes to the next line, too; a line that ends in \ continues in the next one, unless that stands in a comment.
   bool next_joined();
 
   std::string_view line() const { return line_; }
-  std::size_t offset() const { return at_; }  ///< of the byte behind the line and its end; at most the text's size
+  std::size_t offset() const { return at_; }  ///< of the byte after the line and its end; at most the text's size
   int number() const { return number_; }      ///< of the line, from 1
 
-  /// The next word of the line; empty where there is none.
+  /// Returns the next word of the line; empty if there is none.
   std::string_view word();
   bool ended() const { return trimmed(rest_).empty(); }
-  /// What stands behind `mark` is no part of the line.
+  /// Removes from the line all that follows `mark`.
   void drop_comment(std::string_view mark);
 
   double real(std::string_view word) const;
   double real() { return real(word()); }
   long whole(std::string_view word) const;
   viz::Vec3 point();
-  /// Nothing is left, or it is refused.
+  /// Refuses a line of which anything is left.
   void end_line();
 
   [[noreturn]] void refuse(const std::string& why) const;
@@ -73,7 +73,7 @@ class TextFile {
   std::string joined_;
 };
 
-/// Numbers of a binary file, one after the other.
+/// The numbers of a binary file, one after the other.
 class Bytes {
  public:
   Bytes(const std::string& bytes, const std::string& file, std::size_t at, bool big_endian = false)
@@ -98,10 +98,10 @@ class Bytes {
   bool swap_;
 };
 
-/// A note of bytes that stand behind the last of what a file announces.
+/// Returns a note on bytes after the last of what a file announces.
 std::string bytes_left_out(std::size_t count, std::string_view last);
 
-/// A file's bytes, and its name for messages.
+/// A reader takes a file's bytes, and its name for messages.
 using Reader = ShapeFile (*)(const std::string& bytes, const std::string& file);
 ShapeFile read_table(const std::string& bytes, const std::string& file);    ///< CSV and the like
 ShapeFile read_xyz(const std::string& bytes, const std::string& file);      ///< a table of x, y, z and more

@@ -22,7 +22,7 @@ class StlReader {
  private:
   static constexpr std::size_t head = 84, facet = 50;
 
-  /// Some binary files begin with "solid", too; but no text has a byte 0.
+  /// Whether the file is text: some binary files begin with "solid", too, but no text has a byte 0.
   bool is_text() const {
     if (bytes_.find('\0') != bytes_.npos) return false;
     TextFile text(bytes_, file_);
@@ -61,7 +61,7 @@ class StlReader {
     return shape;
   }
 
-  /// solid NAME; facet normal x y z, outer loop, three times vertex x y z, endloop, endfacet; endsolid NAME.
+  /// Reads solid NAME; facet normal x y z, outer loop, three times vertex x y z, endloop, endfacet; endsolid NAME.
   ShapeFile text() {
     TextFile text(bytes_, file_);
     MeshBuilder mesh(file_, {.of_face = "line", .first_point = 0});
@@ -76,7 +76,7 @@ class StlReader {
         text.refuse(fmt::format("{} where {} is expected", in_quotes(keyword),
                                 expected == "facet" ? "facet or endsolid" : expected));
       if (is_end) {
-        expected = "solid";  // of another one
+        expected = "solid";  // another solid
       } else if (keyword == "solid") {
         if (lower(text.line()).find(" facet normal ") != std::string::npos)
           text.refuse("a solid and its facets on one line");
@@ -103,7 +103,7 @@ class StlReader {
     return mesh.made();
   }
 
-  /// Not used, so it may be any, or none.
+  /// Skips a normal, which is not used, so it may be any, or none.
   static void normal(TextFile& text) {
     if (text.ended()) return;
     if (lower(text.word()) != "normal") text.refuse("\"facet normal\" is expected");

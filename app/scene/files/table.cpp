@@ -1,4 +1,4 @@
-// CSV and its kin: a point a line, its numbers separated by commas, semicolons, tabs or blanks.
+// CSV and similar formats: one point per line, its numbers separated by commas, semicolons, tabs or blanks.
 
 #include <fmt/ranges.h>
 
@@ -18,7 +18,7 @@ constexpr const char* header_expected = "a first row of names calls two columns 
 
 class TableReader {
  public:
-  /// `takes_more`: numbers behind the third one, as a colour, are no reason to ask for names.
+  /// `takes_more`: names are not required for numbers after the third one, such as a colour.
   TableReader(const std::string& bytes, const std::string& file, bool takes_more)
       : text_(bytes, file), takes_more_(takes_more) {}
 
@@ -38,9 +38,9 @@ class TableReader {
   }
 
  private:
-  // What separates the fields.
+  // The separator of the fields.
 
-  /// Excel's own: sep=;
+  /// Whether it is Excel's own line: sep=;
   bool is_separator_line() {
     const std::string_view line = text_.line();
     if (text_.number() != 1 || line.size() != 5 || !lower(line).starts_with("sep=")) return false;
@@ -48,7 +48,7 @@ class TableReader {
     return true;
   }
 
-  /// The first of these that stands outside of quotes and before a comment; else blanks.
+  /// Returns the first of these that stands outside of quotes and before a comment; else blanks.
   static char separator_of(std::string_view line) {
     for (const char c : {';', '\t', ','}) {
       bool within = false;
@@ -63,7 +63,7 @@ class TableReader {
     return ' ';
   }
 
-  /// The fields of a row, without blanks and quotes around them; empty ones at its end do not count.
+  /// Splits a row into fields, without blanks and quotes around them; empty ones at its end do not count.
   void split(std::string_view line, std::vector<std::string_view>& fields) const {
     fields.clear();
     for (line = trimmed_of_blanks(line); !line.empty();) {
@@ -102,7 +102,7 @@ class TableReader {
 
   // Which columns are x, y and z.
 
-  /// Those before the first row may name the columns.
+  /// Whether the line is a comment; comments before the first row may name the columns.
   bool is_comment() {
     std::string_view line = trimmed(text_.line());
     for (const std::string_view mark : {"#", "//", "%"})
@@ -114,7 +114,7 @@ class TableReader {
     return false;
   }
 
-  /// x, X, "x [m]" and x(m) are x.
+  /// Returns a column's name: x, X, "x [m]" and x(m) are x.
   static std::string column_name(std::string_view field) {
     return lower(trimmed(field.substr(0, field.find_first_of("[("))));
   }
@@ -140,7 +140,7 @@ class TableReader {
     return true;
   }
 
-  /// Without names before it, but for those of comments.
+  /// Reads the first row if no row of names came before it; comments may have named the columns.
   void first_row(const std::vector<std::string_view>& row) {
     const std::size_t count = row.size();
     if (named_by_comments(count)) return;
@@ -154,8 +154,8 @@ class TableReader {
     if (count > 3) shape_.note = "What stands behind three numbers of a line is left out.";
   }
 
-  /// By the last one, whatever else it names, or by one of nothing but x, y and z. What separates names need not be
-  /// what separates numbers.
+  /// Whether comments name the columns: the last one, whatever else it names, or one with only x, y and z. The
+  /// separator of names may differ from that of numbers.
   bool named_by_comments(std::size_t count) {
     const char separator = *separator_;
     std::vector<std::string_view> names;
@@ -188,12 +188,12 @@ class TableReader {
     for (std::size_t i = 0; i < (is_in_space_ ? 3 : 2); ++i) {
       if (at_[i] >= row.size() || row[at_[i]].empty()) text_.refuse(fmt::format("{} is missing", "xyz"[i]));
       const std::optional<double> x = number(row[at_[i]]);
-      p[static_cast<int>(i)] = x ? *x : text_.real(row[at_[i]]);  // which refuses it
+      p[static_cast<int>(i)] = x ? *x : text_.real(row[at_[i]]);  // this refuses it
     }
     shape_.points.push_back(p);
   }
 
-  /// Between semicolons or tabs a comma is a decimal one, as many countries write them: 0,5;1,25.
+  /// Returns a number. Between semicolons or tabs a comma is a decimal one, as many countries write them: 0,5;1,25.
   std::optional<double> number(std::string_view field) const {
     const std::optional<double> x = decimal(field);
     if (x || (*separator_ != ';' && *separator_ != '\t') || field.find(',') == field.npos) return x;

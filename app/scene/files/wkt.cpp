@@ -21,7 +21,7 @@ class WktReader {
   }
 
  private:
-  /// The next bracket, comma, semicolon or word, which is not taken yet; empty at the end.
+  /// Returns the next bracket, comma, semicolon or word without taking it; empty at the end.
   std::string_view token() {
     while (left_.empty()) {
       if (!text_.next()) return {};
@@ -54,7 +54,7 @@ class WktReader {
     const bool many = type.starts_with("multipolygon"),
                collection = type.starts_with("geometrycollection") && level < 8;
     if (!many && !collection && !type.starts_with("polygon")) refuse_type(type);
-    std::string tag = type.substr(many ? 12 : collection ? 18 : 7);  // z, m or zm, behind a blank or not
+    std::string tag = type.substr(many ? 12 : collection ? 18 : 7);  // z, m or zm, after a blank or not
     for (const char* const apart : {"zm", "z", "m"})
       if (tag.empty() && take_if(apart)) tag = apart;
     if (!tag.empty() && tag != "zm" && tag != "z" && tag != "m") refuse_type(type);
@@ -66,7 +66,7 @@ class WktReader {
     text_.refuse(fmt::format("{}; POLYGON and MULTIPOLYGON are read, and collections of them", in_quotes(type)));
   }
 
-  /// What stands in brackets, between commas, or EMPTY.
+  /// Reads what stands in brackets, between commas, or EMPTY.
   template <class One>
   void each(const One& one) {
     if (take_if("empty")) return;
@@ -102,7 +102,7 @@ class WktReader {
   TextFile text_;
   std::string_view left_;  ///< of the line
   PolygonBuilder polygons_;
-  std::size_t numbers_ = 0;  ///< of a position; 0: nothing is said
+  std::size_t numbers_ = 0;  ///< per position; 0: not known
   bool last_is_measure_ = false;
 };
 

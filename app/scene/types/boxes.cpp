@@ -30,7 +30,7 @@ void draw_obb(Drawing& d) {
 }
 
 bool has_axes(const Setting& s, const Object& o) {
-  constexpr double as_written = 1e-6;  // as people write them, with six digits or more; the tests take them as they are
+  constexpr double as_written = 1e-6;  // people write six digits or more; the tests take them as they are
   const std::array<Vec3, 3> axes = {s.point(o, "u"), s.point(o, "v"), s.has(o, "w") ? s.point(o, "w") : Vec3::UnitZ()};
   for (int i = 0; i < 3; ++i) {
     if (!(std::abs(axes[i].norm() - 1) <= as_written)) return false;

@@ -1,4 +1,4 @@
-// k-DOPs, view volumes and convex hulls: what is given by planes or points, and drawn by its corners.
+// k-DOPs, view volumes and convex hulls: given by planes or points, and drawn by their corners.
 
 #include "app/scene/types/rows.h"
 
@@ -21,7 +21,7 @@ void draw_frustum(Drawing& d) {
   d.items.push_back(std::move(shape));
 }
 
-/// The points and their hull.
+/// Draws the points and their hull.
 void draw_hull(Drawing& d) {
   draw_polytope(d);
   d.dots(d.s.points(d.o));

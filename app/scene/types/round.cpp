@@ -23,7 +23,7 @@ void draw_sphere(Drawing& d) {
   d.named_dot(center);
 }
 
-/// Half a circle about q, then half a one about p.
+/// Returns half a circle about q, then half a one about p.
 std::vector<Vec3> outline_of_capsule(const Vec3& p, const Vec3& q, double radius) {
   constexpr int corners = 48;
   const Vec3 along = q.isApprox(p, 0) ? Vec3::UnitX() : unit(q - p);
@@ -50,9 +50,9 @@ void draw_capsule(Drawing& d) {
   d.name(p, q);
 }
 
-/// The corners of boxes around the discs about both ends: a disc reaches along an axis as far as its own is from that.
+/// Returns corners of boxes around the end discs, whose reach along an axis is by the sine of the angle to their own.
 std::vector<Vec3> around_discs(const Vec3& p, double at_p, const Vec3& q, double at_q) {
-  constexpr double outwards = 1 + 0x1p-50;  // more than is rounded
+  constexpr double outwards = 1 + 0x1p-50;  // more than the rounding
   const Vec3 axis = (q - p).stableNormalized();
   const Vec3 reach =
       outwards * Vec3(std::hypot(axis.y(), axis.z()), std::hypot(axis.z(), axis.x()), std::hypot(axis.x(), axis.y()));

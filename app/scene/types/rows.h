@@ -1,5 +1,5 @@
 #pragma once
-// What the rows of the list of types share.
+// Shared by the rows of the list of types.
 
 #include "app/scene/shapes.h"
 #include "app/scene/types.h"
@@ -16,7 +16,7 @@ std::vector<TypeSpec> outline_types();   ///< triangle, polygon
 std::vector<TypeSpec> polytope_types();  ///< kdop, frustum, hull
 std::vector<TypeSpec> many_types();      ///< mesh, cloud
 
-/// The fields of a shape of the core.
+/// Returns the fields of a shape of the core.
 template <class X>
 std::vector<FieldSpec> fields_of() {
   std::vector<FieldSpec> all;
@@ -26,7 +26,7 @@ std::vector<FieldSpec> fields_of() {
   return all;
 }
 
-/// What it must keep, as far as the ranges of its fields do not say it.
+/// Returns the rules for a shape that the ranges of its fields do not express.
 template <class X>
 std::vector<ShapeRule> rules_of() {
   std::vector<ShapeRule> all;
@@ -45,7 +45,7 @@ std::vector<ShapeRule> rules_of() {
   return all;
 }
 
-/// A type whose objects are shapes of the core, field by field.
+/// Returns the row of a type whose objects are shapes of the core, field by field.
 template <class X>
 TypeSpec row(Type type) {
   TypeSpec row = {type, Described<X>::name};
@@ -53,7 +53,7 @@ TypeSpec row(Type type) {
   return row;
 }
 
-/// An object on its way onto the canvas.
+/// The drawing of one object, with its items so far.
 struct Drawing {
   const Setting& s;
   const Object& o;
@@ -63,21 +63,21 @@ struct Drawing {
 
   viz::Vec3 at(const char* field) const { return s.point(o, field); }
   void name(const viz::Vec3& where);
-  /// Beside the way from `where` to `other`.
+  /// Puts the name beside the way from `where` to `other`.
   void name(const viz::Vec3& where, const viz::Vec3& other);
   void dot(const viz::Vec3& where);
-  /// A dot and the name.
+  /// Draws a dot with the name.
   void named_dot(const viz::Vec3& where);
   void dots(const std::vector<viz::Vec3>& points);
   void region(const std::vector<viz::Vec3>& corners);
-  /// With the name inside it.
+  /// Draws an outline with the name inside it.
   void outline(const std::vector<std::vector<viz::Vec3>>& rings);
   void solid(viz::Solid);
 };
 
-/// The corners of a box around a ball.
+/// Returns the corners of a box around a ball.
 std::vector<viz::Vec3> around(const viz::Vec3& center, double radius);
-/// A vector of length 1 across `v`.
+/// Returns a vector of length 1 perpendicular to `v`.
 viz::Vec3 across(const viz::Vec3& v, bool flat);
 viz::Vec3 middle_of(const std::vector<viz::Vec3>& points);
 viz::Vec3 top_of(const std::vector<viz::Vec3>& points);

@@ -21,7 +21,7 @@ void draw_segment(Drawing& d) {
   d.name(from, to);
 }
 
-/// From its origin to beyond the scene, or to its end.
+/// Draws a ray from its origin to beyond the scene, or to its end.
 void draw_ray(Drawing& d) {
   const Vec3 origin = d.at("origin"), dir = d.at("dir");
   const double foot = (d.room.middle - origin).dot(dir) / dir.squaredNorm(), reach = 1.15 * d.room.reach / dir.norm();
@@ -37,7 +37,7 @@ void draw_ray(Drawing& d) {
   d.named_dot(a);
 }
 
-/// From before the scene to beyond it.
+/// Draws a line from before the scene to beyond it.
 void draw_line(Drawing& d) {
   const Vec3 origin = d.at("origin"), dir = d.at("dir");
   const double foot = (d.room.middle - origin).dot(dir) / dir.squaredNorm(), reach = 1.15 * d.room.reach / dir.norm();
@@ -46,7 +46,7 @@ void draw_line(Drawing& d) {
   d.name(a + 0.2 * (b - a), a + 0.3 * (b - a));
 }
 
-/// A square of it, in the plane a stretch, about the middle of the scene.
+/// Draws a square of the plane, in the plane a stretch of the line, about the middle of the scene.
 void draw_plane(Drawing& d) {
   const Vec3 n = d.at("normal"), u = across(n, d.s.flat), v = unit(n.cross(u));
   const Vec3 p = d.room.middle - (n.dot(d.room.middle) + d.s.number(d.o, "d")) / n.squaredNorm() * n;
