@@ -36,7 +36,7 @@ std::string name_of(const Parameter& p) {
   return word && count_characters(label) == 1 ? p.name + " " + label : label;
 }
 
-/// "origin o = (−3, 0.5, 2), radius r = 1.5"
+/// Returns "origin o = (−3, 0.5, 2), radius r = 1.5".
 std::string given(const Lesson& lesson, const Parameters& parameters) {
   std::vector<std::string> all;
   for (const Parameter& p : lesson.parameters) {

@@ -18,7 +18,7 @@ Nib visible(double width, const Colour& colour, double scale) {
   return {1 / scale, colour.with_alpha(colour.a * pixels)};
 }
 
-/// Flattens the path, without points that cannot be told apart.
+/// Flattens the path; of very many points it keeps those that can be told apart.
 Polyline seen(const Path& path, double scale) {
   constexpr std::size_t many = 1000;
   const double tolerance = tolerance_px / scale;

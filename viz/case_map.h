@@ -2,9 +2,9 @@
 // The map of cases: the plane of a lesson's two natural parameters, in regions by the branch that the core takes.
 //
 // The regions are not known beforehand. The plane is swept in level lines. On each, bisection finds where the branch
-// changes between two samples; and between two lines, where their sequence of branches changes. Between lines
-// borders run straight; where they bend, lines are added until no bend shows or the lines lie closer than 1/128 of
-// the pitch.
+// changes between two samples; where the sequence of branches changes from line to line, it finds that level, too.
+// Between lines borders run straight; where they bend, lines are added until no bend shows or the lines lie closer than
+// 1/128 of the pitch.
 
 #include "viz/chart.h"
 #include "viz/lesson.h"

@@ -19,7 +19,7 @@ struct FileError : std::runtime_error {
 using Metadata = std::map<std::string, std::string>;
 
 /// Replaces a file in one step, links followed and mode kept; makes its folder if needed. A device, a pipe or our own
-/// stdout, which are no files, is written to. Throws FileError; a file that was there stays on failure.
+/// stdout is written to in place. Throws FileError; a file that was there stays on failure.
 void write_file(const std::string& path, const std::string& bytes);
 /// Reads the file or pipe that a reader named. Throws FileError, also where there are more than `most` bytes.
 std::string read_file(const std::string& path, std::size_t most = std::size_t{64} << 20);

@@ -16,7 +16,7 @@ namespace {
 
 using Chars = std::string_view;
 
-/// Whether it is a Latin or Greek letter; the sign of a sum is none.
+/// Whether it is a Latin or Greek letter; the sign of a sum is not.
 bool is_name_letter(Chars c) {
   if (c.size() == 1) return (c[0] >= 'a' && c[0] <= 'z') || (c[0] >= 'A' && c[0] <= 'Z');
   const auto first = static_cast<unsigned char>(c[0]);

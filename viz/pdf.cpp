@@ -15,7 +15,7 @@ namespace isect::viz {
 namespace {
 
 /// Before our metadata among the keywords, so that nobody else's are taken for them.
-/// Of a pixel of CSS, 96 an inch.
+/// Points per pixel of CSS (96 pixels an inch).
 constexpr double points_a_unit = 0.75;
 
 cairo_status_t append(void* out, const unsigned char* data, unsigned length) {

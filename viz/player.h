@@ -43,7 +43,7 @@ class Player {
   const Scene& scene() const { return shown().scene; }
   /// Returns the scene that this one is coming from, for the moments after a step; null at rest.
   const Scene* scene_before() const { return before_.get(); }
-  /// Returns how far the motion has come: 0 at the old scene, 1 at this one. Lights change faster than things move.
+  /// Returns how far the motion has come: 0 at the old scene, 1 at this one. Lights come up faster than things move.
   double motion() const;
   double light() const;
   void reduce_motion(bool);  ///< all is there at once
@@ -147,9 +147,9 @@ class Player {
   void frame_all();
   void set_perspective(bool);  ///< a flat lesson has none
 
-  // Becomes a player with these parameters at the lead's step and
-  // through the lead's camera. If it throws BadInput, nothing has
-  // changed.
+  // Two panes. (player_pair.cpp)
+  /// Becomes a player with these parameters at the lead's step and through the lead's camera. If it throws BadInput,
+  /// nothing has changed.
   void follow(const Player& lead, const Parameters&);
   /// Takes over what a reader has done to `other` since it last followed this one: its step, its camera, and the
   /// parameters that this player has `shared` with it.

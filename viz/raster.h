@@ -10,9 +10,8 @@ namespace isect::viz {
 /// A corner of cells, columns to the right and rows down from the raster's own.
 using Corner = Eigen::Vector2i;
 
-/// Returns the borders of the cells that equal `wanted`, as closed rings without corners on a straight line, for the
-/// even-odd rule: outer borders and holes. Cells that share only a corner share only a point. The cells come row by
-/// row.
+/// Returns borders of cells that equal `wanted`, as closed rings without corners on a straight line, for the even-odd
+/// rule: outer borders and holes. Cells that share only a corner share only a point. Cells come row by row.
 template <class Look>
 std::vector<std::vector<Corner>> outlines(const std::vector<Look>& cells, int columns, const Look& wanted) {
   const int rows = static_cast<int>(cells.size()) / columns;

@@ -120,7 +120,7 @@ class Window {
   int x_ = 0, y_ = 0, width_ = 0, height_ = 0;  ///< before it filled the screen, in GLFW's coordinates
 };
 
-/// Returns the key by its letter: GLFW numbers keys by their place on a US keyboard; Ctrl+Z means the key that says Z.
+/// Finds a key by what it says. GLFW numbers keys by their place on a US keyboard; Ctrl+Z means the Z, Ctrl++ the +.
 int by_layout(int code, int scancode) {
   if (code <= GLFW_KEY_SPACE || code > GLFW_KEY_GRAVE_ACCENT) return code;
   const char* name = glfwGetKeyName(code, scancode);

@@ -16,7 +16,7 @@ struct Station {
   bool asks = false;
   bool operator==(const Station&) const = default;
 };
-/// Returns the stations in order. The closing card is none: it stands on the page once.
+/// Returns the stations in order. The closing card is not one: it stands on the page once.
 std::vector<Station> stations(const viz::Walk&);
 
 /// What the whole section is about; the values must outlive it.

@@ -91,7 +91,7 @@ void lesson_text(Session& s, const Rect& r, bool fresh, bool low) {
 struct Hint {
   Role role;
   std::string markup;
-  bool turns = false;  ///< for the scene, not for an object
+  bool turns = false;  ///< the scene turns, not an object
 };
 constexpr std::size_t most_in_a_hint = 6;
 

@@ -16,7 +16,7 @@ namespace isect::viz {
 class SceneView {
  public:
   /// `scale`: framebuffer pixels per px of the layout. Without `drawing` it only places names; without `placing` it
-  /// does not even that.
+  /// does neither.
   SceneView(Renderer& renderer, double scale, bool drawing = true, bool placing = true)
       : renderer_(renderer), scale_(scale), drawing_(drawing), placing_(placing) {}
 
