@@ -8,8 +8,8 @@
 
 namespace isect::program {
 
-/// `told` is called with what comes next. With `quick`, slow measurements are skipped. What can't be measured here, as
-/// there is no rendering back end, is left out.
+/// `told` is called with what comes next. With `quick`, slow measurements are skipped. What can't be measured here, for
+/// lack of a rendering back end, is left out.
 std::vector<bench::Duty> duties(const Program&, bool quick, const std::function<void(const std::string&)>& told);
 
 }  // namespace isect::program

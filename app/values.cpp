@@ -35,7 +35,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
   }
 }
 
-/// Returns a length as people write it in plain form: "8 CM" and "8,5cm" as "8cm" and "8.5cm".
+/// Returns a length in plain form: "8 CM" and "8,5cm" as "8cm" and "8.5cm".
 std::string plainly(std::string length) {
   std::ranges::replace(length, ',', '.');
   std::ranges::transform(length, length.begin(),

@@ -183,7 +183,7 @@ Box2 plane_of(const Cases&, Vec2 corner, double width, double height, const Them
 /// Returns a chart as a figure of its own, with the sizes of a figure of this width.
 Figure chart_figure(const Chart&, ThemeName, double width);
 
-/// Tells which points (x: cost, y: error) no other one beats: at most as large in both and smaller in one.
+/// Tells which points (x: cost, y: error) are beaten by no other one, at most as large in both and smaller in one.
 std::vector<bool> pareto_front(const std::vector<Vec2>&);
 
 }  // namespace isect::viz

@@ -11,7 +11,7 @@ namespace isect::viz {
 TextBox ink_box(const Drawing&);
 /// Returns the part with ink and `margin` units around it; where the frame cuts the ink, only what it shows.
 Drawing cropped(const Drawing&, double margin);
-/// Crops all to the box in which any of them has ink: drawings of one size, which they keep.
+/// Crops all to the box in which any of them has ink: drawings of one size, which remain equal.
 std::vector<Drawing> cropped(std::vector<Drawing>, double margin);
 /// Puts the drawing in the middle of a frame of this size.
 Drawing centred(Drawing, double width, double height);

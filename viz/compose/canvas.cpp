@@ -173,7 +173,7 @@ void draw(Canvas& c, const Heading& it) {
   if (room > 0 && !has_one_size(c.theme) && box.right - box.left > room) text.size *= room / (box.right - box.left);
   text.at.y() += 0.34 * text.size;  // half the height of capitals, so that headings side by side share a baseline
   box = measure(text);
-  for (const Handle& handle : c.scene.handles)  // a handle would cover it: it moves aside, as labels do
+  for (const Handle& handle : c.scene.handles)  // a handle would cover the heading: it moves aside
     if (c.handles && holds(grown(box, c.sizes().handle_ring), c.at(handle.at))) {
       c.labels.push_back({it.text, c.at(it.at), c.at(it.at), c.sizes().handle_ring, text.colour});
       return;
