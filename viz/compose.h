@@ -36,7 +36,7 @@ Box2 extent(const std::vector<Item>&, const Camera&);
 Camera frame(const Camera& camera, const std::vector<const Scene*>& scenes, double aspect, double margin = 0.05);
 
 /// A camera centred on `walk`, at the one scale at which each of `all` fits, so that presets compare; larger where
-/// `walk` would not take three quarters of what it takes alone.
+/// `walk` would be less than nine tenths of the size that it has alone.
 Camera frame_alike(const Camera& camera, const Walk& walk, const std::vector<Walk>& all, double aspect);
 
 /// Returns a camera for one step of a walk so framed: nearer, and centred on the step's own scene, if that would take

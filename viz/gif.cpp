@@ -15,7 +15,7 @@
 namespace isect::viz {
 namespace {
 
-/// Before our metadata among the comments, so that nobody else's are taken for them.
+/// The most colours of a picture, and the number that stands for none.
 constexpr int most_colours = 256;
 constexpr int no_colour = -1;
 

@@ -33,7 +33,7 @@ struct Bounds {
 TextBox box_around(const Vec2& middle, const Vec2& half);
 TextBox grown(const TextBox&, double by);
 Vec2 nearest_in(const TextBox&, const Vec2&);
-/// Returns the length of a segment's part inside a box; 1 if that part is a point.
+/// Returns the length of a segment's part inside a box, at least 1 if it has a point there.
 double length_inside(const Vec2& from, const Vec2& to, const TextBox&);
 /// Whether the segments a b and c d cross.
 bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);

@@ -23,7 +23,7 @@ std::optional<OnPaper> readable_figure(const Walk&, int step, ThemeName, const P
 /// Whether a theme is one for paper: its texts have one size and never shrink; where they have no room, the figure
 /// grows.
 bool has_one_size(const Theme&);
-/// Whether no bold heading stands on a line, and none so near beside another that the two read as one.
+/// Whether no bold heading, but a number, stands on a line, and none so near beside another that the two read as one.
 bool headings_stand_clear(const Figure&, const Theme&);
 
 }  // namespace isect::viz

@@ -14,8 +14,8 @@
 namespace isect::viz {
 namespace {
 
-/// Before our metadata among the keywords, so that nobody else's are taken for them.
-/// Points per pixel of CSS (96 pixels an inch).
+/// Points per pixel of CSS: an inch has 72 points and 96
+/// pixels.
 constexpr double points_a_unit = 0.75;
 
 cairo_status_t append(void* out, const unsigned char* data, unsigned length) {

@@ -17,7 +17,7 @@ struct Answer {
 
 /// Returns {"id", "result"[, "trace"]} or {"id", "error"}; the id is the text that was sent. Never throws, even for
 /// lack of memory, as long as there is some for the error. No state, so any number may run at once. O(n log n) time for
-/// a line of n bytes, and about 30 n bytes of memory for most, whatever it holds; what would take more is refused. A
+/// a line of n bytes, and about 30 n bytes of memory at most, whatever it holds; what would take more is refused. A
 /// trace takes as many bytes more as it is long. An error without an id has the line's `number`; 0: none. `strict`: a
 /// shape without points, such as a box whose lo is above its hi, is an error that names it.
 Answer answer(const std::string& line, std::size_t number = 0, bool strict = false);

@@ -30,7 +30,7 @@ using viz::Role;
 /// Above this many objects, a step about some shows only these, and the step about all shows them without names.
 constexpr std::size_t most_in_all_pictures = 200;
 
-/// What has no inside comes first.
+/// Points, clouds and what runs along a line come first.
 Role usual_role(Type t) {
   return runs_along_a_line(t) || t == Type::point || t == Type::cloud ? Role::first : Role::second;
 }

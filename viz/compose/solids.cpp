@@ -76,8 +76,8 @@ bool is_edge(const Shell& shell, const Shell::Edge& edge) {
   const Vec3 &a = shell.normals[edge.faces[0]], &b = shell.normals[edge.faces[1]];
   return !(a.dot(b) > 1 - 1e-12);
 }
-/// Whether the side of a round solid bends here: both faces beside the edge are sides, of which a quarter turn has at
-/// least two.
+/// Whether the side of a round solid bends here: both faces beside the edge are sides, which turn by less than 41
+/// degrees.
 bool is_bend(const Shell& shell, const Shell::Edge& edge) {
   return edge.faces.size() == 2 && shell.normals[edge.faces[0]].dot(shell.normals[edge.faces[1]]) > 0.75;
 }

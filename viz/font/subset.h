@@ -13,7 +13,7 @@ struct FontSubset {
   std::string notice;  ///< copyright, trademark and licence as the font states them
 };
 /// Returns a font of those `letters` (UTF-8) that the font of figures has. None where that font is not STIX, whose
-/// licence allows this under another name.
+/// licence allows this under another name, or is not there, or where `letters` are not UTF-8.
 std::optional<FontSubset> font_subset(Face, const std::string& letters);
 
 }  // namespace isect::viz
