@@ -132,7 +132,8 @@ constexpr std::array<NamedDraw<RayAndRing<S>>, 7> ray_polygon_draws = {{
     {"grid", ray_polygon_families::grid<S>, "outlines of small integers: rays through vertices and edges exactly."},
     {"needle", ray_polygon_families::needle<S>, "outlines 1e-9 wide (1e-4 in float) and less."},
     {"far", ray_polygon_families::far<S>, "1e8 away (1e4 in float), aimed at the outline."},
-    {"near-coplanar", ray_polygon_families::near_coplanar<S>, "rays that run within 1e-15 to 1e-10 of the plane (1e-7 to 1e-2 in float)."},
+    {"near-coplanar", ray_polygon_families::near_coplanar<S>,
+     "rays that run within 1e-15 to 1e-10 of the plane (1e-7 to 1e-2 in float)."},
 }};
 
 }  // namespace isect::bench

@@ -138,7 +138,8 @@ constexpr std::array<NamedDraw<RayAndTriangle<S>>, 7> ray_triangle_draws = {{
     {"grid", ray_triangle_families::grid<S>, "small integers: rays through vertices, edges and the inside exactly."},
     {"needle", ray_triangle_families::needle<S>, "triangles 1e-9 high (1e-4 in float) and less."},
     {"far", ray_triangle_families::far<S>, "1e8 away (1e4 in float), aimed at the inside or an edge."},
-    {"near-coplanar", ray_triangle_families::near_coplanar<S>, "rays that run within 1e-15 to 1e-10 of the plane (1e-7 to 1e-2 in float)."},
+    {"near-coplanar", ray_triangle_families::near_coplanar<S>,
+     "rays that run within 1e-15 to 1e-10 of the plane (1e-7 to 1e-2 in float)."},
 }};
 
 }  // namespace isect::bench

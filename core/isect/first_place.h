@@ -220,8 +220,8 @@ std::optional<Place> first_in(const Straight<3, ends>& line, const Polygon<doubl
 /// by the even-odd rule.
 ///
 /// Exact, for all finite input of any magnitude. Where the range begins in the shape, it is where the range begins.
-/// Nothing where they have no point in common, where a line comes from infinity in the shape, and, except for a polygon,
-/// where a line without direction begins nowhere. An empty shape, NaN or an infinite coordinate: nothing.
+/// Nothing where they have no point in common, where a line comes from infinity in the shape, and, except for a
+/// polygon, where a line without direction begins nowhere. An empty shape, NaN or an infinite coordinate: nothing.
 template <int N, class Shape>
 std::optional<Place> first_place(const Ray<double, N>& ray, const Shape& shape) {
   if (!finite(ray)) return {};

@@ -12,8 +12,8 @@
 #include <isect/line_triangle.h>
 #include <isect/mesh_convex.h>
 #include <isect/mesh_mesh.h>
-#include <isect/polygon_triangles.h>
 #include <isect/parts/ask_pairs.h>
+#include <isect/polygon_triangles.h>
 #include <isect/sphere_triangle.h>
 #include <isect/triangle_aabb.h>
 #include <isect/triangle_half_spaces.h>
