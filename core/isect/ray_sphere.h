@@ -13,8 +13,8 @@
 //
 // decide<W> in isect/parts/ray_sphere_roots.h is that text. It runs in double; where a sign is within its error bound,
 // again in one finer arithmetic after the other, as in isect/parts/ray_sphere_settle.h, and at last in Exact, where
-// every sign is certain. The values of t come from a step of Newton's, ordinary_roots there, else from Compensated or
-// one of those.
+// every sign is certain. The values of t come from doubles and, for a double, a step of Newton's, ordinary_roots there;
+// else from one of those.
 //
 // Source: the note, N16-N19; Haines, Gunther, Akenine-Moller, Precision improvements for ray/sphere
 // intersection, Ray Tracing Gems (2019), ch. 7, for what goes wrong in the textbook forms. Bounds: derived

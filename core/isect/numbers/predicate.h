@@ -9,8 +9,8 @@
 // It runs in Bounded<double>, whose proved error bound settles nearly every sign. Where that leaves it open, the text
 // runs on in finer arithmetics, one after the other, until one of them is certain. The last is Exact, which always is.
 // Which ones, at what cost and in what order, is told in isect/numbers/README.md. So algorithms read like the book's,
-// branch on true signs alone, and are right at any magnitude. Arguments must be finite: a NaN leaves every stage
-// open.
+// branch on true signs alone, and are right at any magnitude. Arguments must be finite: Exact would give NaN some
+// sign, a wrong one.
 //
 // An algorithm that asks several signs passes its listener on to each, and is run by in_doubles_first: then all of it
 // runs in Bounded<double> once, without a way out at each sign, and is run again only if one of them stayed open.

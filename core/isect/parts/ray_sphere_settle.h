@@ -38,7 +38,7 @@ std::optional<Scaled<N>> scaled(const Ray<double, N>& ray, const Sphere<double, 
   return exact ? std::optional(s) : std::nullopt;
 }
 
-/// The roots of a line that has `count` of them, by V; those of ordinary rays where V is Compensated.
+/// The roots of a line that has `count` of them, by V; where V is Compensated as ordinary rays have them, in doubles.
 template <class V, class S, int N>
 std::optional<Interval<double>> roots_by(const Ray<double, N>& ray, const Sphere<double, N>& sphere, int count) {
   if constexpr (std::is_same_v<V, Compensated>) {
