@@ -1,7 +1,7 @@
 # What the lessons are made of, for the native build and for the one in web/.
 
-# The order of the course: ideas, tests, uses, robustness; each lesson after those that it builds on. Lessons not listed come
-# last.
+# The order of the course: ideas, tests, uses, robustness; each lesson after those that it builds on. Lessons not listed
+# come last.
 set(course relations points intervals rays aabb_aabb sphere_sphere sphere_aabb capsule_capsule ray_sphere obb_obb
   bounding_volumes convex_hull hierarchy crossings ray_polygon convex_polygon concave_polygon collision clipping culling
   ray_tracing picking rules_of_thumb robustness speed_against_error)
@@ -9,7 +9,8 @@ file(GLOB lessons CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_C
 list(TRANSFORM lessons REPLACE "/lesson.cpp" "")
 foreach(subject ${course})
   if(NOT subject IN_LIST lessons)
-    message(FATAL_ERROR "lessons/sources.cmake: the course names ${subject}, but there is no lessons/${subject}/lesson.cpp")
+    message(FATAL_ERROR
+      "lessons/sources.cmake: the course names ${subject}, but there is no lessons/${subject}/lesson.cpp")
   endif()
 endforeach()
 list(PREPEND lessons ${course})

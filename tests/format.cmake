@@ -1,5 +1,5 @@
-# Every header and source is as clang-format leaves it. Only the version that Debian 12 has decides: others differ in small
-# things.
+# Every header and source is as clang-format leaves it. Only the version that Debian 12 has decides: others differ in
+# small things.
 #   cmake -D ROOT=... -D CLANG_FORMAT=... -P format.cmake
 cmake_minimum_required(VERSION 3.22)
 

@@ -1,7 +1,7 @@
 # Lists the cases of a test program for ctest, each as "<ring>/<unit>: <case>", after the program is built. Catch2's own
 # way differs between its versions 2 and 3.
-#   cmake -D PROGRAM=test_core -D RING=core "-D UNITS=fit motion" -D CATCH2=3.7.1 "-D PROPERTIES=ENVIRONMENT A=b" -D OUT=file
-#     -P list_cases.cmake
+#   cmake -D PROGRAM=test_core -D RING=core "-D UNITS=fit motion" -D CATCH2=3.7.1 "-D PROPERTIES=ENVIRONMENT A=b"
+#     -D OUT=file -P list_cases.cmake
 set(names_only --list-test-names-only)
 if(CATCH2 VERSION_GREATER_EQUAL 3)
   set(names_only --list-tests --verbosity quiet)

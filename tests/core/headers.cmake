@@ -1,5 +1,5 @@
-# Every header of the core has a test: isect/<name>.h, in whichever folder there, in tests/core/<name>_test.cpp, or a part of another header in the
-# test named here, which must include it, directly or by way of others.
+# Every header of the core has a test: isect/<name>.h, in whichever folder there, in tests/core/<name>_test.cpp, or a
+# part of another header in the test named here, which must include it, directly or by way of others.
 #   cmake -D ROOT=... -P headers.cmake
 cmake_minimum_required(VERSION 3.22)
 set(tested_by

@@ -11,5 +11,7 @@ list(JOIN headers "" all)
 file(MAKE_DIRECTORY ${WORK})
 file(WRITE ${WORK}/all.cpp "${all}")
 list(TRANSFORM EIGEN PREPEND -isystem)
-execute_process(COMMAND ${CLANG} -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wshadow -Werror -Wno-unknown-warning-option
-  -Wno-bitwise-instead-of-logical -I${ROOT}/core ${EIGEN} ${WORK}/all.cpp COMMAND_ERROR_IS_FATAL ANY)
+execute_process(
+  COMMAND ${CLANG} -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wshadow -Werror
+    -Wno-unknown-warning-option -Wno-bitwise-instead-of-logical -I${ROOT}/core ${EIGEN} ${WORK}/all.cpp
+  COMMAND_ERROR_IS_FATAL ANY)

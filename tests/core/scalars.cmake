@@ -1,4 +1,5 @@
-# No shape and no question takes a scalar that is neither float nor double: it does not compile, and one sentence says why.
+# No shape and no question takes a scalar that is neither float nor double:
+# it does not compile, and one sentence says why.
 #   cmake -D COMPILER=... -D EIGEN=... -D ROOT=... -D WORK=... -P scalars.cmake
 cmake_minimum_required(VERSION 3.22)
 set(questions
@@ -25,7 +26,8 @@ function(compiled scalar)
     math(EXPR number "${number} + 1")
   endforeach()
   file(WRITE ${WORK}/asked.cpp "${text}")
-  execute_process(COMMAND ${COMPILER} -std=c++20 -ffp-contract=off -fsyntax-only -I${ROOT}/core ${EIGEN} ${WORK}/asked.cpp
+  execute_process(
+    COMMAND ${COMPILER} -std=c++20 -ffp-contract=off -fsyntax-only -I${ROOT}/core ${EIGEN} ${WORK}/asked.cpp
     RESULT_VARIABLE failed ERROR_VARIABLE said)
   set(failed ${failed} PARENT_SCOPE)
   set(said "${said}" PARENT_SCOPE)

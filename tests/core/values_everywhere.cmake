@@ -1,7 +1,7 @@
-# Verdicts and values are the same on every machine, bit for bit, and values keep their promises: values_everywhere.cpp as
-# the compiler makes it, and in small code without fused products; in a long run (ISECT_LONG=1) also without fused products
-# alone, with all that this machine has, with a long double of 64 bits, and, where a cross-compiler and an emulator are
-# found, on aarch64.
+# Verdicts and values are the same on every machine, bit for bit, and values keep their promises: values_everywhere.cpp
+# as the compiler makes it, and in small code without fused products; in a long run (ISECT_LONG=1) also without fused
+# products alone, with all that this machine has, with a long double of 64 bits, and, where a cross-compiler and an
+# emulator are found, on aarch64.
 #
 #   cmake -DCOMPILER=c++ "-DOPTIONS=<of isect::core>" -DROOT=<repository> -DWORK=<scratch> -DEIGEN=<include>
 #     [-DCROSS=aarch64-linux-gnu-g++ -DEMULATOR=qemu-aarch64] -P values_everywhere.cmake

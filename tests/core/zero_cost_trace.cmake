@@ -11,8 +11,8 @@
 # listener's with one group of calls, and what doubles leave open in small code but for two groups; a long one
 # (ISECT_LONG=1) all in full, at -O2 too, and every group's listener.
 #
-#   cmake -DCALLS=RELATE -DCOMPILER=c++ "-DOPTIONS=<of isect::core>" -DOBJDUMP=objdump -DROOT=<repository> -DWORK=<scratch>
-#     -DEIGEN=<include> -P zero_cost_trace.cmake
+#   cmake -DCALLS=RELATE -DCOMPILER=c++ "-DOPTIONS=<of isect::core>" -DOBJDUMP=objdump -DROOT=<repository>
+#     -DWORK=<scratch> -DEIGEN=<include> -P zero_cost_trace.cmake
 cmake_minimum_required(VERSION 3.22)
 
 if(CALLS MATCHES "^(RAYS|OUTLINES|LINES|STRAIGHTS|SOLIDS)$" AND NOT "$ENV{ISECT_LONG}" STREQUAL 1)
@@ -20,7 +20,8 @@ if(CALLS MATCHES "^(RAYS|OUTLINES|LINES|STRAIGHTS|SOLIDS)$" AND NOT "$ENV{ISECT_
   return()
 endif()
 
-# Copies the core to WORK/traced as it is and to WORK/untraced without its trace lines, both with big numbers out of line.
+# Copies the core to WORK/traced as it is and to WORK/untraced without its trace lines,
+# both with big numbers out of line.
 file(REMOVE_RECURSE ${WORK})
 file(GLOB_RECURSE headers RELATIVE ${ROOT}/core ${ROOT}/core/isect/*.h)
 set(deleted 0)
@@ -73,7 +74,8 @@ function(operations variable code)
   set(${variable} "${code}" PARENT_SCOPE)
 endfunction()
 
-# kinds(variable operations...): without moves and the places of operands, a jump on a condition like one on its opposite.
+# kinds(variable operations...): without moves and the places of operands,
+# a jump on a condition like one on its opposite.
 function(kinds variable)
   string(REGEX REPLACE " *#? *;" " ;" code ";${ARGN};")  # "#": of an operand at an address that is told
   string(REGEX REPLACE "%|\\(%[^)]*\\)" "_" code "${code}")

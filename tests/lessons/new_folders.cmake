@@ -1,5 +1,5 @@
-# A folder with a lesson.cpp is a lesson: it is listed, last as the course does not name it, and has a program of its own. A
-# folder with a suite.cpp is a suite of measurements. A copy of the sources is configured, not built.
+# A folder with a lesson.cpp is a lesson: it is listed, last as the course does not name it, and has a program of its
+# own. A folder with a suite.cpp is a suite of measurements. A copy of the sources is configured, not built.
 #   cmake -D ROOT=... -D SCRATCH=... -D CXX=... -P new_folders.cmake
 cmake_minimum_required(VERSION 3.22)
 
@@ -24,7 +24,8 @@ function(must_match what file pattern)
     message(FATAL_ERROR "the list of ${what} does not end with one_more:\n${list}")
   endif()
 endfunction()
-must_match(lessons lessons/generated/lessons.cpp "namespace one_more_lesson {.*      &one_more_lesson::lesson\\(\\),\n  };")
+must_match(lessons lessons/generated/lessons.cpp
+  "namespace one_more_lesson {.*      &one_more_lesson::lesson\\(\\),\n  };")
 must_match(suites bench/suite_names.cpp "      \"one-more\",\n  };")
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${SCRATCH}/build --target help OUTPUT_VARIABLE targets)
 if(NOT targets MATCHES "one-more")
