@@ -290,6 +290,27 @@ TEST_CASE("a quotient of numbers beyond the doubles is right all the same", "[pr
   CHECK(value_of<float>(text) == 0x1p-52f);
 }
 
+TEST_CASE("a quotient near the largest double has the same bits with fused products and without", "[predicate]") {
+  bench::Random random(tests::seed());
+  int huge = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const int exponent = random.integer(980, 1022), of_den = random.integer(-520, -480);
+    const auto whole = [&](int e) { return std::ldexp(random.uniform(1, 2), e); };
+    const double den = whole(of_den), num = whole(exponent + of_den), rest = whole(exponent + of_den - 54);
+    const auto text = [&]<class W>() -> Ratio<W> { return {W(num) + W(rest), W(den)}; };
+    const std::optional<double> with = detail::fine_quotient<CompensatedBy<true>>(text),
+                                without = detail::fine_quotient<CompensatedBy<false>>(text);
+    CAPTURE(exponent, num, rest, den);
+    REQUIRE(with.has_value() == without.has_value());
+    if (with) REQUIRE(*with == *without);
+    const double t = value_of<double>(text);
+    if (with) REQUIRE(*with == t);
+    REQUIRE(std::abs(t - num / den) <= 0x1p-52 * t);
+    huge += !with;
+  }
+  CHECK(huge > 1000);
+}
+
 TEST_CASE("orientations on Kettner's grids are those of rational arithmetic", "[orient]") {
   const auto truth = [](const auto& a, const auto& b, const auto& c) {
     const auto p = oracle::rational(a), q = oracle::rational(b), r = oracle::rational(c);

@@ -58,6 +58,10 @@ std::optional<double> rough_quotient(const Text& text, double tolerance) {
   return num.value() / den.value();
 }
 
+/// A quotient in W of this size or more is left to whole numbers: beyond 2^996 the steps overflow without fused
+/// products, and all machines shall find the same bits.
+inline constexpr double most_quotient = 0x1p990;
+
 /// Num and den in W, Compensated or Fused. Safe: neither loses more than 14 bits by cancellation, so that |lo| <= 2^-32
 /// |hi| in both, and both are within a relative 2^-76; or num is 0. By the sizes and roundings that doubles found.
 struct FineRatio {
@@ -81,7 +85,7 @@ template <class W, class Text>
 ISECT_INLINE std::optional<double> fine_quotient(const Text& text) {
   const FineRatio r = fine_ratio<W>(text);
   const double q = quotient(W(r.num, r.num_rest), W(r.den, r.den_rest));
-  const bool good = r.safe & (std::abs(q) <= std::numeric_limits<double>::max());
+  const bool good = r.safe & (std::abs(q) < most_quotient);
   return good ? std::optional(q) : std::nullopt;
 }
 
@@ -134,6 +138,7 @@ template <class S, std::size_t K, class Text>
   using Value = std::optional<double>;
   constexpr double tolerance = std::numeric_limits<S>::epsilon() / 3;
   const auto finite_only = [](double q) { return std::isfinite(q) ? Value(q) : std::nullopt; };
+  const auto in_reach = [](double q) { return std::abs(q) < most_quotient ? Value(q) : std::nullopt; };
   const auto by_doubles = text.template operator()<Bounded<double>>();
   const auto quick = terms(by_doubles);
   if (known.learn(
@@ -150,7 +155,7 @@ template <class S, std::size_t K, class Text>
                                          fine, [](const W&, std::size_t) { return std::optional<int>(); },
                                          [&](const W& num, const W& den, std::size_t i) -> Value {
                                            if (!ordinary(*quick[i], num) || !ordinary(*quick[K], den)) return {};
-                                           return finite_only(quotient(num, den));
+                                           return in_reach(quotient(num, den));
                                          }))
       return true;
 
@@ -178,7 +183,7 @@ template <class S, std::size_t K, class Text>
           [&](const T& num, const T& den, std::size_t i) -> Value {
             if (!in_range(*quick[i]) || !in_range(*quick[K])) return {};
             if (!bounded(num, i).within(tolerance) || !bounded(den, K).within(tolerance)) return {};
-            return finite_only(quotient(in_two(num), in_two(den)));
+            return in_reach(quotient(in_two(num), in_two(den)));
           });
     };
     bool seems_zero = false;
@@ -246,7 +251,7 @@ ISECT_INLINE std::array<S, 3> values_of(const Text& text, const std::array<bool,
     const auto value = [&](const Bounded<double>& rough, const W& num, bool is_zero) __attribute__((always_inline))
                            ->double {
       const double q = detail::quotient(num, fine.den, inverse);
-      const bool good = detail::ordinary(rough, num) & (std::abs(q) <= std::numeric_limits<double>::max());
+      const bool good = detail::ordinary(rough, num) & (std::abs(q) < detail::most_quotient);
       safe &= good | is_zero;
       return is_zero ? 0 : q;
     };
