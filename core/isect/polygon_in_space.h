@@ -10,8 +10,9 @@
 //   and the rest is covered.
 // - A point is within it, and not on its outline, where it is within a triangle or a diagonal: a side of two triangles.
 //
-// All of this is decided by signs of determinants, see isect/half_spaces.h. A polygon that is not flat is the surface
-// of its triangles, and its points within are those between its edges.
+// All of this is decided by signs of determinants, see isect/half_spaces.h. Whether triangles cover something takes the
+// cube of their number, so two polygons in one plane are asked as isect/polygon_polygon.h does, in O(n lg n). A polygon
+// that is not flat is the surface of its triangles, and its points within are those between its edges.
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,6 +29,7 @@
 #include <isect/cone_half_spaces.h>
 #include <isect/cylinder_half_spaces.h>
 #include <isect/line_triangle.h>
+#include <isect/polygon_polygon.h>
 #include <isect/polygon_triangles.h>
 #include <isect/sphere_triangle.h>
 #include <isect/triangle_half_spaces.h>
@@ -119,6 +122,22 @@ inline Relation relation(const Parts& a, const Parts& b) {
   return interiors_meet(a, b) ? Relation::overlapping : Relation::touching;
 }
 
+/// Returns two polygons in one plane as they are seen along an axis; nothing for others.
+template <class S>
+std::optional<std::array<Polygon<S, 2>, 2>> in_one_plane(const TriangulatedPolygon<S>& a,
+                                                         const TriangulatedPolygon<S>& b) {
+  const Triangle<double, 3> first = cast<double>(triangle(a, 0));
+  const auto& [p, q, r] = first.vertices;
+  const int axis = segment_polygon::detail::steepest(Ring<double, 3>{p, q, r});
+  std::array<Polygon<S, 2>, 2> seen = {Polygon<S, 2>{{{}}}, Polygon<S, 2>{{{}}}};
+  for (const TriangulatedPolygon<S>* const x : {&a, &b})
+    for (const Point<S, 3>& v : x->outline) {
+      if (orient3d(p, q, r, v.template cast<double>()) != 0) return {};
+      seen[x == &b].rings[0].emplace_back(v[(axis + 1) % 3], v[(axis + 2) % 3]);
+    }
+  return seen;
+}
+
 /// Relates the polygon (A) to a convex solid that has a volume.
 template <class S>
 Relation to_solid(const TriangulatedPolygon<S>& a, const HalfSpaces& solid) {
@@ -150,6 +169,14 @@ template <class Solid, class S>
 Relation to_triangle(const Solid& x, const Triangle<S, 3>& t) {
   return relate(x, half_spaces_of(t));
 }
+/// Whether a triangle that lies in the solid has a point inside: it may lie in an end of a cylinder, or in a cone's base.
+template <class Solid, class S>
+bool reaches_inside(const Solid& x, const Triangle<S, 3>& t) {
+  if constexpr (std::is_same_v<Solid, Cylinder<S>> || std::is_same_v<Solid, Cone<S>>)
+    return round_half_spaces::detail::meeting(cast<double>(x), half_spaces_of(t), NoTrace()) < 0;
+  else
+    return true;
+}
 template <class S>
 HalfSpaces axis(const Sphere<S, 3>& x) {
   return half_spaces_of(Segment<S, 3>{x.center, x.center});
@@ -172,9 +199,10 @@ template <class Solid, class TriangleOf>
 Relation to_round(std::size_t count, const TriangleOf& triangle_of, const Solid& solid) {
   bool inside = true, touch = false, overlap = false;
   for (std::size_t i = 0; i < count; ++i) {
-    const Relation r = to_triangle(solid, triangle_of(i));
-    inside &= r == Relation::b_inside_a, touch |= r == Relation::touching;
-    overlap |= r == Relation::b_inside_a || r == Relation::overlapping;
+    const Triangle x = triangle_of(i);
+    const Relation r = to_triangle(solid, x);
+    inside &= r == Relation::b_inside_a, touch |= r != Relation::disjoint;
+    overlap = overlap || r == Relation::overlapping || (r == Relation::b_inside_a && reaches_inside(solid, x));
   }
   return inside    ? Relation::a_inside_b
          : overlap ? Relation::overlapping
@@ -236,6 +264,7 @@ template <class S>
 Relation relate(const TriangulatedPolygon<S>& a, const TriangulatedPolygon<S>& b) {
   using namespace polygon_in_space::detail;
   if (empty(a) || empty(b)) return Relation::disjoint;
+  if (const auto seen = in_one_plane(a, b)) return relate((*seen)[0], (*seen)[1]);
   if (!b.convex.empty()) return relate(a, half_spaces_of(b));
   if (!a.convex.empty()) return reversed(relate(b, half_spaces_of(a)));
   return relation(parts_of(a), parts_of(b));
@@ -245,6 +274,8 @@ Relation relate(const TriangulatedPolygon<S>& a, const TriangulatedPolygon<S>& b
 template <class S>
 Relation relate(const TriangulatedPolygon<S>& polygon, const Triangle<S, 3>& x) {
   if (!finite(x)) return Relation::disjoint;
+  const TriangulatedPolygon<S> other = triangulated(Ring<S, 3>(x.vertices.begin(), x.vertices.end()));
+  if (!empty(other)) return relate(polygon, other);
   return relate(polygon, triangle_half_spaces::detail::solid_of(cast<double>(x), 3, NoTrace()));
 }
 

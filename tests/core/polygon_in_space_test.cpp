@@ -1,3 +1,7 @@
+#include <isect/point_capsule.h>
+#include <isect/point_cone.h>
+#include <isect/point_cylinder.h>
+#include <isect/point_sphere.h>
 #include <isect/polygon_in_space.h>
 #include <isect/ray_outline.h>
 
@@ -81,16 +85,18 @@ std::pair<Bounds, Bounds> bounds(Random& random) {
   return {lo, hi};
 }
 
-/// How the polygon lies to a solid, by its squares in rationals; of_square(sides) says how the solid (A) lies to one.
-template <class OfSquare>
-Relation truth(const Frame& frame, const Squares& squares, const OfSquare& of_square) {
+/// How the polygon lies to a solid, by its squares in rationals; of_square(sides) says how the solid (A) lies to one,
+/// is_inside(p) whether a point is inside it. A square of the solid lies on its border as a whole if its middle does.
+template <class OfSquare, class IsInside>
+Relation truth(const Frame& frame, const Squares& squares, const OfSquare& of_square, const IsInside& is_inside) {
   std::size_t held = 0;
   bool touched = false, cut = false;
   for (const auto& [x, y] : squares) {
     const Bounds lo = {double(x), double(y), 0}, hi = {x + 1., y + 1., 0};
     const Relation r = of_square(oracle::sides(frame.box(lo, hi)));
     held += r == Relation::b_inside_a;
-    touched |= r == Relation::touching, cut |= r == Relation::b_inside_a || r == Relation::overlapping;
+    touched |= r != Relation::disjoint;
+    cut |= r == Relation::overlapping || (r == Relation::b_inside_a && is_inside(frame.at(x + 0.5, y + 0.5)));
   }
   return held == squares.size() ? Relation::a_inside_b
          : cut                  ? Relation::overlapping
@@ -224,7 +230,8 @@ TEST_CASE("a polygon of squares lies to round solids as each of its squares does
     const P p = place(-3, 3), q = place(-3, 3);
     const double radius = random.integer(1, random.one_in(3) ? 40 : 5) / 2.;
     const auto expect = [&](const auto& solid, const auto& of_square) {
-      const Relation expected = truth(c.frame, c.squares, of_square);
+      const Relation expected =
+          truth(c.frame, c.squares, of_square, [&](const P& x) { return isect::locate(x, solid) == Location::in; });
       CAPTURE(static_cast<int>(expected));
       REQUIRE(relate(c.polygon, solid) == expected);
       ++seen[static_cast<std::size_t>(expected)];
@@ -255,6 +262,43 @@ TEST_CASE("a solid that ends at a diagonal overlaps the polygon", "[polygon_in_s
       CHECK(relate(x, Cylinder<double>{middle, middle + 3 * way, 3}) == Relation::overlapping);
       CHECK(relate(x, Cylinder<double>{middle - 3 * way, middle + 3 * way, 9}) == Relation::a_inside_b);
     }
+}
+
+TEST_CASE("a polygon in the plane of a cylinder's end, or of a cone's base, touches it", "[polygon_in_space]") {
+  Random random(tests::seed());
+  std::array<int, 6> seen = {};
+  for (int i = 0; i < tests::cases(60, 2000); ++i) {
+    Frame frame = Frame::draw(random);
+    frame.unit = 1;
+    frame.axes = {P(1, 0, 0), P(0, 1, 0), P(0, 0, 1)};
+    const Case c(frame, random);
+    const P p = frame.at(random.integer(0, 2 * n) / 2., random.integer(0, 2 * n) / 2.),
+            up(0, 0, random.one_in(2) ? 1 : -1);
+    const double radius = random.integer(1, 8) / 2.;
+    const bool held = std::ranges::all_of(c.polygon.outline, [&](const P& v) { return (v - p).norm() <= radius; });
+    for (const Relation r :
+         {relate(c.polygon, Cylinder<double>{p, p + up, radius}),
+          relate(c.polygon, Cylinder<double>{p + up, p, radius}), relate(c.polygon, Cone<double>{p + up, p, radius})}) {
+      CHECK(r != Relation::overlapping);
+      CHECK((r == Relation::a_inside_b) == held);
+      ++seen[static_cast<std::size_t>(r)];
+    }
+  }
+  expect_seen(seen, {Relation::a_inside_b, Relation::touching}, 10);
+}
+
+TEST_CASE("a polygon of many corners is asked in no time about others in its plane", "[polygon_in_space]") {
+  Ring<double, 3> stairs;
+  for (int i = 0; i < 100; ++i) stairs.push_back({double(i), 0, double(i)}), stairs.push_back({i + 1., 0, double(i)});
+  stairs.push_back({100, 0, 100}), stairs.push_back({0, 0, 100});
+  const TriangulatedPolygon<double> x = triangulated(stairs);
+  REQUIRE(x.triangles.size() == 200);
+  Ring<double, 3> turned = stairs;
+  std::rotate(turned.begin(), turned.begin() + 77, turned.end());
+  CHECK(relate(x, triangulated(turned)) == Relation::equal);
+  CHECK(relate(x, Triangle<double, 3>{{P(0, 0, 50), P(10, 0, 60), P(0, 0, 90)}}) == Relation::b_inside_a);
+  for (P& v : turned) v.y() = 1;
+  CHECK(relate(x, triangulated(turned)) == Relation::disjoint);
 }
 
 TEST_CASE("round solids without a radius are points and segments beside a polygon", "[polygon_in_space]") {

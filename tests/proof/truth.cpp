@@ -703,7 +703,10 @@ bool interiors_meet(const Thing& a, const Thing& b) {
   if (b.kind == Kind::round && a.kind != Kind::surface) return interiors_meet(b, a);
   if (a.kind == Kind::round && b.kind != Kind::surface) {
     const Relation r = of_round(a, b);
-    return r != Relation::disjoint && r != Relation::touching;
+    if (r != Relation::b_inside_a) return r != Relation::disjoint && r != Relation::touching;
+    Vec middle = {};  // a body within it lies on its border as a whole if its middle does
+    for (const Vec& p : b.points) middle = middle + Rational(1, static_cast<long>(b.points.size())) * p;
+    return b.radius > 0 || place_in_round(middle, a) < 0;
   }
   if (is_region(a, b)) {
     const std::optional<Points> thin_a = thin(a), thin_b = thin(b);
