@@ -169,7 +169,7 @@ template <class Solid, class S>
 Relation to_triangle(const Solid& x, const Triangle<S, 3>& t) {
   return relate(x, half_spaces_of(t));
 }
-/// Whether a triangle that lies in the solid has a point inside: it may lie in an end of a cylinder, or in a cone's base.
+/// Whether a triangle in the solid has a point inside: it may lie in an end of a cylinder, or in a cone's base.
 template <class Solid, class S>
 bool reaches_inside(const Solid& x, const Triangle<S, 3>& t) {
   if constexpr (std::is_same_v<Solid, Cylinder<S>> || std::is_same_v<Solid, Cone<S>>)
