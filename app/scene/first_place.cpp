@@ -21,10 +21,11 @@ std::optional<Place> first_of_all(const Line& line, const Shapes& shapes) {
   return first;
 }
 
-template <class Line, class TriangleOf>
-std::optional<Place> first_of_triangles(const Line& line, std::size_t count, const TriangleOf& triangle_of) {
+/// The first place on a mesh's triangles, or on a polygon's.
+template <class Line, class Surface>
+std::optional<Place> first_on_surface(const Line& line, const Surface& surface) {
   std::vector<Triangle<double, 3>> triangles;
-  for (std::size_t i = 0; i < count; ++i) triangles.push_back(triangle_of(i));
+  for (int i = 0; i < static_cast<int>(surface.triangles.size()); ++i) triangles.push_back(triangle(surface, i));
   return first_of_all(line, triangles);
 }
 
@@ -57,18 +58,13 @@ std::optional<Place> place_of(const Line& line, const Shaped& o) {
     case Type::frustum:
     case Type::hull:
       return first(o.faces());
-    case Type::mesh: {
-      const TriangleMesh<double>& mesh = o.mesh().mesh;
-      return first_of_triangles(line, mesh.triangles.size(),
-                                [&](std::size_t i) { return triangle(mesh, static_cast<int>(i)); });
-    }
+    case Type::mesh:
+      return first_on_surface(line, o.mesh().mesh);
     case Type::triangle:
     case Type::polygon:
       if (o.flat()) return isect::first_place(in_the_plane(line), o.outline());
       if (o.type() == Type::triangle) return first(o.as<Triangle, 3>());
-      if (o.off_plane() > 0)
-        return first_of_triangles(line, o.polygon().triangles.size(),
-                                  [&](std::size_t i) { return triangle(o.polygon(), i); });
+      if (o.off_plane() > 0) return first_on_surface(line, o.polygon());
       return first(Polygon<double, 3>{{o.ring()}});
   }
   return {};

@@ -21,13 +21,8 @@ void round_and_hull(const Shaped& a, const Shaped& b, Told& out) {
   };
   Relation r = Relation::a_inside_b;
   if (!end_in(capsule.p) || !end_in(capsule.q)) {
-    const Hull3<double>& hull = b.hull();
-    const auto at = [&](int i) { return hull.vertices[static_cast<std::size_t>(i)]; };
-    const auto facet = [&](std::size_t i) {
-      const auto& [p, q, s] = hull.triangles[i];
-      return Triangle<double, 3>{{at(p), at(q), at(s)}};
-    };
-    r = reversed(polygon_in_space::detail::to_round(hull.triangles.size(), facet, capsule));
+    const TriangleMesh<double> facets = {b.hull().vertices, b.hull().triangles};
+    r = reversed(polygon_in_space::detail::to_round(facets, capsule));
   }
   give(r, out);
 }

@@ -10,6 +10,7 @@
 #include <isect/segment_segment.h>
 
 #include "bench/capsule_capsule/oracle.h"
+#include "bench/half_spaces/oracle.h"
 #include "bench/pair_suite.h"
 #include "bench/peer_shapes.h"
 #include "bench/polygon_polygon/oracle.h"
@@ -152,15 +153,9 @@ bool truly_near(const Capsule<double, 2>& c, const Point<double, 2>& a, const Po
   return oracle::distance2<2>(oracle::stretch(c), oracle::stretch(Capsule<double, 2>{a, b, 0})) <= Rational(r * r);
 }
 bool truly_near(const Aabb<double, 2>& box, const Point<double, 2>& a, const Point<double, 2>& b) {
-  Rational from = 0, to = 1;
-  const P2 p = rational(a), d = rational(b) - p, lo = rational(box.lo), hi = rational(box.hi);
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (d[i] == 0 && (p[i] < lo[i] || p[i] > hi[i])) return false;
-    if (d[i] == 0) continue;
-    const Rational t = (lo[i] - p[i]) / d[i], u = (hi[i] - p[i]) / d[i];
-    from = std::max<Rational>(from, std::min<Rational>(t, u)), to = std::min<Rational>(to, std::max<Rational>(t, u));
-  }
-  return from <= to;
+  const auto at = [](const Point<double, 2>& p) { return oracle::Place{Rational(p[0]), Rational(p[1]), 0}; };
+  const Aabb<double, 3> plate = {{box.lo[0], box.lo[1], 0}, {box.hi[0], box.hi[1], 0}};
+  return oracle::part(at(a), at(b), oracle::sides(plate)).has_value();
 }
 
 Capsule<double, 2> body_of(const Sphere<double, 2>& b) { return {b.center, b.center, b.radius}; }

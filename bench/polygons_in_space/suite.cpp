@@ -21,7 +21,7 @@ using oracle::Rational, oracle::rational;
 
 template <class Meets>
 bool any_triangle(const Outline& polygon, const Meets& meets) {
-  for (std::size_t i = 0; i < polygon.triangles.size(); ++i)
+  for (int i = 0; i < static_cast<int>(polygon.triangles.size()); ++i)
     if (meets(triangle(polygon, i))) return true;
   return false;
 }

@@ -256,11 +256,11 @@ requires detail::is_round<B> Answer in_order(const Triangle<S, 3>& a, const B& b
 }
 template <class S>
 Answer in_order(const Polygon<S, 2>& a, const Sphere<S, 2>& b) {
-  return answer(*outline_and(a, Capsule<S, 2>{b.center, b.center, b.radius}));
+  return answer(outline_and(a, Capsule<S, 2>{b.center, b.center, b.radius}));
 }
 template <class S>
 Answer in_order(const Polygon<S, 2>& a, const Capsule<S, 2>& b) {
-  return answer(*outline_and(a, b));
+  return answer(outline_and(a, b));
 }
 template <class S>
 Answer in_order(const Polygon<S, 2>& a, const HalfSpaces& b) {

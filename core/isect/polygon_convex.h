@@ -20,7 +20,6 @@
 #include <isect/capsule_capsule.h>
 #include <isect/parts/inner_point.h>
 #include <isect/point_capsule.h>
-#include <isect/point_polygon.h>
 #include <isect/polygon_polygon.h>
 #include <isect/sphere_half_spaces.h>
 #include <isect/triangle_half_spaces.h>
@@ -98,16 +97,10 @@ inline int reach_of(const HalfSpaces& body, const Point2& p, const Point2& q) {
   return triangle_half_spaces::detail::common({{a, b, b}}, body.faces, NoTrace());
 }
 
-/// Whether the point lies among the edges, by the ray to the right, which does not pass an edge on the left of it.
-inline bool is_among(const Point2& p, const std::vector<Edge>& edges) {
-  bool odd = false;
-  for (const Edge& e : edges) odd ^= polygon_polygon::detail::crossed_rightwards(e, p);
-  return odd;
-}
-inline bool is_among(const InnerPoint& place, const std::vector<Edge>& edges) {
-  const auto way = [&]<class W>(const Point2& v) -> Components<W, 3> {
-    return place.template way_to<W>({v[0], v[1], 0});
-  };
+/// Whether a place lies among the edges, by the ray to the right, which does not pass an edge on the left of it. The
+/// place need be no point of doubles: way<W>(v) is a positive multiple of the way from it to v.
+template <class Way>
+bool is_among(const std::vector<Edge>& edges, const Way& way) {
   const auto above = [&](const Point2& v) {
     return sign_of_long([&]<class W>() -> W { return way.template operator()<W>(v)[1]; }) > 0;
   };
@@ -116,12 +109,20 @@ inline bool is_among(const InnerPoint& place, const std::vector<Edge>& edges) {
     const bool up = above(e.q);
     if (above(e.p) == up) continue;
     const int side = sign_of_long([&]<class W>() -> W {
-      const Components<W, 3> p = way.template operator()<W>(e.p), q = way.template operator()<W>(e.q);
+      const auto p = way.template operator()<W>(e.p), q = way.template operator()<W>(e.q);
       return p[0] * q[1] - p[1] * q[0];
     });
     odd ^= up ? side > 0 : side < 0;
   }
   return odd;
+}
+inline bool is_among(const std::vector<Edge>& edges, const Point2& p) {
+  bool odd = false;
+  for (const Edge& e : edges) odd ^= polygon_polygon::detail::crossed_rightwards(e, p);
+  return odd;
+}
+inline bool is_among(const std::vector<Edge>& edges, const InnerPoint& place) {
+  return is_among(edges, [&]<class W>(const Point2& v) { return place.template way_to<W>({v[0], v[1], 0}); });
 }
 
 /// Bounds half-spaces of the plane in z, so that they have corners there.
@@ -130,53 +131,23 @@ inline HalfSpaces bounded_in_z(HalfSpaces solid) {
   return solid;
 }
 
-/// Where a corner of a convex solid in the plane lies among outlines, by the even-odd rule, though no double may be
-/// that corner; `out` if it has none. Exact.
-template <class S>
-Location locate_corner(const HalfSpaces& solid, const Polygon<S, 2>& polygon) {
+/// Whether a corner of a convex solid in the plane lies among edges; no if it has none.
+inline bool corner_is_among(const std::vector<Edge>& edges, const HalfSpaces& solid) {
   const std::vector<half_spaces::Face> faces = sphere_half_spaces::detail::with_corners(solid);
-  Location where = Location::out;
+  bool among = false;
   const auto found = [&](const auto& corner, const auto& scale) {
-    const int turned = sign_of_long(scale);
-    bool inside = false, on = false;
-    const auto pass = [&](const Point<S, 2>& p, const Point<S, 2>& q) {  // the ray from the corner to larger x
-      const auto from_corner = [&]<class W>(const Point<S, 2>& v) -> Components<W, 2> {
-        const Components<W, 3> x = corner.template operator()<W>();
-        const W k = scale.template operator()<W>();
-        return {W(v[0]) * k - x[0], W(v[1]) * k - x[1]};
-      };
-      const auto turn = [&]<class W>() -> W {
-        const Components<W, 2> a = from_corner.template operator()<W>(p), b = from_corner.template operator()<W>(q);
-        return a[0] * b[1] - a[1] * b[0];
-      };
-      const auto facing = [&]<class W>() -> W {
-        return dot(from_corner.template operator()<W>(p), from_corner.template operator()<W>(q));
-      };
-      const auto height = [&](const Point<S, 2>& v) {
-        return turned * sign_of_long([&]<class W>() -> W { return from_corner.template operator()<W>(v)[1]; });
-      };
-      const int side = sign_of_long(turn), low = height(p), high = height(q);
-      if (side == 0 && sign_of_long(facing) <= 0) on = true;
-      if ((low <= 0 && high > 0 && side > 0) || (low > 0 && high <= 0 && side < 0)) inside = !inside;
-    };
-    for (const Ring<S, 2>& ring : polygon.rings)
-      for (std::size_t i = 0; i < ring.size(); ++i) pass(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
-    where = on ? Location::on : inside ? Location::in : Location::out;
+    const double turned = sign_of_long(scale);
+    among = is_among(edges, [&]<class W>(const Point2& v) -> Components<W, 2> {
+      const Components<W, 3> x = corner.template operator()<W>();
+      const W k = scale.template operator()<W>();
+      return {W(turned) * (W(v[0]) * k - x[0]), W(turned) * (W(v[1]) * k - x[1])};
+    });
     return false;  // one corner is enough
   };
   inequalities::all_corners(half_spaces::detail::count(faces), half_spaces::detail::text_of(faces), found, NoTrace());
-  return where;
+  return among;
 }
 
-/// Whether an edge has a point in common with a convex shape, or all of the shape lies within. `edge_meets` tests
-/// edges, `some_point` tells where a point of the shape lies.
-template <class S, class Meets, class Locate>
-bool meets(const Polygon<S, 2>& polygon, const Meets& edge_meets, const Locate& some_point) {
-  for (const Ring<S, 2>& ring : polygon.rings)
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      if (edge_meets(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0])) return true;
-  return some_point() != Location::out;
-}
 }  // namespace polygon_convex::detail
 
 // How a polygon (A), an even-odd set as in isect/polygon_polygon.h, lies to a convex body (B). Exact, for all finite
@@ -191,7 +162,7 @@ Relation relate(const Polygon<S, 2>& polygon, const Capsule<S, 2>& capsule) {
   return relation(
       polygon, [&](const Point2& p, const Point2& q) { return reach_of(body, p, q); },
       [&](const Point2& p) { return locate(p, body); },
-      [&](const std::vector<Edge>& edges) { return is_among(body.p, edges); });
+      [&](const std::vector<Edge>& edges) { return is_among(edges, body.p); });
 }
 template <class S>
 Relation relate(const Polygon<S, 2>& polygon, const Sphere<S, 2>& ball) {
@@ -210,18 +181,20 @@ Relation relate(const Polygon<S, 2>& polygon, const HalfSpaces& solid) {
       [&](const Point2& p) { return locate(p, solid); },
       [&](const std::vector<Edge>& edges) {
         const std::optional<InnerPoint> inner = inner_point(bounded_in_z(solid));
-        return inner && is_among(*inner, edges);  // what is unbounded lies in no polygon
+        return inner && is_among(edges, *inner);  // what is unbounded lies in no polygon
       });
 }
 
-/// Whether they have a common point. Exact, for half-spaces without an interior, too.
+// Whether they have a common point: an edge has one in the body, or all of the body lies within. Exact, for half-spaces
+// without an interior, too.
+
 template <class S>
 bool intersects(const Polygon<S, 2>& polygon, const Capsule<S, 2>& capsule) {
+  using namespace polygon_convex::detail;
   if (!polygon_polygon::detail::all_finite(polygon) || empty(capsule) || !finite(capsule)) return false;
-  const auto edge_meets = [&](const Point<S, 2>& p, const Point<S, 2>& q) {
-    return intersects(capsule, Capsule<S, 2>{p, q, S(0)});
-  };
-  return polygon_convex::detail::meets(polygon, edge_meets, [&] { return locate(capsule.p, polygon); });
+  const std::vector<Edge> edges = edges_of(polygon);
+  return std::ranges::any_of(edges, [&](const Edge& e) { return reach_of(capsule, e.p, e.q) >= 0; }) ||
+         is_among(edges, Point2(capsule.p.template cast<double>()));
 }
 template <class S>
 bool intersects(const Polygon<S, 2>& polygon, const Sphere<S, 2>& ball) {
@@ -229,12 +202,11 @@ bool intersects(const Polygon<S, 2>& polygon, const Sphere<S, 2>& ball) {
 }
 template <class S>
 bool intersects(const Polygon<S, 2>& polygon, const HalfSpaces& solid) {
+  using namespace polygon_convex::detail;
   if (!polygon_polygon::detail::all_finite(polygon)) return false;
-  const auto edge_meets = [&](const Point<S, 2>& p, const Point<S, 2>& q) {
-    return intersects(Triangle<S, 2>{{p, q, q}}, solid);
-  };
-  return polygon_convex::detail::meets(polygon, edge_meets,
-                                       [&] { return polygon_convex::detail::locate_corner(solid, polygon); });
+  const std::vector<Edge> edges = edges_of(polygon);
+  return std::ranges::any_of(edges, [&](const Edge& e) { return reach_of(solid, e.p, e.q) >= 0; }) ||
+         corner_is_among(edges, solid);
 }
 
 }  // namespace isect

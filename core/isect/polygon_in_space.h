@@ -143,7 +143,7 @@ template <class S>
 Relation to_solid(const TriangulatedPolygon<S>& a, const HalfSpaces& solid) {
   int most = -1;
   bool inside = true;
-  for (std::size_t i = 0; i < a.triangles.size(); ++i) {
+  for (int i = 0; i < static_cast<int>(a.triangles.size()); ++i) {
     const Triangle<S, 3> x = triangle(a, i);
     if (most < 1) most = std::max(most, triangle_half_spaces::detail::common(cast<double>(x), solid.faces, NoTrace()));
     inside = inside &&
@@ -157,17 +157,12 @@ Relation to_solid(const TriangulatedPolygon<S>& a, const HalfSpaces& solid) {
 
 // A ball, a capsule, a cylinder or a cone: its relation to a triangle, and the axis that is all of it without a radius.
 
-template <class S>
-Relation to_triangle(const Sphere<S, 3>& x, const Triangle<S, 3>& t) {
-  return relate(x, t);
-}
-template <class S>
-Relation to_triangle(const Capsule<S, 3>& x, const Triangle<S, 3>& t) {
-  return relate(x, t);
-}
 template <class Solid, class S>
 Relation to_triangle(const Solid& x, const Triangle<S, 3>& t) {
-  return relate(x, half_spaces_of(t));
+  if constexpr (requires { relate(x, t); })
+    return relate(x, t);
+  else
+    return relate(x, half_spaces_of(t));
 }
 /// Whether a triangle in the solid has a point inside: it may lie in an end of a cylinder, or in a cone's base.
 template <class Solid, class S>
@@ -177,29 +172,22 @@ bool reaches_inside(const Solid& x, const Triangle<S, 3>& t) {
   else
     return true;
 }
-template <class S>
-HalfSpaces axis(const Sphere<S, 3>& x) {
-  return half_spaces_of(Segment<S, 3>{x.center, x.center});
-}
-template <class S>
-HalfSpaces axis(const Capsule<S, 3>& x) {
-  return half_spaces_of(Segment<S, 3>{x.p, x.q});
-}
-template <class S>
-HalfSpaces axis(const Cylinder<S>& x) {
-  return half_spaces_of(Segment<S, 3>{x.p, x.q});
-}
-template <class S>
-HalfSpaces axis(const Cone<S>& x) {
-  return half_spaces_of(Segment<S, 3>{x.apex, x.base});
+template <class Solid>
+HalfSpaces axis(const Solid& x) {
+  if constexpr (requires { x.center; })
+    return half_spaces_of(Segment<double, 3>{x.center.template cast<double>(), x.center.template cast<double>()});
+  else if constexpr (requires { x.apex; })
+    return half_spaces_of(Segment<double, 3>{x.apex.template cast<double>(), x.base.template cast<double>()});
+  else
+    return half_spaces_of(Segment<double, 3>{x.p.template cast<double>(), x.q.template cast<double>()});
 }
 
-/// How a surface (A), of `count` triangles, lies to a round solid that has a volume.
-template <class Solid, class TriangleOf>
-Relation to_round(std::size_t count, const TriangleOf& triangle_of, const Solid& solid) {
+/// How a surface of triangles (A), a mesh or a polygon, lies to a round solid that has a volume.
+template <class Surface, class Solid>
+Relation to_round(const Surface& surface, const Solid& solid) {
   bool inside = true, touch = false, overlap = false;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Triangle x = triangle_of(i);
+  for (int i = 0; i < static_cast<int>(surface.triangles.size()); ++i) {
+    const auto x = triangle(surface, i);
     const Relation r = to_triangle(solid, x);
     inside &= r == Relation::b_inside_a, touch |= r != Relation::disjoint;
     overlap = overlap || r == Relation::overlapping || (r == Relation::b_inside_a && reaches_inside(solid, x));
@@ -215,14 +203,13 @@ template <class S, class Solid>
 Relation relate_round(const TriangulatedPolygon<S>& polygon, const Solid& solid, bool exists) {
   if (empty(polygon) || !exists) return Relation::disjoint;
   if (solid.radius == 0) return relate(polygon, axis(solid));
-  return to_round(
-      polygon.triangles.size(), [&](std::size_t i) { return triangle(polygon, i); }, solid);
+  return to_round(polygon, solid);
 }
 
 template <class S, class Line>
 std::optional<S> first_hit(const Line& line, const TriangulatedPolygon<S>& polygon) {
   std::optional<S> least;
-  for (std::size_t i = 0; i < polygon.triangles.size(); ++i)
+  for (int i = 0; i < static_cast<int>(polygon.triangles.size()); ++i)
     if (const std::optional<S> t = isect::first_hit(line, triangle(polygon, i)); t && (!least || *t < *least))
       least = t;
   return least;
@@ -299,7 +286,7 @@ Relation relate(const TriangulatedPolygon<S>& polygon, const Cone<S>& cone) {
 /// Whether the point lies on the polygon, which has no inside. Exact.
 template <class S>
 Location locate(const Point<S, 3>& p, const TriangulatedPolygon<S>& polygon) {
-  for (std::size_t i = 0; i < polygon.triangles.size(); ++i)
+  for (int i = 0; i < static_cast<int>(polygon.triangles.size()); ++i)
     if (intersects(Sphere<S, 3>{p, S(0)}, triangle(polygon, i))) return Location::on;
   return Location::out;
 }

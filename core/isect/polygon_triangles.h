@@ -38,8 +38,10 @@ bool empty(const TriangulatedPolygon<S>& x) {
   return x.triangles.empty();
 }
 template <class S>
-Triangle<S, 3> triangle(const TriangulatedPolygon<S>& x, std::size_t i) {
-  const auto at = [&](std::size_t k) { return x.outline[static_cast<std::size_t>(x.triangles[i][k])]; };
+Triangle<S, 3> triangle(const TriangulatedPolygon<S>& x, int index) {
+  const auto at = [&](std::size_t k) {
+    return x.outline[static_cast<std::size_t>(x.triangles[static_cast<std::size_t>(index)][k])];
+  };
   return {{at(0), at(1), at(2)}};
 }
 

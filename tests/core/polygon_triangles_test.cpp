@@ -72,7 +72,7 @@ TEST_CASE("triangles of a polygon hold the points that it holds, and each corner
     for (int k = 0; k < 40; ++k) {
       const Point<double, 2> p(0.5 * (k % 8) * 3 - 6, 0.5 * (k / 8) * 5 - 5);
       bool held = false;
-      for (std::size_t t = 0; t < made.triangles.size(); ++t)
+      for (int t = 0; t < static_cast<int>(made.triangles.size()); ++t)
         held |= intersects(Sphere<double, 3>{in_space(p, pose), 0}, triangle(made, t));
       CHECK(held == (locate(p, flat) != Location::out));
       ++(held ? inside : outside);

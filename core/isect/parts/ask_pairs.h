@@ -113,7 +113,7 @@ Relation outlines(const Polygon<S, 2>& a, const Polygon<S, 2>& b) {
 
 /// How an outline lies to a capsule or half-spaces; nothing where these have no inside and the outline is no segment.
 template <class S>
-std::optional<Relation> outline_and(const Polygon<S, 2>& a, const Capsule<S, 2>& b) {
+Relation outline_and(const Polygon<S, 2>& a, const Capsule<S, 2>& b) {
   if (const std::optional<Segment<S, 2>> segment = thin(a))
     return relate(Capsule<S, 2>{segment->p, segment->q, S(0)}, b);
   return relate(a, b);
