@@ -4,9 +4,9 @@
 
 #include "app/ownership.h"
 #include "app/pages/blocks.h"
-#include "viz/alt_text.h"
-#include "viz/asking.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/alt_text.h"
+#include "viz/walk/asking.h"
 
 namespace isect::program {
 

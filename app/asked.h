@@ -1,5 +1,5 @@
 #pragma once
-// A question as a figure: the picture while it is open (viz/asking.h).
+// A question as a figure: the picture while it is open (viz/walk/asking.h).
 
 #include <string>
 

@@ -7,9 +7,9 @@
 
 #include "app/leftovers.h"
 #include "app/studio.h"
-#include "viz/closing.h"
-#include "viz/compose.h"
-#include "viz/place.h"
+#include "viz/compose/compose.h"
+#include "viz/player/place.h"
+#include "viz/walk/closing.h"
 
 namespace isect::program {
 

@@ -11,9 +11,9 @@
 
 #include "app/options.h"
 #include "app/ownership.h"
-#include "viz/files.h"
-#include "viz/offscreen.h"
-#include "viz/snapshot.h"
+#include "viz/formats/files.h"
+#include "viz/gl/offscreen.h"
+#include "viz/snapshot/snapshot.h"
 
 namespace isect::program {
 

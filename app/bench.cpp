@@ -19,9 +19,9 @@
 #include "bench/plots.h"
 #include "bench/report_text.h"
 #include "bench/suite_names.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
+#include "viz/formats/writable.h"
 #include "viz/lesson.h"
-#include "viz/writable.h"
 
 namespace isect::program {
 namespace {

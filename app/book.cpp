@@ -19,8 +19,8 @@
 #include "app/surroundings.h"
 #include "app/terminal.h"
 #include "lessons/course.h"
-#include "viz/files.h"
-#include "viz/place.h"
+#include "viz/formats/files.h"
+#include "viz/player/place.h"
 
 namespace isect::program {
 

@@ -15,7 +15,7 @@
 #include "app/report.h"
 #include "app/surroundings.h"
 #include "app/terminal.h"
-#include "viz/writable.h"
+#include "viz/formats/writable.h"
 
 namespace isect::program {
 

@@ -13,7 +13,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace isect::program {
 namespace {

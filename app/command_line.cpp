@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "viz/lesson.h"
-#include "viz/spelling.h"
+#include "viz/text/spelling.h"
 
 namespace isect::program {
 

@@ -17,8 +17,8 @@
 #include "app/studio.h"
 #include "app/surroundings.h"
 #include "app/terminal.h"
-#include "viz/closing.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
+#include "viz/walk/closing.h"
 
 namespace isect::program {
 

@@ -10,10 +10,10 @@
 #include "app/surroundings.h"
 #include "app/terminal.h"
 #include "app/versions.h"
-#include "viz/formats.h"
-#include "viz/offscreen.h"
-#include "viz/place.h"
-#include "viz/text.h"
+#include "viz/formats/formats.h"
+#include "viz/gl/offscreen.h"
+#include "viz/player/place.h"
+#include "viz/text/text.h"
 
 namespace isect::program {
 

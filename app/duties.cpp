@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "app/child.h"
-#include "viz/files.h"
-#include "viz/formats.h"
-#include "viz/offscreen.h"
+#include "viz/formats/files.h"
+#include "viz/formats/formats.h"
+#include "viz/gl/offscreen.h"
 #include "viz/window/frame_rate.h"
 
 namespace isect::program {

@@ -16,9 +16,9 @@
 #include "app/scene/walks.h"
 #include "app/setting_name.h"
 #include "app/terminal.h"
-#include "viz/files.h"
-#include "viz/place.h"
-#include "viz/spelling.h"
+#include "viz/formats/files.h"
+#include "viz/player/place.h"
+#include "viz/text/spelling.h"
 
 namespace isect::program {
 

@@ -8,7 +8,7 @@
 #include "app/named_file.h"
 #include "app/piece.h"
 #include "app/scene/lesson.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace isect::program {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/program.h"
-#include "viz/formats.h"
-#include "viz/place.h"
+#include "viz/formats/formats.h"
+#include "viz/player/place.h"
 
 namespace isect::program {
 

@@ -10,11 +10,11 @@
 #include "app/digest.h"
 #include "app/lock.h"
 #include "app/ownership.h"
-#include "viz/files.h"
-#include "viz/place.h"
-#include "viz/rich_text.h"
-#include "viz/snapshot.h"
-#include "viz/tex.h"
+#include "viz/formats/files.h"
+#include "viz/player/place.h"
+#include "viz/snapshot/snapshot.h"
+#include "viz/text/rich_text.h"
+#include "viz/text/tex.h"
 
 namespace isect::program {
 

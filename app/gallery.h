@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/piece.h"
-#include "viz/formats.h"
+#include "viz/formats/formats.h"
 
 namespace isect::program {
 

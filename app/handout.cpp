@@ -19,9 +19,9 @@
 #include "app/studio.h"
 #include "app/surroundings.h"
 #include "app/terminal.h"
-#include "viz/closing.h"
-#include "viz/files.h"
-#include "viz/tex.h"
+#include "viz/formats/files.h"
+#include "viz/text/tex.h"
+#include "viz/walk/closing.h"
 
 namespace isect::program {
 

@@ -13,10 +13,10 @@
 #include "app/terminal.h"
 #include "lessons/glossary.h"
 #include "lessons/lessons.h"
-#include "viz/closing.h"
-#include "viz/place.h"
-#include "viz/rich_text.h"
-#include "viz/utf8.h"
+#include "viz/player/place.h"
+#include "viz/text/rich_text.h"
+#include "viz/text/utf8.h"
+#include "viz/walk/closing.h"
 
 namespace isect::program {
 

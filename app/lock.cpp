@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace isect::program {
 

@@ -5,7 +5,7 @@
 #include "app/program.h"
 #include "app/terminal.h"
 #include "lessons/lessons.h"
-#include "viz/resources.h"
+#include "viz/gl/resources.h"
 
 namespace isect::program {
 extern const char* const only_lesson;  ///< the lesson's id, or null: all lessons. CMake writes it for each program.

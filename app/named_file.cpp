@@ -3,7 +3,7 @@
 #include <sys/stat.h>
 
 #include "app/terminal.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace isect::program {
 

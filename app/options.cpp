@@ -1,7 +1,7 @@
 #include "app/options.h"
 
 #include "app/scene/walks.h"
-#include "viz/spelling.h"
+#include "viz/text/spelling.h"
 
 namespace isect::program {
 

@@ -6,8 +6,8 @@
 
 #include "app/baselines.h"
 #include "app/leftovers.h"
-#include "viz/place.h"
-#include "viz/snapshot.h"
+#include "viz/player/place.h"
+#include "viz/snapshot/snapshot.h"
 
 namespace isect::program {
 

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/terminal.h"
-#include "viz/formats.h"
-#include "viz/place.h"
-#include "viz/snapshot.h"
+#include "viz/formats/formats.h"
+#include "viz/player/place.h"
+#include "viz/snapshot/snapshot.h"
 
 namespace isect::program {
 

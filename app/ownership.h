@@ -9,7 +9,7 @@
 #include <string>
 
 #include "app/options.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace isect::program {
 

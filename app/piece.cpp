@@ -6,8 +6,8 @@
 
 #include "app/ownership.h"
 #include "app/values.h"
-#include "viz/alt_text.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/alt_text.h"
 
 namespace isect::program {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/options.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace isect::program {
 

@@ -10,8 +10,8 @@
 #include "app/ownership.h"
 #include "app/scene/lesson.h"
 #include "app/terminal.h"
-#include "viz/files.h"
-#include "viz/place.h"
+#include "viz/formats/files.h"
+#include "viz/player/place.h"
 
 namespace isect::program {
 

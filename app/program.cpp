@@ -7,10 +7,10 @@
 
 #include "app/command_line.h"
 #include "app/terminal.h"
-#include "viz/files.h"
-#include "viz/offscreen.h"
-#include "viz/place.h"
-#include "viz/text.h"
+#include "viz/formats/files.h"
+#include "viz/gl/offscreen.h"
+#include "viz/player/place.h"
+#include "viz/text/text.h"
 
 namespace isect::program {
 

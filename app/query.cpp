@@ -19,7 +19,7 @@
 #include "app/program.h"
 #include "app/scene/line.h"
 #include "app/terminal.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace isect::program {
 

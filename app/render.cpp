@@ -18,10 +18,10 @@
 #include "app/studio.h"
 #include "app/surroundings.h"
 #include "app/terminal.h"
-#include "viz/chart.h"
-#include "viz/direction.h"
-#include "viz/files.h"
-#include "viz/rich_text.h"
+#include "viz/chart/chart.h"
+#include "viz/formats/files.h"
+#include "viz/player/direction.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::program {
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/terminal.h"
-#include "viz/files.h"
-#include "viz/place.h"
+#include "viz/formats/files.h"
+#include "viz/player/place.h"
 
 namespace isect::program {
 

@@ -14,7 +14,7 @@
 #include "app/scene/save.h"
 #include "app/scene/written.h"
 #include "app/terminal.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace isect::program {
 

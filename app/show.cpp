@@ -15,10 +15,10 @@
 #include "app/surroundings.h"
 #include "app/terminal.h"
 #include "lessons/course.h"
-#include "viz/files.h"
-#include "viz/formats.h"
-#include "viz/place.h"
-#include "viz/window.h"
+#include "viz/formats/files.h"
+#include "viz/formats/formats.h"
+#include "viz/player/place.h"
+#include "viz/window/window.h"
 
 namespace isect::program {
 

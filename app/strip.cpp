@@ -10,7 +10,7 @@
 #include "app/studio.h"
 #include "app/surroundings.h"
 #include "app/terminal.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace isect::program {
 

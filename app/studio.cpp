@@ -8,10 +8,10 @@
 
 #include "app/ownership.h"
 #include "app/terminal.h"
-#include "viz/alt_text.h"
-#include "viz/closing.h"
-#include "viz/crop.h"
-#include "viz/strip.h"
+#include "viz/compose/crop.h"
+#include "viz/compose/strip.h"
+#include "viz/walk/alt_text.h"
+#include "viz/walk/closing.h"
 
 namespace isect::program {
 

@@ -8,8 +8,8 @@
 
 #include "app/piece.h"
 #include "app/style.h"
-#include "viz/offscreen.h"
-#include "viz/paper.h"
+#include "viz/compose/paper.h"
+#include "viz/gl/offscreen.h"
 
 namespace isect::program {
 

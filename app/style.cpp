@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "viz/gl/offscreen.h"
 #include "viz/lesson.h"
-#include "viz/offscreen.h"
 
 namespace isect::program {
 

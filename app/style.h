@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/values.h"
-#include "viz/compose.h"
-#include "viz/formats.h"
+#include "viz/compose/compose.h"
+#include "viz/formats/formats.h"
 #include "viz/theme.h"
 
 namespace isect::program {

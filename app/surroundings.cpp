@@ -6,11 +6,11 @@
 
 #include "app/child.h"
 #include "app/terminal.h"
-#include "viz/compose.h"
-#include "viz/offscreen.h"
-#include "viz/resources.h"
-#include "viz/snapshot.h"
-#include "viz/text.h"
+#include "viz/compose/compose.h"
+#include "viz/gl/offscreen.h"
+#include "viz/gl/resources.h"
+#include "viz/snapshot/snapshot.h"
+#include "viz/text/text.h"
 
 namespace isect::program {
 

@@ -14,8 +14,8 @@
 #include <sstream>
 #include <utility>
 
-#include "viz/files.h"
-#include "viz/utf8.h"
+#include "viz/formats/files.h"
+#include "viz/text/utf8.h"
 
 namespace isect::program {
 

@@ -8,12 +8,12 @@
 #include "app/pages/blocks.h"
 #include "app/terminal.h"
 #include "app/told_setting.h"
-#include "viz/alt_text.h"
-#include "viz/case_map.h"
-#include "viz/chart.h"
-#include "viz/closing.h"
-#include "viz/rich_text.h"
-#include "viz/utf8.h"
+#include "viz/chart/case_map.h"
+#include "viz/chart/chart.h"
+#include "viz/text/rich_text.h"
+#include "viz/text/utf8.h"
+#include "viz/walk/alt_text.h"
+#include "viz/walk/closing.h"
 
 namespace isect::program {
 

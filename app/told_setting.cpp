@@ -6,9 +6,9 @@
 
 #include "app/terminal.h"
 #include "app/told_values.h"
-#include "viz/geometry.h"
-#include "viz/rich_text.h"
-#include "viz/utf8.h"
+#include "viz/text/rich_text.h"
+#include "viz/text/utf8.h"
+#include "viz/walk/geometry.h"
 
 namespace isect::program {
 namespace {

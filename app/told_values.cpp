@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/closing.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/closing.h"
 
 namespace isect::program {
 

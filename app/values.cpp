@@ -7,10 +7,10 @@
 #include <iterator>
 #include <numeric>
 
-#include "viz/chart.h"
-#include "viz/closing.h"
+#include "viz/chart/chart.h"
 #include "viz/lesson.h"
-#include "viz/snapshot.h"
+#include "viz/snapshot/snapshot.h"
+#include "viz/walk/closing.h"
 
 namespace isect::program {
 

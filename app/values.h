@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "viz/formats.h"
+#include "viz/formats/formats.h"
 #include "viz/lesson.h"
 
 namespace isect::program {

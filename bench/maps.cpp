@@ -15,7 +15,7 @@
 #include <isect/sphere_sphere.h>
 #include "bench/near_edges.h"
 #include "bench/prose.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::bench {
 namespace {

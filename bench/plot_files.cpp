@@ -1,8 +1,8 @@
 // Charts as pictures.
 
 #include "bench/plots.h"
-#include "viz/files.h"
-#include "viz/offscreen.h"
+#include "viz/formats/files.h"
+#include "viz/gl/offscreen.h"
 
 namespace isect::bench {
 

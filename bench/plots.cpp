@@ -9,7 +9,7 @@
 
 #include "bench/prose.h"
 #include "bench/rows.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::bench {
 namespace {

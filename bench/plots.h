@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/report.h"
-#include "viz/chart.h"
+#include "viz/chart/chart.h"
 
 namespace isect::bench {
 

@@ -13,8 +13,8 @@
 #include "bench/prose.h"
 #include "bench/rows.h"
 #include "bench/suite_names.h"
-#include "viz/files.h"
-#include "viz/formats.h"
+#include "viz/formats/files.h"
+#include "viz/formats/formats.h"
 
 namespace isect::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/chart.h"
+#include "viz/chart/chart.h"
 
 namespace isect::bench {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <mutex>
 
-#include "viz/chart.h"
+#include "viz/chart/chart.h"
 
 namespace isect::viz {
 

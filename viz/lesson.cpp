@@ -11,8 +11,8 @@
 #include <string_view>
 #include <utility>
 
-#include "viz/rich_text.h"
-#include "viz/spelling.h"
+#include "viz/text/rich_text.h"
+#include "viz/text/spelling.h"
 
 namespace isect::viz {
 

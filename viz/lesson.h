@@ -2,7 +2,7 @@
 // A lesson is a value: parameters in, steps out. Nothing here draws, opens a file or knows a particular lesson.
 //
 // parameters -> core call with a Record -> events -> steps -> scene -> back end. No callbacks back up.
-// Texts are markup (see rich_text.h).
+// Texts are markup (see viz/text/rich_text.h).
 
 #include <functional>
 #include <map>
@@ -77,7 +77,7 @@ struct Question {
   std::vector<std::string> choices;  ///< markup
   int answer = 0;                    ///< index into choices
   std::string because;               ///< markup, shown with the answer
-  std::optional<Scene> over = {};    ///< the scene while it is open; none: see viz/asking.h
+  std::optional<Scene> over = {};    ///< the scene while it is open; none: see viz/walk/asking.h
   std::vector<Value> given = {};     ///< the numbers it needs, as before its step: shown while it is open
 };
 
@@ -129,7 +129,7 @@ struct Opinion {
 };
 
 /// The plane of a lesson's two natural parameters, coloured by the branch that the core takes at each point of it.
-/// viz/case_map.h draws it, and a walk ends with it.
+/// viz/chart/case_map.h draws it, and a walk ends with it.
 struct CaseMap {
   std::string x_title, y_title;       ///< markup
   Vec2 lo, hi;                        ///< the part shown
@@ -153,7 +153,8 @@ struct Exercise {
   std::vector<std::pair<std::string, std::string>> by = {};
 };
 
-/// The summary of a lesson: the card that ends a walk (viz/closing.h). All markup, one or two short sentences each.
+/// The summary of a lesson: the card that ends a walk (viz/walk/closing.h). All markup, one or two short sentences
+/// each.
 struct Closing {
   std::string result;                ///< what holds, and why
   std::string cost;                  ///< operations, or growth

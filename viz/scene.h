@@ -1,8 +1,8 @@
 #pragma once
 // A scene says what is there and which part it plays; it holds no colour, no pixel and no font.
 //
-// Coordinates: right-handed, y up, world units. A flat lesson uses z = 0. Every text is markup for rich_text.h:
-// `*t*` italic scalar, `**o**` bold vector, `_{1}` or `_1` subscript, `^2` superscript.
+// Coordinates: right-handed, y up, world units. A flat lesson uses z = 0. Every text is markup for
+// viz/text/rich_text.h: `*t*` italic scalar, `**o**` bold vector, `_{1}` or `_1` subscript, `^2` superscript.
 
 #include <Eigen/Core>
 #include <array>

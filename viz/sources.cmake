@@ -2,17 +2,27 @@
 
 # Lessons, scenes, composition: what needs no machine of its own.
 set(viz_sources
-  alt_text.cpp asking.cpp branch.cpp case_key.cpp case_map.cpp case_names.cpp camera.cpp camera_rig.cpp chart.cpp
-  chart_bars.cpp chart_card.cpp chart_cases.cpp chart_data.cpp chart_maps.cpp chart_markers.cpp chart_mirrored.cpp
-  chart_parts.cpp chart_plot.cpp closing.cpp compose.cpp compose/balls.cpp compose/canvas.cpp compose/floor.cpp
-  compose/lines.cpp compose/raster.cpp compose/regions.cpp compose/solids.cpp containers.cpp deferred_chart.cpp
-  drawing.cpp facet_layers.cpp figure.cpp font/table.cpp framing.cpp geometry.cpp grid.cpp halos.cpp hatch.cpp
-  labels.cpp lesson.cpp lights.cpp map_beside.cpp marks.cpp motion.cpp moving.cpp names.cpp objects.cpp page_svg.cpp
-  paper.cpp parting.cpp pick.cpp place.cpp player.cpp player_camera.cpp player_pair.cpp rich_text.cpp snap.cpp
-  snapshot.cpp snapshot/look.cpp snapshot/look_words.cpp snapshot/said.cpp snapshot/said_words.cpp solids.cpp
-  svg_path.cpp t_axis.cpp tex.cpp theme.cpp visibility.cpp wrap.cpp)
+  camera.cpp deferred_chart.cpp drawing.cpp lesson.cpp solids.cpp theme.cpp
+  chart/case_key.cpp chart/case_map.cpp chart/case_names.cpp chart/chart.cpp chart/chart_bars.cpp chart/chart_card.cpp
+  chart/chart_cases.cpp chart/chart_data.cpp chart/chart_maps.cpp chart/chart_markers.cpp chart/chart_mirrored.cpp
+  chart/chart_parts.cpp chart/chart_plot.cpp
+  compose/balls.cpp compose/canvas.cpp compose/compose.cpp compose/containers.cpp compose/figure.cpp compose/floor.cpp
+  compose/framing.cpp compose/grid.cpp compose/halos.cpp compose/labels.cpp compose/lines.cpp compose/marks.cpp
+  compose/objects.cpp compose/paper.cpp compose/raster.cpp compose/regions.cpp compose/solids.cpp compose/t_axis.cpp
+  compose/visibility.cpp
+  font/table.cpp
+  formats/facet_layers.cpp formats/hatch.cpp formats/page_svg.cpp formats/svg_path.cpp
+  player/camera_rig.cpp player/lights.cpp player/map_beside.cpp player/motion.cpp player/moving.cpp player/pick.cpp
+  player/place.cpp player/player.cpp player/player_camera.cpp player/player_pair.cpp player/snap.cpp
+  snapshot/look.cpp snapshot/look_words.cpp snapshot/said.cpp snapshot/said_words.cpp snapshot/snapshot.cpp
+  text/names.cpp text/rich_text.cpp text/tex.cpp text/wrap.cpp
+  walk/alt_text.cpp walk/asking.cpp walk/branch.cpp walk/closing.cpp walk/geometry.cpp walk/parting.cpp)
 # Files, fonts and formats: cairo, Pango, libpng.
 set(viz_file_sources
-  cairo_drawing.cpp colour_table.cpp compare.cpp crop.cpp files.cpp font/file.cpp font/subset.cpp formats.cpp gif.cpp
-  metadata_text.cpp mp4.cpp pdf.cpp png.cpp png_metadata.cpp resources.cpp strip.cpp svg.cpp svg_metadata.cpp text.cpp
-  tikz.cpp typeset.cpp)
+  compose/crop.cpp compose/strip.cpp
+  font/file.cpp font/subset.cpp
+  formats/cairo_drawing.cpp formats/colour_table.cpp formats/compare.cpp formats/files.cpp formats/formats.cpp
+  formats/gif.cpp formats/metadata_text.cpp formats/mp4.cpp formats/pdf.cpp formats/png.cpp formats/png_metadata.cpp
+  formats/svg.cpp formats/svg_metadata.cpp formats/tikz.cpp
+  gl/resources.cpp
+  text/text.cpp text/typeset.cpp)

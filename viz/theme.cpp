@@ -6,7 +6,7 @@
 #include <bit>
 
 #include "viz/lesson.h"
-#include "viz/spelling.h"
+#include "viz/text/spelling.h"
 
 namespace isect::viz {
 namespace {

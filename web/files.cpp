@@ -1,6 +1,6 @@
 // A page has no files besides the text that is opened in it.
 
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 #include <fmt/format.h>
 

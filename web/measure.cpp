@@ -1,7 +1,7 @@
 // Measures text for the lessons' pictures without Pango.
 
 #include "viz/font/table.h"
-#include "viz/text.h"
+#include "viz/text/text.h"
 
 namespace isect::viz {
 

@@ -8,8 +8,8 @@
 
 #include "app/query/query.h"
 #include "lessons/lessons.h"
-#include "viz/compose.h"
-#include "viz/snapshot.h"
+#include "viz/compose/compose.h"
+#include "viz/snapshot/snapshot.h"
 
 namespace {
 

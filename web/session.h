@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "app/book/walk_section.h"
-#include "viz/map_beside.h"
-#include "viz/player.h"
+#include "viz/player/map_beside.h"
+#include "viz/player/player.h"
 
 namespace isect::web {
 

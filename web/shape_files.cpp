@@ -1,6 +1,6 @@
 #include "app/scene/files/shape_file.h"
 
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace isect::program::scene {
 

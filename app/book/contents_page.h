@@ -7,7 +7,7 @@
 #include "app/book/page.h"
 #include "app/options.h"
 #include "viz/course.h"
-#include "viz/page_svg.h"
+#include "viz/formats/page_svg.h"
 
 namespace isect::program::book {
 

@@ -6,8 +6,8 @@
 
 #include "app/book/page.h"
 #include "viz/font/subset.h"
-#include "viz/svg_path.h"
-#include "viz/utf8.h"
+#include "viz/formats/svg_path.h"
+#include "viz/text/utf8.h"
 
 namespace isect::program::book {
 

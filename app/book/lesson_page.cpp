@@ -8,9 +8,9 @@
 #include "app/book/pictures.h"
 #include "app/book/walk_section.h"
 #include "app/pages/html.h"
-#include "viz/closing.h"
-#include "viz/rich_text.h"
-#include "viz/svg_path.h"
+#include "viz/formats/svg_path.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/closing.h"
 
 namespace isect::program::book {
 

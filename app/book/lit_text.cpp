@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "app/pages/html.h"
-#include "viz/names.h"
-#include "viz/rich_text.h"
-#include "viz/svg_path.h"
+#include "viz/formats/svg_path.h"
+#include "viz/text/names.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::program::book {
 

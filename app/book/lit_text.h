@@ -1,5 +1,5 @@
 #pragma once
-// Texts whose names can be lit: each stands in a <span data-name="...">, by the key that viz/names.h gives it.
+// Texts whose names can be lit: each stands in a <span data-name="...">, by the key that viz/text/names.h gives it.
 
 #include <set>
 #include <string>

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/pages/html.h"
-#include "viz/svg_path.h"
+#include "viz/formats/svg_path.h"
 
 namespace isect::program::book {
 

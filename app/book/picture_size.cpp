@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "viz/t_axis.h"
+#include "viz/compose/t_axis.h"
 
 namespace isect::program::book {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "viz/compose.h"
+#include "viz/compose/compose.h"
 
 namespace isect::program::book {
 

@@ -5,9 +5,9 @@
 #include "app/book/picture_size.h"
 #include "app/ownership.h"
 #include "app/studio.h"
-#include "viz/alt_text.h"
-#include "viz/asking.h"
-#include "viz/paper.h"
+#include "viz/compose/paper.h"
+#include "viz/walk/alt_text.h"
+#include "viz/walk/asking.h"
 
 namespace isect::program::book {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/options.h"
-#include "viz/page_svg.h"
+#include "viz/formats/page_svg.h"
 
 namespace isect::program::book {
 

@@ -6,7 +6,7 @@
 #include "app/pages/html.h"
 #include "app/scene/lesson.h"
 #include "app/scene/written.h"
-#include "viz/svg_path.h"
+#include "viz/formats/svg_path.h"
 
 namespace isect::program::book {
 

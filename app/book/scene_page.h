@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/book/page.h"
-#include "viz/page_svg.h"
+#include "viz/formats/page_svg.h"
 
 namespace isect::program::book {
 

@@ -8,11 +8,11 @@
 #include "app/book/lit_text.h"
 #include "app/pages/html.h"
 #include "app/told_values.h"
-#include "viz/alt_text.h"
-#include "viz/asking.h"
-#include "viz/closing.h"
-#include "viz/rich_text.h"
-#include "viz/svg_path.h"
+#include "viz/formats/svg_path.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/alt_text.h"
+#include "viz/walk/asking.h"
+#include "viz/walk/closing.h"
 
 namespace isect::program::book {
 

@@ -4,7 +4,7 @@
 
 #include "app/pages/latex.h"
 #include "app/pages/slides.h"
-#include "viz/tex.h"
+#include "viz/text/tex.h"
 
 namespace isect::program {
 

@@ -8,11 +8,11 @@
 #include <set>
 
 #include "app/told_values.h"
-#include "viz/alt_text.h"
-#include "viz/asking.h"
-#include "viz/geometry.h"
-#include "viz/names.h"
-#include "viz/rich_text.h"
+#include "viz/text/names.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/alt_text.h"
+#include "viz/walk/asking.h"
+#include "viz/walk/geometry.h"
 
 namespace isect::program {
 

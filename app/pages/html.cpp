@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "viz/rich_text.h"
-#include "viz/svg_path.h"
+#include "viz/formats/svg_path.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::program {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/pages/blocks.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::program {
 

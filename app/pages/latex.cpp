@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "viz/tex.h"
+#include "viz/text/tex.h"
 
 namespace isect::program {
 

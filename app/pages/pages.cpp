@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "app/ownership.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace isect::program {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "viz/spelling.h"
+#include "viz/text/spelling.h"
 
 namespace isect::query {
 

@@ -17,7 +17,7 @@
 #include "app/scene/questions.h"
 #include "app/scene/shapes.h"
 #include "app/scene/walks.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
 

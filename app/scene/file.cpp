@@ -12,7 +12,7 @@
 #include "app/scene/read_objects.h"
 #include "app/scene/types.h"
 #include "app/scene/walks.h"
-#include "viz/spelling.h"
+#include "viz/text/spelling.h"
 
 namespace isect::program::scene {
 

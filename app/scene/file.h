@@ -28,7 +28,7 @@
 #include <vector>
 
 #include "app/scene/objects.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace isect::program::scene {
 

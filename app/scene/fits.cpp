@@ -12,7 +12,7 @@
 #include "app/query/reply.h"
 #include "app/scene/answered.h"
 #include "app/scene/shapes.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
 

@@ -18,8 +18,8 @@
 #include "app/scene/types.h"
 #include "app/scene/walks.h"
 #include "viz/camera.h"
-#include "viz/chart.h"
-#include "viz/rich_text.h"
+#include "viz/chart/chart.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
 

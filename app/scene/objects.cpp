@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "app/scene/types/rows.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
 

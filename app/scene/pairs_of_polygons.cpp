@@ -6,7 +6,7 @@
 
 #include "app/query/reply.h"
 #include "app/scene/pairs.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
 

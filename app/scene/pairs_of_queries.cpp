@@ -9,7 +9,7 @@
 #include "app/query/results.h"
 #include "app/scene/pairs.h"
 #include "app/scene/types.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
 

@@ -21,7 +21,7 @@
 #include "app/scene/pairs.h"
 #include "app/scene/questions.h"
 #include "app/scene/shapes.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
 

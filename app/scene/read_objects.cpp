@@ -9,9 +9,9 @@
 
 #include "app/scene/files/shape_file.h"
 #include "app/scene/types.h"
-#include "viz/files.h"
-#include "viz/rich_text.h"
-#include "viz/spelling.h"
+#include "viz/formats/files.h"
+#include "viz/text/rich_text.h"
+#include "viz/text/spelling.h"
 
 namespace isect::program::scene {
 

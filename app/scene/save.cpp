@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/scene/spans.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace isect::program::scene {
 

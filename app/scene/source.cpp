@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "viz/spelling.h"
+#include "viz/text/spelling.h"
 
 namespace isect::program::scene {
 

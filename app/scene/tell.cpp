@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/scene/pairs.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
 

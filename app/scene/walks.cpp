@@ -22,7 +22,7 @@
 #include "lessons/lessons.h"
 #include "lessons/obb_obb/telling.h"
 #include "lessons/ray_polygon/telling.h"
-#include "viz/place.h"
+#include "viz/player/place.h"
 
 namespace isect::program::scene {
 

@@ -8,7 +8,7 @@
 #include "lessons/bounding_volumes/picture.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
-#include "viz/chart.h"
+#include "viz/chart/chart.h"
 
 namespace isect::lessons::bounding_volumes_lesson {
 

@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "viz/compose.h"
-#include "viz/grid.h"
+#include "viz/compose/compose.h"
+#include "viz/compose/grid.h"
 
 namespace isect::lessons::bounding_volumes_lesson {
 

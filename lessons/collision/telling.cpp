@@ -4,7 +4,7 @@
 
 #include <isect/all_pairs.h>
 #include <isect/bvh_pairs.h>
-#include "viz/chart.h"
+#include "viz/chart/chart.h"
 
 namespace isect::lessons::collision_lesson {
 

@@ -8,7 +8,7 @@
 #include <isect/slab_map.h>
 #include <isect/trapezoid_map.h>
 #include "lessons/concave_polygon/picture.h"
-#include "viz/chart.h"
+#include "viz/chart/chart.h"
 
 namespace isect::lessons::concave_polygon_lesson {
 

@@ -10,7 +10,7 @@
 #include "lessons/concave_polygon/slab_picture.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
-#include "viz/chart.h"
+#include "viz/chart/chart.h"
 
 namespace isect::lessons::concave_polygon_lesson {
 

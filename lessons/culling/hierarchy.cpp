@@ -6,7 +6,7 @@
 #include "lessons/shared/digits.h"
 #include "lessons/shared/plural.h"
 #include "lessons/shared/script.h"
-#include "viz/chart.h"
+#include "viz/chart/chart.h"
 
 namespace isect::lessons::culling_lesson {
 

@@ -10,7 +10,7 @@
 #include "lessons/collision/picture.h"
 #include "lessons/hierarchy/tree.h"
 #include "lessons/shared/script.h"
-#include "viz/chart.h"
+#include "viz/chart/chart.h"
 
 namespace isect::lessons::hierarchy_lesson {
 

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "lessons/shared/axis_names.h"
-#include "viz/compose.h"
-#include "viz/grid.h"
+#include "viz/compose/compose.h"
+#include "viz/compose/grid.h"
 
 namespace isect::lessons::ray_polygon_lesson {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lessons/shared/plane.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::lessons::ray_sphere_lesson {
 

@@ -7,8 +7,8 @@
 #include "lessons/shared/questions.h"
 #include "lessons/shared/relation.h"
 #include "lessons/shared/script.h"
-#include "viz/compose.h"
-#include "viz/grid.h"
+#include "viz/compose/compose.h"
+#include "viz/compose/grid.h"
 
 namespace isect::lessons::relations_lesson {
 

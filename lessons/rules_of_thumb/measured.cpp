@@ -12,7 +12,7 @@
 #include "lessons/rules_of_thumb/experiment.h"
 #include "lessons/shared/script.h"
 #include "lessons/speed_against_error/results.h"
-#include "viz/chart.h"
+#include "viz/chart/chart.h"
 
 namespace isect::lessons::rules_of_thumb_lesson {
 

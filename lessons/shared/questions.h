@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "viz/asking.h"
 #include "viz/lesson.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/asking.h"
 
 namespace isect::lessons {
 

@@ -9,8 +9,8 @@
 #include "bench/prose.h"
 #include "bench/rows.h"
 #include "lessons/speed_against_error/telling.h"
-#include "viz/chart.h"
-#include "viz/rich_text.h"
+#include "viz/chart/chart.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::lessons::speed_against_error_lesson {
 

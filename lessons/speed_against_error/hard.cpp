@@ -8,7 +8,7 @@
 #include "bench/rows.h"
 #include "lessons/shared/plural.h"
 #include "lessons/speed_against_error/telling.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::lessons::speed_against_error_lesson {
 

@@ -10,10 +10,10 @@
 #include "lessons/lessons.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
-#include "viz/compose.h"
-#include "viz/files.h"
-#include "viz/place.h"
-#include "viz/snapshot.h"
+#include "viz/compose/compose.h"
+#include "viz/formats/files.h"
+#include "viz/player/place.h"
+#include "viz/snapshot/snapshot.h"
 
 namespace isect::test {
 

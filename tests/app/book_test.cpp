@@ -7,7 +7,7 @@
 #include "lessons/lessons.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
-#include "viz/closing.h"
+#include "viz/walk/closing.h"
 
 namespace book_test {
 using Catch::Matchers::StartsWith;

@@ -6,8 +6,8 @@
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
-#include "viz/compose.h"
-#include "viz/place.h"
+#include "viz/compose/compose.h"
+#include "viz/player/place.h"
 
 namespace copied_test {
 namespace viz = isect::viz;

@@ -6,7 +6,7 @@
 
 #include "tests/app/shell.h"
 #include "tests/catch.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace faults_test {
 namespace fs = std::filesystem;

@@ -17,7 +17,7 @@
 #include "app/scene/lesson.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 #include "viz/lesson.h"
 
 namespace files_test {

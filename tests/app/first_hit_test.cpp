@@ -10,7 +10,7 @@
 #include "app/scene/answered.h"
 #include "app/scene/file.h"
 #include "tests/catch.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace first_hit_test {
 using namespace isect;

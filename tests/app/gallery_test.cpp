@@ -5,7 +5,7 @@
 
 #include "tests/app/shell.h"
 #include "tests/catch.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace gallery_test {
 namespace fs = std::filesystem;

@@ -9,7 +9,7 @@
 
 #include "tests/app/shell.h"
 #include "tests/catch.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace killed_test {
 namespace fs = std::filesystem;

@@ -8,9 +8,9 @@
 #include "app/scene/lesson.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
-#include "viz/files.h"
-#include "viz/rich_text.h"
-#include "viz/tikz.h"
+#include "viz/formats/files.h"
+#include "viz/formats/tikz.h"
+#include "viz/text/rich_text.h"
 
 namespace render_test {
 namespace fs = std::filesystem;

@@ -11,8 +11,8 @@
 #include "app/scene/file.h"
 #include "app/scene/lesson.h"
 #include "tests/catch.h"
-#include "viz/chart.h"
-#include "viz/rich_text.h"
+#include "viz/chart/chart.h"
+#include "viz/text/rich_text.h"
 
 namespace scene_relations_test {
 namespace scene = isect::program::scene;

@@ -7,8 +7,8 @@
 #include "app/scene/save.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
-#include "viz/files.h"
-#include "viz/snap.h"
+#include "viz/formats/files.h"
+#include "viz/player/snap.h"
 
 namespace scene_test {
 namespace fs = std::filesystem;

@@ -17,7 +17,7 @@
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace scene_ways_test {
 using namespace isect;

@@ -9,8 +9,8 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
-#include "viz/asking.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
+#include "viz/walk/asking.h"
 
 namespace scene_window_test {
 using namespace isect::viz;

@@ -10,8 +10,8 @@
 #include "lessons/lessons.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
-#include "viz/files.h"
-#include "viz/place.h"
+#include "viz/formats/files.h"
+#include "viz/player/place.h"
 
 namespace select_test {
 namespace fs = std::filesystem;

@@ -5,8 +5,8 @@
 
 #include "tests/app/shell.h"
 #include "tests/catch.h"
-#include "viz/animation.h"
-#include "viz/files.h"
+#include "viz/formats/animation.h"
+#include "viz/formats/files.h"
 
 namespace several_steps_test {
 namespace fs = std::filesystem;

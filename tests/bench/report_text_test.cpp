@@ -12,7 +12,7 @@
 #include "tests/catch.h"
 #include "tests/scratch.h"
 #include "tests/viz/drawn.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace report_text_test {
 using namespace isect;

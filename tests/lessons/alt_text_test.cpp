@@ -1,6 +1,6 @@
 // Alt text: the picture in words, with its numbers, for every step of every lesson.
 
-#include "viz/alt_text.h"
+#include "viz/walk/alt_text.h"
 
 #include <algorithm>
 #include <regex>
@@ -8,11 +8,11 @@
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
-#include "viz/case_map.h"
-#include "viz/chart.h"
-#include "viz/closing.h"
-#include "viz/place.h"
-#include "viz/rich_text.h"
+#include "viz/chart/case_map.h"
+#include "viz/chart/chart.h"
+#include "viz/player/place.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/closing.h"
 
 namespace alt_text_test {
 using namespace isect::viz;

@@ -11,8 +11,8 @@
 #include "lessons/ray_polygon/picture.h"
 #include "lessons/shared/relation.h"
 #include "tests/catch.h"
-#include "viz/closing.h"
-#include "viz/place.h"
+#include "viz/player/place.h"
+#include "viz/walk/closing.h"
 
 namespace boxes_and_rays_test {
 using namespace isect;

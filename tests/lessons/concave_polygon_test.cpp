@@ -9,7 +9,7 @@
 #include "lessons/concave_polygon/triangles.h"
 #include "lessons/lessons.h"
 #include "tests/catch.h"
-#include "viz/chart.h"
+#include "viz/chart/chart.h"
 
 namespace concave_polygon_test {
 using namespace isect;

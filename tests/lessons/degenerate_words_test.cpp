@@ -4,7 +4,7 @@
 #include <regex>
 
 #include "tests/lessons/words.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace degenerate_words_test {
 using namespace isect;

@@ -8,11 +8,11 @@
 
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
-#include "viz/case_map.h"
-#include "viz/chart.h"
-#include "viz/compose.h"
-#include "viz/player.h"
-#include "viz/rich_text.h"
+#include "viz/chart/case_map.h"
+#include "viz/chart/chart.h"
+#include "viz/compose/compose.h"
+#include "viz/player/player.h"
+#include "viz/text/rich_text.h"
 
 namespace every_lesson_test {
 using namespace isect;

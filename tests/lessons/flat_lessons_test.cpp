@@ -7,7 +7,7 @@
 #include "lessons/lessons.h"
 #include "lessons/robustness/settings.h"
 #include "tests/catch.h"
-#include "viz/closing.h"
+#include "viz/walk/closing.h"
 
 namespace flat_lessons_test {
 using namespace isect;

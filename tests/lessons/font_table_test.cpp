@@ -7,8 +7,8 @@
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
-#include "viz/compose.h"
-#include "viz/text.h"
+#include "viz/compose/compose.h"
+#include "viz/text/text.h"
 
 namespace font_table_test {
 using namespace isect;

@@ -6,7 +6,7 @@
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
 #include "tests/viz/drawn.h"
-#include "viz/compose.h"
+#include "viz/compose/compose.h"
 
 namespace handles_test {
 using namespace isect;

@@ -10,8 +10,8 @@
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
 #include "tests/lessons/texts.h"
-#include "viz/closing.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/closing.h"
 
 namespace ideas_test {
 using namespace isect;

@@ -5,11 +5,11 @@
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
 #include "tests/viz/drawn.h"
-#include "viz/chart.h"
-#include "viz/closing.h"
-#include "viz/compose.h"
-#include "viz/halos.h"
-#include "viz/text.h"
+#include "viz/chart/chart.h"
+#include "viz/compose/compose.h"
+#include "viz/compose/halos.h"
+#include "viz/text/text.h"
+#include "viz/walk/closing.h"
 
 namespace ink_test {
 using namespace isect;

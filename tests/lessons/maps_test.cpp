@@ -8,11 +8,11 @@
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
 #include "tests/viz/drawn.h"
-#include "viz/case_map.h"
-#include "viz/chart.h"
-#include "viz/labels.h"
-#include "viz/marks.h"
-#include "viz/rich_text.h"
+#include "viz/chart/case_map.h"
+#include "viz/chart/chart.h"
+#include "viz/compose/labels.h"
+#include "viz/compose/marks.h"
+#include "viz/text/rich_text.h"
 
 namespace maps_test {
 using namespace isect;

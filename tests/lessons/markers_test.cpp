@@ -6,8 +6,8 @@
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
 #include "tests/viz/drawn.h"
-#include "viz/chart.h"
-#include "viz/chart_parts.h"
+#include "viz/chart/chart.h"
+#include "viz/chart/chart_parts.h"
 
 namespace markers_test {
 using namespace isect;

@@ -7,9 +7,9 @@
 #include "lessons/sphere_sphere/picture.h"
 #include "tests/lessons/texts.h"
 #include "tests/lessons/words.h"
-#include "viz/alt_text.h"
-#include "viz/geometry.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/alt_text.h"
+#include "viz/walk/geometry.h"
 
 namespace mended_words_test {
 using namespace isect;

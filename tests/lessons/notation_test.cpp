@@ -12,8 +12,8 @@
 #include "lessons/speed_against_error/results.h"
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
-#include "viz/place.h"
-#include "viz/rich_text.h"
+#include "viz/player/place.h"
+#include "viz/text/rich_text.h"
 
 namespace notation_test {
 using namespace isect;

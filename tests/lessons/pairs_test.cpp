@@ -13,8 +13,8 @@
 #include "lessons/shared/relation.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
-#include "viz/closing.h"
-#include "viz/place.h"
+#include "viz/player/place.h"
+#include "viz/walk/closing.h"
 
 namespace pairs_test {
 using namespace isect;

@@ -20,8 +20,8 @@
 #include "tests/lessons/random_settings.h"
 #include "tests/lessons/words.h"
 #include "tests/settings.h"
-#include "viz/closing.h"
-#include "viz/place.h"
+#include "viz/player/place.h"
+#include "viz/walk/closing.h"
 
 namespace pairs_words_test {
 using namespace isect;

@@ -10,14 +10,14 @@
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
-#include "viz/closing.h"
-#include "viz/files.h"
-#include "viz/labels.h"
-#include "viz/paper.h"
-#include "viz/rich_text.h"
-#include "viz/strip.h"
-#include "viz/tex.h"
-#include "viz/text.h"
+#include "viz/compose/labels.h"
+#include "viz/compose/paper.h"
+#include "viz/compose/strip.h"
+#include "viz/formats/files.h"
+#include "viz/text/rich_text.h"
+#include "viz/text/tex.h"
+#include "viz/text/text.h"
+#include "viz/walk/closing.h"
 
 namespace paper_test {
 using namespace isect::viz;

@@ -5,7 +5,7 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/lessons/random_settings.h"
-#include "viz/snapshot.h"
+#include "viz/snapshot/snapshot.h"
 
 namespace parameters_test {
 using namespace isect;

@@ -9,8 +9,8 @@
 #include "tests/catch.h"
 #include "tests/lessons/random_settings.h"
 #include "tests/settings.h"
-#include "viz/closing.h"
-#include "viz/place.h"
+#include "viz/player/place.h"
+#include "viz/walk/closing.h"
 
 namespace points_and_rays_words_test {
 using namespace isect;

@@ -7,7 +7,7 @@
 #include "lessons/lessons.h"
 #include "lessons/points/picture.h"
 #include "tests/catch.h"
-#include "viz/closing.h"
+#include "viz/walk/closing.h"
 
 namespace points_test {
 using namespace isect;

@@ -12,8 +12,8 @@
 #include "tests/lessons/words.h"
 #include "tests/viz/drawn.h"
 #include "tests/viz/pixels.h"
-#include "viz/compose.h"
-#include "viz/rich_text.h"
+#include "viz/compose/compose.h"
+#include "viz/text/rich_text.h"
 
 namespace polygon_words_test {
 using namespace isect;

@@ -5,8 +5,8 @@
 #include <isect/ray_sphere_methods.h>
 #include "lessons/lessons.h"
 #include "tests/catch.h"
-#include "viz/closing.h"
-#include "viz/compose.h"
+#include "viz/compose/compose.h"
+#include "viz/walk/closing.h"
 
 namespace ray_sphere_test {
 using namespace isect;

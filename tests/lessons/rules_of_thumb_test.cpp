@@ -11,8 +11,8 @@
 #include "lessons/rules_of_thumb/experiment.h"
 #include "lessons/speed_against_error/results.h"
 #include "tests/catch.h"
-#include "viz/chart.h"
-#include "viz/closing.h"
+#include "viz/chart/chart.h"
+#include "viz/walk/closing.h"
 
 namespace rules_of_thumb_test {
 using namespace isect;

@@ -2,8 +2,8 @@
 
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
-#include "viz/compose.h"
-#include "viz/files.h"
+#include "viz/compose/compose.h"
+#include "viz/formats/files.h"
 
 namespace runs_test {
 using namespace isect;

@@ -11,8 +11,8 @@
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
 #include "tests/lessons/texts.h"
-#include "viz/closing.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/closing.h"
 
 namespace sources_test {
 using namespace isect;

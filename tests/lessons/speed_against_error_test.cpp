@@ -12,10 +12,10 @@
 #include "lessons/speed_against_error/telling.h"
 #include "tests/catch.h"
 #include "tests/viz/drawn.h"
-#include "viz/chart.h"
-#include "viz/closing.h"
-#include "viz/compose.h"
-#include "viz/rich_text.h"
+#include "viz/chart/chart.h"
+#include "viz/compose/compose.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/closing.h"
 
 namespace speed_against_error_test {
 using namespace isect;

@@ -5,7 +5,7 @@
 #include "lessons/glossary.h"
 #include "tests/lessons/asked_for.h"
 #include "tests/lessons/texts.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 namespace terms_test {
 using namespace isect;

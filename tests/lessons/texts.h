@@ -5,9 +5,9 @@
 #include <variant>
 #include <vector>
 
-#include "viz/chart.h"
-#include "viz/closing.h"
+#include "viz/chart/chart.h"
 #include "viz/lesson.h"
+#include "viz/walk/closing.h"
 
 namespace isect::tests {
 

@@ -2,8 +2,8 @@
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
-#include "viz/compose.h"
-#include "viz/snapshot.h"
+#include "viz/compose/compose.h"
+#include "viz/snapshot/snapshot.h"
 
 namespace trace_test {
 using namespace isect::viz;

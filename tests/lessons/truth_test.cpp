@@ -15,8 +15,8 @@
 #include "tests/catch.h"
 #include "tests/lessons/random_settings.h"
 #include "tests/settings.h"
-#include "viz/closing.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/closing.h"
 
 namespace truth_test {
 using namespace isect;

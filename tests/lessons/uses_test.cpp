@@ -15,11 +15,11 @@
 #include "lessons/ray_tracing/tracer.h"
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
-#include "viz/closing.h"
-#include "viz/compose.h"
-#include "viz/pick.h"
-#include "viz/place.h"
+#include "viz/compose/compose.h"
+#include "viz/player/pick.h"
+#include "viz/player/place.h"
 #include "viz/solids.h"
+#include "viz/walk/closing.h"
 
 namespace uses_test {
 using namespace isect;

@@ -22,9 +22,9 @@
 #include "lessons/shared/relation.h"
 #include "tests/catch.h"
 #include "tests/lessons/words.h"
-#include "viz/chart.h"
-#include "viz/closing.h"
-#include "viz/place.h"
+#include "viz/chart/chart.h"
+#include "viz/player/place.h"
+#include "viz/walk/closing.h"
 
 namespace volumes_test {
 using namespace isect;

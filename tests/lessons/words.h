@@ -8,8 +8,8 @@
 #include "tests/catch.h"
 #include "tests/lessons/random_settings.h"
 #include "tests/settings.h"
-#include "viz/closing.h"
-#include "viz/place.h"
+#include "viz/player/place.h"
+#include "viz/walk/closing.h"
 
 namespace isect::tests {
 

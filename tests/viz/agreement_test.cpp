@@ -6,8 +6,8 @@
 
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
-#include "viz/compose.h"
-#include "viz/files.h"
+#include "viz/compose/compose.h"
+#include "viz/formats/files.h"
 
 namespace agreement_test {
 using namespace isect::viz;

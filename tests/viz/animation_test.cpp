@@ -1,6 +1,6 @@
 // Pictures in turn, as GIF and as animated PNG: what is read back is what was written.
 
-#include "viz/animation.h"
+#include "viz/formats/animation.h"
 
 #include <gif_lib.h>
 
@@ -11,7 +11,7 @@
 
 #include "tests/catch.h"
 #include "tests/scratch.h"
-#include "viz/colour_table.h"
+#include "viz/formats/colour_table.h"
 
 namespace animation_test {
 using namespace isect::viz;

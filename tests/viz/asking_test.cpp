@@ -1,7 +1,7 @@
 // The picture and the window while a question is open.
 
-#include "viz/asking.h"
-#include "viz/closing.h"
+#include "viz/walk/asking.h"
+#include "viz/walk/closing.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -16,8 +16,8 @@
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
 #include "tests/viz/window_driver.h"
-#include "viz/branch.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/branch.h"
 
 namespace asking_test {
 using namespace isect;

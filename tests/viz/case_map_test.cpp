@@ -1,9 +1,9 @@
 // The map of cases, of a lesson made up for the purpose: a disc, a circle and a half-plane.
 
-#include "viz/case_map.h"
+#include "viz/chart/case_map.h"
 
 #include "tests/catch.h"
-#include "viz/case_names.h"
+#include "viz/chart/case_names.h"
 
 namespace case_map_test {
 using namespace isect::viz;

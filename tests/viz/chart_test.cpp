@@ -1,5 +1,5 @@
-#include "viz/chart.h"
-#include "viz/chart_parts.h"
+#include "viz/chart/chart.h"
+#include "viz/chart/chart_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 
 #include "tests/catch.h"
 #include "tests/viz/drawn.h"
-#include "viz/files.h"
-#include "viz/rich_text.h"
-#include "viz/text.h"
+#include "viz/formats/files.h"
+#include "viz/text/rich_text.h"
+#include "viz/text/text.h"
 
 namespace chart_test {
 using namespace isect::viz;

@@ -1,14 +1,14 @@
-#include "viz/compose.h"
+#include "viz/compose/compose.h"
 
 #include <algorithm>
 #include <numbers>
 
 #include "tests/catch.h"
 #include "tests/viz/drawn.h"
-#include "viz/halos.h"
+#include "viz/compose/halos.h"
+#include "viz/compose/visibility.h"
 #include "viz/solids.h"
-#include "viz/text.h"
-#include "viz/visibility.h"
+#include "viz/text/text.h"
 
 namespace compose_test {
 using namespace isect::viz;

@@ -1,7 +1,7 @@
-#include "viz/crop.h"
+#include "viz/compose/crop.h"
 
 #include "tests/catch.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace crop_test {
 using namespace isect::viz;

@@ -1,11 +1,11 @@
-#include "viz/facet_layers.h"
+#include "viz/formats/facet_layers.h"
 
 #include <algorithm>
 #include <numeric>
 
 #include "bench/random.h"
 #include "tests/catch.h"
-#include "viz/in_box_or_triangle.h"
+#include "viz/compose/in_box_or_triangle.h"
 
 namespace facet_layers_test {
 using namespace isect::viz;

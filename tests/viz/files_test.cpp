@@ -1,5 +1,5 @@
-#include "viz/files.h"
-#include "viz/writable.h"
+#include "viz/formats/files.h"
+#include "viz/formats/writable.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

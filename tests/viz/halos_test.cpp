@@ -1,7 +1,7 @@
-#include "viz/halos.h"
+#include "viz/compose/halos.h"
 
 #include "tests/catch.h"
-#include "viz/text.h"
+#include "viz/text/text.h"
 
 namespace halos_test {
 using namespace isect::viz;

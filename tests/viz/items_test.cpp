@@ -5,10 +5,10 @@
 #include <isect/convex_hull_3d.h>
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
-#include "viz/compose.h"
-#include "viz/grid.h"
+#include "viz/compose/compose.h"
+#include "viz/compose/grid.h"
 #include "viz/solids.h"
-#include "viz/text.h"
+#include "viz/text/text.h"
 
 namespace items_test {
 using namespace isect;

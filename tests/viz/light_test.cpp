@@ -5,8 +5,8 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
-#include "viz/closing.h"
-#include "viz/names.h"
+#include "viz/text/names.h"
+#include "viz/walk/closing.h"
 
 namespace light_test {
 using namespace isect;

@@ -3,8 +3,8 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
-#include "viz/case_map.h"
-#include "viz/closing.h"
+#include "viz/chart/case_map.h"
+#include "viz/walk/closing.h"
 
 namespace map_beside_test {
 using namespace isect;

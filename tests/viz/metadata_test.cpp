@@ -3,7 +3,7 @@
 #include <zlib.h>
 
 #include "tests/catch.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace metadata_test {
 using namespace isect::viz;

@@ -1,6 +1,6 @@
 // From step to step.
 
-#include "viz/motion.h"
+#include "viz/player/motion.h"
 
 #include <chrono>
 #include <thread>
@@ -8,7 +8,7 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
-#include "viz/halos.h"
+#include "viz/compose/halos.h"
 
 namespace motion_test {
 using namespace isect;

@@ -1,13 +1,13 @@
 // What can be taken hold of: corners of polygons, points of clouds, the end of a segment.
 
-#include "viz/moving.h"
+#include "viz/player/moving.h"
 #include <Eigen/Geometry>
 #include <algorithm>
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
-#include "viz/place.h"
+#include "viz/player/place.h"
 
 namespace moving_test {
 using namespace isect;

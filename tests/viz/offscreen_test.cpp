@@ -1,4 +1,4 @@
-#include "viz/offscreen.h"
+#include "viz/gl/offscreen.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // Pictures inside a web page: one set of shapes in two themes, texts that stay text, what is shared.
 
-#include "viz/page_svg.h"
+#include "viz/formats/page_svg.h"
 
 #include "tests/catch.h"
-#include "viz/svg_path.h"
+#include "viz/formats/svg_path.h"
 #include "viz/theme.h"
 
 namespace page_svg_test {

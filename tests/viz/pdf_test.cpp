@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "tests/catch.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace pdf_test {
 using namespace isect::viz;

@@ -1,4 +1,4 @@
-#include "viz/pick.h"
+#include "viz/player/pick.h"
 
 #include "tests/catch.h"
 #include "viz/solids.h"

@@ -6,7 +6,7 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
-#include "viz/closing.h"
+#include "viz/walk/closing.h"
 
 namespace picker_test {
 using namespace isect;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "viz/offscreen.h"
+#include "viz/gl/offscreen.h"
 
 namespace isect::viz {
 

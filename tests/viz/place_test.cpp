@@ -1,6 +1,6 @@
 // Places as JSON and in figures: what is written is read back, and what is wrong is named.
 
-#include "viz/place.h"
+#include "viz/player/place.h"
 
 #include <cmath>
 #include <numbers>
@@ -9,8 +9,8 @@
 #include "tests/catch.h"
 #include "tests/settings.h"
 #include "tests/viz/toy_lesson.h"
-#include "viz/compose.h"
-#include "viz/direction.h"
+#include "viz/compose/compose.h"
+#include "viz/player/direction.h"
 
 namespace place_test {
 using namespace isect::viz;

@@ -1,8 +1,8 @@
-#include "viz/player.h"
+#include "viz/player/player.h"
 
 #include "tests/catch.h"
 #include "tests/viz/sample_lesson.h"
-#include "viz/compose.h"
+#include "viz/compose/compose.h"
 
 namespace player_test {
 using namespace isect::viz;

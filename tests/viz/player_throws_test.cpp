@@ -8,8 +8,8 @@
 #include "tests/catch.h"
 #include "tests/viz/sample_lesson.h"
 #include "tests/viz/scarce_memory.h"
-#include "viz/place.h"
-#include "viz/player.h"
+#include "viz/player/place.h"
+#include "viz/player/player.h"
 
 namespace player_throws_test {
 using namespace isect::viz;

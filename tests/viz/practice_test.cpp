@@ -3,9 +3,9 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
-#include "viz/case_map.h"
-#include "viz/closing.h"
-#include "viz/place.h"
+#include "viz/chart/case_map.h"
+#include "viz/player/place.h"
+#include "viz/walk/closing.h"
 
 namespace practice_test {
 using namespace isect;

@@ -1,11 +1,11 @@
-#include "viz/raster.h"
+#include "viz/compose/raster.h"
 
 #include <numeric>
 
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
-#include "viz/compose.h"
-#include "viz/files.h"
+#include "viz/compose/compose.h"
+#include "viz/formats/files.h"
 
 namespace raster_test {
 using namespace isect::viz;

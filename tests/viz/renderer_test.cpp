@@ -1,4 +1,4 @@
-#include "viz/renderer.h"
+#include "viz/gl/renderer.h"
 
 #include <cmath>
 #include <limits>
@@ -7,7 +7,7 @@
 
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
-#include "viz/batch.h"
+#include "viz/gl/batch.h"
 
 namespace renderer_test {
 using namespace isect::viz;

@@ -1,4 +1,4 @@
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 
 #include "tests/catch.h"
 

@@ -8,10 +8,10 @@
 #include "tests/catch.h"
 #include "tests/scratch.h"
 #include "tests/viz/window_driver.h"
-#include "viz/case_map.h"
-#include "viz/chart.h"
-#include "viz/closing.h"
-#include "viz/place.h"
+#include "viz/chart/case_map.h"
+#include "viz/chart/chart.h"
+#include "viz/player/place.h"
+#include "viz/walk/closing.h"
 #include "viz/window/palette.h"
 
 namespace side_by_side_test {

@@ -6,8 +6,8 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
-#include "viz/closing.h"
-#include "viz/snap.h"
+#include "viz/player/snap.h"
+#include "viz/walk/closing.h"
 
 namespace snap_test {
 using namespace isect;

@@ -1,11 +1,11 @@
 // Traces: stable text, and differences in words.
 
-#include "viz/snapshot.h"
+#include "viz/snapshot/snapshot.h"
 
 #include "tests/catch.h"
 #include "tests/viz/toy_lesson.h"
-#include "viz/compose.h"
-#include "viz/place.h"
+#include "viz/compose/compose.h"
+#include "viz/player/place.h"
 
 namespace snapshot_test {
 using namespace isect::viz;

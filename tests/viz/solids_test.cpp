@@ -8,7 +8,7 @@
 #include <isect/ray_aabb.h>
 #include <isect/ray_obb.h>
 #include "tests/catch.h"
-#include "viz/visibility.h"
+#include "viz/compose/visibility.h"
 
 namespace solids_test {
 using namespace isect;

@@ -1,6 +1,6 @@
 // Figures side by side: what stands where, and nothing meets.
 
-#include "viz/strip.h"
+#include "viz/compose/strip.h"
 
 #include <set>
 

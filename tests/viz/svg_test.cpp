@@ -3,7 +3,7 @@
 #include <set>
 
 #include "tests/catch.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace svg_test {
 using namespace isect::viz;

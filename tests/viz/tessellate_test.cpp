@@ -1,4 +1,4 @@
-#include "viz/tessellate.h"
+#include "viz/gl/tessellate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "tests/catch.h"
-#include "viz/batch.h"
+#include "viz/gl/batch.h"
 
 namespace tessellate_test {
 using namespace isect::viz;

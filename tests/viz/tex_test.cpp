@@ -1,4 +1,4 @@
-#include "viz/tex.h"
+#include "viz/text/tex.h"
 
 #include "tests/catch.h"
 

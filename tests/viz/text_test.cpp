@@ -1,4 +1,4 @@
-#include "viz/text.h"
+#include "viz/text/text.h"
 
 #include <cmath>
 #include <limits>

@@ -5,8 +5,8 @@
 
 #include "tests/catch.h"
 #include "tests/viz/drawn.h"
+#include "viz/compose/marks.h"
 #include "viz/lesson.h"
-#include "viz/marks.h"
 
 namespace theme_test {
 using namespace isect::viz;

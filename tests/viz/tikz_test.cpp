@@ -1,10 +1,10 @@
-#include "viz/tikz.h"
+#include "viz/formats/tikz.h"
 
 #include <cmath>
 
 #include "tests/catch.h"
-#include "viz/svg_path.h"
-#include "viz/text.h"
+#include "viz/formats/svg_path.h"
+#include "viz/text/text.h"
 
 namespace tikz_test {
 using namespace isect::viz;

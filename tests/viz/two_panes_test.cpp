@@ -7,8 +7,8 @@
 #include "tests/scratch.h"
 #include "tests/viz/sample_lesson.h"
 #include "tests/viz/window_driver.h"
-#include "viz/closing.h"
-#include "viz/parting.h"
+#include "viz/walk/closing.h"
+#include "viz/walk/parting.h"
 
 namespace two_panes_test {
 using namespace isect;

@@ -1,4 +1,4 @@
-#include "viz/utf8.h"
+#include "viz/text/utf8.h"
 
 #include "tests/catch.h"
 

@@ -1,4 +1,4 @@
-#include "viz/visibility.h"
+#include "viz/compose/visibility.h"
 
 #include <Eigen/Geometry>
 

@@ -9,8 +9,8 @@
 #include <functional>
 #include <stdexcept>
 
-#include "viz/files.h"
-#include "viz/offscreen.h"
+#include "viz/formats/files.h"
+#include "viz/gl/offscreen.h"
 #include "viz/window/frame_target.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/window_ui.h"

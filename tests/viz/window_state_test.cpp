@@ -7,8 +7,8 @@
 #include "tests/scratch.h"
 #include "tests/viz/sample_lesson.h"
 #include "tests/viz/window_driver.h"
-#include "viz/formats.h"
-#include "viz/window.h"
+#include "viz/formats/formats.h"
+#include "viz/window/window.h"
 
 namespace window_state_test {
 using namespace isect::viz;

@@ -5,8 +5,8 @@
 #include <isect/sphere_sphere.h>
 #include "lessons/lessons.h"
 #include "tests/catch.h"
-#include "viz/asking.h"
 #include "viz/lesson.h"
+#include "viz/walk/asking.h"
 
 namespace session_test {
 using isect::test::Contains;

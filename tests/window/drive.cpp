@@ -28,7 +28,7 @@
 #include "lessons/lessons.h"
 #include "tests/settings.h"
 #include "tests/viz/window_driver.h"
-#include "viz/place.h"
+#include "viz/player/place.h"
 
 using namespace isect;
 using namespace isect::viz;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/in_box_or_triangle.h"
-#include "viz/marks.h"
-#include "viz/paper.h"
-#include "viz/rich_text.h"
-#include "viz/text.h"
+#include "viz/compose/in_box_or_triangle.h"
+#include "viz/compose/marks.h"
+#include "viz/compose/paper.h"
+#include "viz/text/rich_text.h"
+#include "viz/text/text.h"
 
 namespace isect::viz {
 

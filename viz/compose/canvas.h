@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "viz/compose.h"
-#include "viz/labels.h"
-#include "viz/visibility.h"
+#include "viz/compose/compose.h"
+#include "viz/compose/labels.h"
+#include "viz/compose/visibility.h"
 
 namespace isect::viz {
 

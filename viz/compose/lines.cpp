@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "viz/compose/canvas.h"
-#include "viz/marks.h"
+#include "viz/compose/marks.h"
 
 namespace isect::viz {
 namespace {

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "viz/compose/canvas.h"
-#include "viz/raster.h"
+#include "viz/compose/raster.h"
 
 namespace isect::viz {
 namespace {

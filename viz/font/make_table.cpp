@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "viz/font/file.h"
-#include "viz/text.h"
+#include "viz/text/text.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "viz/font/file.h"
-#include "viz/text.h"
+#include "viz/text/text.h"
 
 namespace isect::viz {
 namespace {

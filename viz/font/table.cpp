@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "viz/rich_text.h"
-#include "viz/utf8.h"
+#include "viz/text/rich_text.h"
+#include "viz/text/utf8.h"
 
 namespace isect::viz {
 namespace {

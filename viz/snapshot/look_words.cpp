@@ -8,8 +8,8 @@
 #include <map>
 #include <optional>
 
-#include "viz/rich_text.h"
 #include "viz/snapshot/look.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::viz::snap {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 #include "viz/theme.h"
 
 namespace isect::viz::snap {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "viz/lesson.h"
-#include "viz/snapshot.h"
 #include "viz/snapshot/json.h"
+#include "viz/snapshot/snapshot.h"
 
 namespace isect::viz::snap {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "viz/rich_text.h"
 #include "viz/snapshot/said.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::viz::snap {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "viz/offscreen.h"
+#include "viz/gl/offscreen.h"
 #include "viz/window/frame_target.h"
 #include "viz/window/window_ui.h"
 

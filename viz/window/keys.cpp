@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/case_map.h"
-#include "viz/rich_text.h"
+#include "viz/chart/case_map.h"
+#include "viz/text/rich_text.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/map_view.h"
 #include "viz/window/panels.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "viz/utf8.h"
+#include "viz/text/utf8.h"
 
 namespace isect::viz {
 

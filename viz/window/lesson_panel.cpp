@@ -3,10 +3,10 @@
 #include <map>
 #include <utility>
 
-#include "viz/case_map.h"
-#include "viz/closing.h"
-#include "viz/marks.h"
-#include "viz/rich_text.h"
+#include "viz/chart/case_map.h"
+#include "viz/compose/marks.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/closing.h"
 #include "viz/window/column.h"
 #include "viz/window/map_view.h"
 #include "viz/window/panels.h"

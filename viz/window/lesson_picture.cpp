@@ -1,7 +1,7 @@
 #include "viz/window/lesson_picture.h"
 
-#include "viz/closing.h"
-#include "viz/compose.h"
+#include "viz/compose/compose.h"
+#include "viz/walk/closing.h"
 
 namespace isect::viz {
 

@@ -1,8 +1,8 @@
 #pragma once
 // Small pictures of lessons.
 
+#include "viz/gl/renderer.h"
 #include "viz/lesson.h"
-#include "viz/renderer.h"
 
 namespace isect::viz {
 

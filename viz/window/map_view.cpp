@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/chart.h"
-#include "viz/rich_text.h"
+#include "viz/chart/chart.h"
+#include "viz/text/rich_text.h"
 #include "viz/window/key_codes.h"
 
 namespace isect::viz {

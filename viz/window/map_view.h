@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "viz/case_map.h"
-#include "viz/map_beside.h"
-#include "viz/renderer.h"
+#include "viz/chart/case_map.h"
+#include "viz/gl/renderer.h"
+#include "viz/player/map_beside.h"
 #include "viz/window/kept_picture.h"
 #include "viz/window/session.h"
 

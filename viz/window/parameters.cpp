@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 #include "viz/window/number_text.h"
 #include "viz/window/panels.h"
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <utility>
 
-#include "viz/closing.h"
-#include "viz/files.h"
-#include "viz/place.h"
-#include "viz/rich_text.h"
+#include "viz/formats/files.h"
+#include "viz/player/place.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/closing.h"
 #include "viz/window/lesson_picture.h"
 #include "viz/window/save_figure.h"
 #include "viz/window/sheets.h"

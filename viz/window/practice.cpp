@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "viz/closing.h"
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/closing.h"
 #include "viz/window/column.h"
 #include "viz/window/panels.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/alt_text.h"
+#include "viz/walk/alt_text.h"
 #include "viz/window/column.h"
 #include "viz/window/panels.h"
 

@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <optional>
 
-#include "viz/alt_text.h"
-#include "viz/compose.h"
-#include "viz/files.h"
-#include "viz/formats.h"
-#include "viz/paper.h"
-#include "viz/snapshot.h"
+#include "viz/compose/compose.h"
+#include "viz/compose/paper.h"
+#include "viz/formats/files.h"
+#include "viz/formats/formats.h"
+#include "viz/snapshot/snapshot.h"
+#include "viz/walk/alt_text.h"
 
 namespace isect::viz {
 namespace {

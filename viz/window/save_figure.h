@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viz/renderer.h"
+#include "viz/gl/renderer.h"
 #include "viz/window/session.h"
 
 namespace isect::viz {

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "viz/formats.h"
-#include "viz/rich_text.h"
+#include "viz/formats/formats.h"
+#include "viz/text/rich_text.h"
 #include "viz/window/number_text.h"
 #include "viz/window/panels.h"
 #include "viz/window/sheets.h"

@@ -1,6 +1,6 @@
 #include "viz/window/scene_lights.h"
 
-#include "viz/lights.h"
+#include "viz/player/lights.h"
 
 namespace isect::viz {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // Names in the picture: which one the pointer is at, and the light on items with a lit name.
 
-#include "viz/compose.h"
+#include "viz/compose/compose.h"
 #include "viz/window/session.h"
 
 namespace isect::viz {

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <functional>
 
-#include "viz/chart.h"
-#include "viz/closing.h"
-#include "viz/names.h"
-#include "viz/objects.h"
-#include "viz/pick.h"
-#include "viz/rich_text.h"
+#include "viz/chart/chart.h"
+#include "viz/compose/objects.h"
+#include "viz/player/pick.h"
+#include "viz/text/names.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/closing.h"
 #include "viz/window/scene_names.h"
 
 namespace isect::viz {

@@ -1,7 +1,7 @@
 #pragma once
 // Marks over the scene: verdict, axes, projection, messages, and what the pointer is at.
 
-#include "viz/compose.h"
+#include "viz/compose/compose.h"
 #include "viz/window/session.h"
 
 namespace isect::viz {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viz/player.h"
+#include "viz/player/player.h"
 
 namespace isect::viz {
 

@@ -8,11 +8,11 @@
 #include <iterator>
 #include <utility>
 
-#include "viz/chart.h"
-#include "viz/compose.h"
-#include "viz/motion.h"
-#include "viz/moving.h"
-#include "viz/t_axis.h"
+#include "viz/chart/chart.h"
+#include "viz/compose/compose.h"
+#include "viz/compose/t_axis.h"
+#include "viz/player/motion.h"
+#include "viz/player/moving.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/scene_lights.h"
 #include "viz/window/scene_marks.h"

@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "viz/compose.h"
-#include "viz/moving.h"
-#include "viz/renderer.h"
+#include "viz/compose/compose.h"
+#include "viz/gl/renderer.h"
+#include "viz/player/moving.h"
 #include "viz/window/kept_picture.h"
 #include "viz/window/map_view.h"
 #include "viz/window/session.h"

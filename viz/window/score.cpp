@@ -1,6 +1,6 @@
 // A reader's progress that is kept: answers, lessons read to their ends, lessons opened last.
 
-#include "viz/closing.h"
+#include "viz/walk/closing.h"
 #include "viz/window/panels.h"
 
 namespace isect::viz {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "viz/names.h"
-#include "viz/parting.h"
-#include "viz/rich_text.h"
+#include "viz/text/names.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/parting.h"
 #include "viz/window/panels.h"
 
 namespace isect::viz {

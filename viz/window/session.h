@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "viz/course.h"
-#include "viz/formats.h"
-#include "viz/player.h"
+#include "viz/formats/formats.h"
+#include "viz/player/player.h"
 #include "viz/window/widgets.h"
 
 namespace isect::viz {

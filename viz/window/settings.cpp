@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "viz/files.h"
-#include "viz/formats.h"
+#include "viz/formats/files.h"
+#include "viz/formats/formats.h"
 #include "viz/window/session.h"
 
 namespace isect::viz {

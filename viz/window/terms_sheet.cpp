@@ -1,6 +1,6 @@
 // The terms of the course: each leads to the lesson that explains it.
 
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 #include "viz/window/sheets.h"
 
 namespace isect::viz {

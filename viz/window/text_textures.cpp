@@ -3,7 +3,7 @@
 #include <tuple>
 #include <utility>
 
-#include "viz/gl.h"
+#include "viz/gl/gl.h"
 
 namespace isect::viz {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "viz/text.h"
+#include "viz/text/text.h"
 
 namespace isect::viz {
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 #include "viz/window/panels.h"
 #include "viz/window/second_pane.h"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include "viz/rich_text.h"
+#include "viz/text/rich_text.h"
 #include "viz/window/map_view.h"
 #include "viz/window/panels.h"
 #include "viz/window/second_pane.h"

@@ -6,9 +6,9 @@
 #include <map>
 #include <sstream>
 
-#include "viz/alt_text.h"
-#include "viz/names.h"
-#include "viz/rich_text.h"
+#include "viz/text/names.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/alt_text.h"
 #include "viz/window/panels.h"
 
 namespace isect::viz {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/names.h"
-#include "viz/utf8.h"
+#include "viz/text/names.h"
+#include "viz/text/utf8.h"
 #include "viz/window/key_codes.h"
 
 namespace isect::viz {

@@ -15,9 +15,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "viz/files.h"
-#include "viz/names.h"
-#include "viz/rich_text.h"
+#include "viz/formats/files.h"
+#include "viz/text/names.h"
+#include "viz/text/rich_text.h"
 #include "viz/window/kept_picture.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/lesson_picture.h"

@@ -6,9 +6,9 @@
 #include <limits>
 #include <memory>
 
-#include "viz/compose.h"
+#include "viz/compose/compose.h"
 #include "viz/course.h"
-#include "viz/renderer.h"
+#include "viz/gl/renderer.h"
 #include "viz/window/session.h"
 
 namespace isect::viz {

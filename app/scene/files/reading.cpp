@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "viz/utf8.h"
+#include "viz/text/utf8.h"
 
 namespace isect::program::scene {
 

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "app/scene/files/reading.h"
-#include "viz/files.h"
+#include "viz/formats/files.h"
 
 namespace isect::program::scene {
 

@@ -1,0 +1,431 @@
+#include "viz/compose/visibility.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+#include <type_traits>
+
+#include <isect/clip_segment.h>
+#include <isect/convex_hull.h>
+#include <isect/ray_polygon.h>
+#include <isect/ray_sphere.h>
+#include <isect/sphere_sphere.h>
+
+namespace isect::viz {
+namespace {
+
+using Curve = std::function<Vec3(double)>;
+using Test = std::function<bool(const Vec3&)>;
+
+std::vector<double> even(int samples) {
+  std::vector<double> places;
+  for (int i = 0; i <= samples; ++i) places.push_back(static_cast<double>(i) / samples);
+  return places;
+}
+
+/// Tests a curve over s in [0, 1] at the given places, finds each change between visible and hidden by bisection, and
+/// cuts there. The results at the first and the last place hold up to the ends.
+std::vector<Stretch> split(const Curve& at, const Test& is_hidden, const std::vector<double>& places) {
+  std::vector<Stretch> result;
+  double s = places.front();
+  bool now = is_hidden(at(s));
+  result.push_back({{at(0)}, now});
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const double next_s = places[i];
+    const bool next = is_hidden(at(next_s));
+    if (next != now) {
+      double lo = s, hi = next_s;
+      for (int k = 0; k < 40; ++k) {
+        const double middle = (lo + hi) / 2;
+        (is_hidden(at(middle)) == now ? lo : hi) = middle;
+      }
+      result.back().points.push_back(at(lo));
+      result.push_back({{at(lo)}, next});
+    }
+    if (i + 1 < places.size()) result.back().points.push_back(at(next_s));
+    s = next_s, now = next;
+  }
+  result.back().points.push_back(at(1));
+  return result;
+}
+
+/// Whether the line passes the ball around the solid by more than its possible rounding. Most lines do.
+bool passes_far(const Ray<double, 3>& sight, const Shell& solid) {
+  constexpr double more = 1.001;
+  const double reach = more * solid.size;
+  return (solid.middle - sight.origin).cross(sight.direction).squaredNorm() >
+         reach * reach * sight.direction.squaredNorm();
+}
+
+/// Whether the ray runs through the solid: by rounded arithmetic, where its errors leave no doubt; else exactly, by the
+/// half-spaces that rounded arithmetic does not show to be implied by others. The half-spaces have unit normals.
+bool runs_through(Ray<double, 3> sight, const Shell& solid) {
+  if (solid.inside.empty() || passes_far(sight, solid)) return false;
+  constexpr double share = 1e-13;  // some hundred roundings
+  const double speed = sight.direction.norm(), far = sight.origin.norm();
+  double lo = sight.range.lo, hi = sight.range.hi, doubt = 0;
+  bool parallel = false;
+  const auto rate_of = [&](const Plane<double, 3>& p) { return p.normal.dot(sight.direction); };
+  const auto is_parallel = [&](double rate) { return !(std::abs(rate) > 1e-6 * speed); };
+  const auto t_of = [&](const Plane<double, 3>& p, double rate) { return -(p.normal.dot(sight.origin) + p.d) / rate; };
+  for (const Plane<double, 3>& p : solid.inside) {
+    const double rate = rate_of(p), inverse = 1 / rate, t = -(p.normal.dot(sight.origin) + p.d) * inverse;
+    if (is_parallel(rate)) {
+      parallel = true;
+      continue;
+    }
+    (rate > 0 ? lo : hi) = rate > 0 ? std::max(lo, t) : std::min(hi, t);
+    doubt = std::max(doubt, share * (far + std::abs(p.d) + std::abs(t) * speed) * std::abs(inverse));
+  }
+  if (hi < lo - 2 * doubt) return false;
+  if (!parallel && hi > lo + 2 * doubt) return true;
+
+  for (const Plane<double, 3>& p : solid.inside) {
+    const double rate = rate_of(p), t = t_of(p, rate);
+    if (!is_parallel(rate) && (rate > 0 ? t < lo - 2 * doubt : t > hi + 2 * doubt)) continue;
+    const auto kept = clip(sight, p);
+    if (!kept) return false;
+    sight.range = *kept;
+  }
+  return sight.range.hi > sight.range.lo;
+}
+
+/// Returns twice the area of an outline, along its normal (Newell).
+Vec3 area(const std::vector<Vec3>& points) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) sum += (points[i] - points[0]).cross(points[i + 1] - points[0]);
+  return sum;
+}
+
+/// Whether the ray passes the ball, or leaves it behind, by more than the possible rounding.
+bool misses(const Ray<double, 3>& sight, const Vec3& center, double radius) {
+  const Vec3 ahead = center - sight.origin;
+  const double far = ahead.norm(), reach = 1.001 * radius + 1e-9 * (far + sight.origin.norm());
+  return ahead.cross(sight.direction).norm() > reach * sight.direction.norm() ||
+         (far > reach && ahead.dot(sight.direction) < 0);
+}
+
+/// Whether the ray misses the screen by more than the possible rounding: most rays pass the ball around it, or leave
+/// its plane behind, as those that begin on it do. False if rounded arithmetic cannot decide.
+bool misses(const Ray<double, 3>& sight, const Polygon<double, 3>& screen) {
+  if (screen.rings.empty() || screen.rings[0].empty()) return true;
+  const std::vector<Vec3>& outline = screen.rings[0];
+  double size = 0;
+  for (const Ring<double, 3>& ring : screen.rings)
+    for (const Vec3& p : ring) size = std::max(size, (p - outline[0]).norm());
+  if (misses(sight, outline[0], size)) return true;
+
+  const Vec3 ahead = outline[0] - sight.origin;
+  const double speed = sight.direction.norm(), far = ahead.norm();
+  const double corners = static_cast<double>(outline.size());
+  const double doubt = 1e-14 * corners * corners * size * size;  // some ten roundings of each term of the normal
+  const Vec3 n = area(outline);
+  const double num = n.dot(ahead), den = n.dot(sight.direction);
+  if (!(std::abs(den) > doubt * speed)) return false;
+  const auto beyond = [&](double t) { return (num - t * den) * (den > 0 ? 1 : -1); };  // > 0: the plane is met after t
+  const auto [lo, hi] = sight.range;
+  return beyond(lo) < -doubt * (far + lo * speed) || (std::isfinite(hi) && beyond(hi) > doubt * (far + hi * speed));
+}
+
+Vec3 middle_of(const Capsule<double, 3>& c) { return (c.p + c.q) / 2; }
+double reach_of(const Capsule<double, 3>& c) { return (c.q - c.p).norm() / 2 + c.radius; }
+
+/// Returns the distance between the points o + s d, s in [0, end], |d| = 1, and the segment p q (Ericson, Real-Time
+/// Collision Detection, 2005, 5.1.9).
+double distance(const Vec3& o, const Vec3& d, double end, const Vec3& p, const Vec3& q) {
+  const Vec3 axis = q - p, r = o - p;
+  const double e = axis.squaredNorm(), f = axis.dot(r), c = d.dot(r), b = d.dot(axis), apart = e - b * b;
+  double s = apart > 0 ? std::clamp((b * f - c * e) / apart, 0.0, end) : 0;
+  const double t = e > 0 ? std::clamp((b * s + f) / e, 0.0, 1.0) : 0;
+  s = std::clamp(b * t - c, 0.0, end);
+  return (r + s * d - t * axis).norm();
+}
+
+/// Where the segment o + s d, s in [0, 1], may begin or cease to be hidden: where it passes before or behind an edge,
+/// as the eye sees it, and where it enters or leaves a solid or crosses a screen.
+class Cuts {
+ public:
+  Cuts(const Vec3& from, const Vec3& to, const View& view) : from_(from), d_(to - from), view_(view) {}
+
+  void behind(const Shell& solid) {
+    for (const Shell::Edge& edge : solid.edges) behind(edge.from, edge.to);
+    double lo = 0, hi = 1;
+    for (const Plane<double, 3>& p : solid.inside) {
+      const double rate = p.normal.dot(d_), height = p.normal.dot(from_) + p.d;
+      if (rate > 0) lo = std::max(lo, -height / rate);
+      if (rate < 0) hi = std::min(hi, -height / rate);
+    }
+    if (lo < hi) add(lo), add(hi);
+  }
+
+  void behind(const Polygon<double, 3>& screen) {
+    for (const Ring<double, 3>& ring : screen.rings)
+      for (std::size_t i = 0; i < ring.size(); ++i) behind(ring[i], ring[(i + 1) % ring.size()]);
+    if (screen.rings.empty() || screen.rings[0].empty()) return;
+    const Vec3 n = area(screen.rings[0]);
+    add(n.dot(screen.rings[0][0] - from_) / n.dot(d_));
+  }
+
+  /// Returns a place in each stretch between two cuts that are more than a rounding apart.
+  std::vector<double> places() {
+    std::sort(found_.begin(), found_.end());
+    std::vector<double> middles;
+    for (std::size_t i = 1; i < found_.size(); ++i)
+      if (found_[i] > found_[i - 1] + 1e-9) middles.push_back((found_[i - 1] + found_[i]) / 2);
+    return middles;
+  }
+
+ private:
+  void add(double s) {
+    if (s > 0 && s < 1) found_.push_back(s);
+  }
+  Vec3 sight(const Vec3& p) const { return view_.camera().perspective ? Vec3(p - view_.eye()) : view_.forward(); }
+  void behind(const Vec3& a, const Vec3& b) {
+    const Vec3 across_edge = (b - a).cross(sight(a)), across = d_.cross(sight(from_));
+    const double s = -across_edge.dot(from_ - a) / across_edge.dot(d_);
+    const double on_edge = -across.dot(a - from_) / across.dot(b - a);
+    if (on_edge > -1e-6 && on_edge < 1 + 1e-6) add(s);  // an extra place does no harm
+  }
+
+  Vec3 from_, d_;
+  const View& view_;
+  std::vector<double> found_ = {0, 1};
+};
+
+/// Whether the eye sees the ball apart from the segment, by more than the possible rounding: then nothing in the ball
+/// hides any of the segment. False in perspective, where this is not decided.
+bool seen_apart(const Vec3& from, const Vec3& to, const View& view, const Vec3& center, double radius) {
+  if (view.camera().perspective) return false;
+  constexpr double more = 1.001;
+  const Vec3 &right = view.right(), &up = view.up();
+  const Vec2 a(right.dot(from - center), up.dot(from - center));
+  const Vec2 d(right.dot(to - from), up.dot(to - from));
+  const double t = d.squaredNorm() > 0 ? std::clamp(-a.dot(d) / d.squaredNorm(), 0.0, 1.0) : 0;
+  return (a + t * d).norm() > more * radius + 1e-9 * (from.norm() + to.norm());
+}
+
+/// What may hide part of a segment, or of a circle of radius `reach` about a point. Ball number `own` is left out.
+struct Near {
+  Near(const Vec3& from, const Vec3& to, const View& view, const Occluders& all, double reach = 0, int own = -1)
+      : screens(all.screens) {
+    const auto apart = [&](const Vec3& center, double radius) {
+      return seen_apart(from, to, view, center, radius + reach);
+    };
+    for (int i = 0; i < static_cast<int>(all.balls.size()); ++i)
+      if (i != own && !apart(all.balls[i].center, all.balls[i].radius)) balls.push_back(all.balls[i]);
+    for (const Shell& solid : all.solids)
+      if (!apart(solid.middle, solid.size)) solids.push_back(&solid);
+    for (const Capsule<double, 3>& capsule : all.capsules)
+      if (!apart(middle_of(capsule), reach_of(capsule))) capsules.push_back(capsule);
+  }
+
+  bool round() const { return !balls.empty() || !capsules.empty(); }
+
+  std::vector<Ball> balls;
+  std::vector<Capsule<double, 3>> capsules;
+  std::vector<const Shell*> solids;
+  const std::vector<Polygon<double, 3>>& screens;
+};
+
+const Shell& of(const Shell& solid) { return solid; }
+const Shell& of(const Shell* solid) { return *solid; }
+
+/// Does what hidden() does; `among`: Occluders, or only those that are Near.
+bool hidden_among(const Vec3& p, const View& view, const auto& among, int own) {
+  const Vec3 direction = view.towards_eye(p);
+  const double to_eye = view.camera().perspective ? (view.eye() - p).norm() : HUGE_VAL;
+  const Ray<double, 3> sight = {p, direction, {0, to_eye}};
+  for (int i = 0; i < static_cast<int>(among.balls.size()); ++i) {
+    if (i == own) continue;
+    const Ball& ball = among.balls[i];
+    if (misses(sight, ball.center, ball.radius)) continue;
+    const RaySphere<double> shared = intersect(sight, Sphere<double, 3>{ball.center, ball.radius * (1 - drawn_in)});
+    if (shared && shared.solid->hi > shared.solid->lo) return true;
+  }
+  for (const auto& solid : among.solids)
+    if (runs_through(sight, of(solid))) return true;
+  for (const Capsule<double, 3>& capsule : among.capsules)
+    if (!misses(sight, middle_of(capsule), reach_of(capsule)) &&
+        distance(p, direction, to_eye, capsule.p, capsule.q) < (1 - drawn_in) * capsule.radius)
+      return true;
+  const double beyond = drawn_in * std::max(view.camera().half_height, p.norm());  // p may lie on the screen itself
+  const Ray<double, 3> past_own = {p, direction, {beyond, to_eye}};
+  for (const Polygon<double, 3>& screen : among.screens)
+    if (!misses(past_own, screen) && intersect(past_own, screen).t) return true;
+  return false;
+}
+
+/// Returns the places to test on a segment.
+std::vector<double> places(const Vec3& from, const Vec3& to, const View& view, const Near& near) {
+  if (near.solids.empty() && near.screens.empty()) return even(near.round() ? 64 : 1);
+  Cuts cuts(from, to, view);
+  for (const Shell* solid : near.solids) cuts.behind(*solid);
+  for (const Polygon<double, 3>& screen : near.screens) cuts.behind(screen);
+  std::vector<double> all = cuts.places();
+  if (near.round()) {
+    for (int i = 0; i < 64; ++i) all.push_back((i + 0.5) / 64);
+    std::sort(all.begin(), all.end());
+  }
+  return all.empty() ? even(1) : all;
+}
+
+std::vector<Vec3> corners(const Solid& solid, const std::vector<int>& face) {
+  std::vector<Vec3> points;
+  for (const int i : face) points.push_back(solid.vertices[i]);
+  return points;
+}
+
+}  // namespace
+
+Shell shell(const Solid& solid) {
+  Shell result;
+  if (solid.vertices.empty()) return result;
+  Vec3& middle = result.middle;
+  for (const Vec3& p : solid.vertices) middle += p / static_cast<double>(solid.vertices.size());
+  for (const Vec3& p : solid.vertices) result.size = std::max(result.size, (p - middle).norm());
+
+  std::map<std::pair<int, int>, std::vector<int>> faces_of;
+  for (const std::vector<int>& face : solid.faces) {
+    const int index = static_cast<int>(result.normals.size());
+    result.normals.push_back(Vec3::Zero());
+    if (face.size() < 3) continue;
+    for (std::size_t i = 0; i < face.size(); ++i)
+      faces_of[std::minmax(face[i], face[(i + 1) % face.size()])].push_back(index);
+    Vec3 n = area(corners(solid, face));
+    if (!(n.squaredNorm() > 0)) continue;
+    n.normalize();
+    const Vec3& on = solid.vertices[face.front()];
+    if (n.dot(on - middle) < 0) n = -n;
+    result.normals.back() = n;
+    result.inside.push_back({-n, n.dot(on) - drawn_in * result.size});
+  }
+  for (const auto& [ends, faces] : faces_of)
+    result.edges.push_back({solid.vertices[ends.first], solid.vertices[ends.second], faces});
+  return result;
+}
+
+bool lies_behind(const Polygon<double, 3>& screen, const View& view, const Occluders& all) {
+  if ((all.balls.empty() && all.solids.empty() && all.capsules.empty()) || screen.rings.empty() ||
+      screen.rings[0].empty())
+    return false;
+  const Vec3 &on = screen.rings[0][0], towards = view.towards_eye(on);
+  Vec3 n = area(screen.rings[0]).normalized();
+  if (n.dot(towards) < 0) n = -n;
+  const auto before = [&](const Vec3& p, double radius) {
+    return n.dot(p - on) >= radius - 1e-9 * (radius + (p - on).norm());
+  };
+  return std::ranges::all_of(all.balls, [&](const Ball& ball) { return before(ball.center, ball.radius); }) &&
+         std::ranges::all_of(
+             all.capsules,
+             [&](const Capsule<double, 3>& c) { return before(c.p, c.radius) && before(c.q, c.radius); }) &&
+         std::ranges::all_of(all.solids, [&](const Shell& solid) {
+           return std::ranges::all_of(solid.edges,
+                                      [&](const Shell::Edge& e) { return before(e.from, 0) && before(e.to, 0); });
+         });
+}
+
+bool hidden(const Vec3& p, const View& view, const Occluders& occluders, int own) {
+  return hidden_among(p, view, occluders, own);
+}
+
+std::vector<Stretch> stretches(const Vec3& from, const Vec3& to, const View& view, const Occluders& occluders) {
+  const auto at = [&](double s) -> Vec3 { return s == 1 ? to : Vec3(from + s * (to - from)); };
+  const Near near(from, to, view, occluders);
+  std::vector<Stretch> parts = split(
+      at, [&](const Vec3& p) { return hidden_among(p, view, near, -1); }, places(from, to, view, near));
+  for (Stretch& part : parts) part.points = {part.points.front(), part.points.back()};
+  return parts;
+}
+
+std::vector<Stretch> stretches(const std::vector<Vec3>& points, bool closed, const View& view,
+                               const Occluders& occluders) {
+  std::vector<Stretch> all;
+  const std::size_t n = points.size(), edges = closed ? n : n - std::min<std::size_t>(n, 1);
+  for (std::size_t i = 0; i < edges; ++i) {
+    for (Stretch& part : stretches(points[i], points[(i + 1) % n], view, occluders)) {
+      if (all.empty() || all.back().hidden != part.hidden)
+        all.push_back(std::move(part));
+      else
+        all.back().points.insert(all.back().points.end(), part.points.begin() + 1, part.points.end());
+    }
+  }
+  const bool around = closed && all.size() > 1 && all.front().hidden == all.back().hidden;
+  if (around) {  // a closed chain has no end
+    all.back().points.insert(all.back().points.end(), all.front().points.begin() + 1, all.front().points.end());
+    all.erase(all.begin());
+  }
+  return all;
+}
+
+std::vector<Stretch> stretches(const Vec3& center, const Vec3& u, const Vec3& v, const View& view,
+                               const Occluders& occluders, int own) {
+  const auto at = [&](double s) -> Vec3 {
+    const double angle = 2 * std::numbers::pi * s;
+    return center + std::cos(angle) * u + std::sin(angle) * v;
+  };
+  const Near near(center, center, view, occluders, std::max(u.norm(), v.norm()), own);
+  const auto is_hidden = [&](const Vec3& p) {
+    if (own >= 0 && (p - occluders.balls[own].center).dot(view.towards_eye(p)) < 0) return true;
+    return hidden_among(p, view, near, -1);
+  };
+  return split(at, is_hidden, even(96));
+}
+
+Rim rim(const Ball& ball, const View& view) {
+  const Vec3 n = view.towards_eye(ball.center);
+  Rim result = {ball.center, {}, {}};
+  double radius = ball.radius;
+  if (view.camera().perspective) {
+    const double share = ball.radius / (view.eye() - ball.center).norm();
+    result.middle += share * ball.radius * n;
+    radius *= std::sqrt(1 - share * share);
+  }
+  result.u = radius * n.cross(view.up()).normalized();
+  result.v = n.cross(result.u);
+  return result;
+}
+
+std::vector<Vec3> outline(const Capsule<double, 3>& capsule, const View& view) {
+  constexpr int corners = 96;  // of each end's rim
+  std::vector<Vec3> points;
+  for (const Vec3& end : {capsule.p, capsule.q}) {
+    const Rim circle = rim({end, capsule.radius}, view);
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners;
+      points.push_back(circle.middle + std::cos(angle) * circle.u + std::sin(angle) * circle.v);
+    }
+  }
+  std::vector<Vec2> seen;
+  for (const Vec3& p : points) seen.push_back(view.project(p).at);
+  std::vector<Vec3> chain;
+  for (const Vec2& corner : convex_hull(seen)) chain.push_back(points[std::ranges::find(seen, corner) - seen.begin()]);
+  return chain;
+}
+
+Outline outline(const Ball& ball, const View& view) {
+  const Vec2 middle = view.project(ball.center).at;
+  if (!view.camera().perspective) {
+    const double r = ball.radius * view.scale_at(ball.center);
+    return {middle, {r, 0}, {0, r}};
+  }
+
+  // The picture plane cuts the tangent cone of half angle alpha, its axis at theta to the view direction, in an ellipse
+  // of eccentricity sin theta / cos alpha, between tan(theta - alpha) and tan(theta + alpha).
+  const Vec3 to_center = ball.center - view.eye();
+  const double distance = to_center.norm(), along = to_center.dot(view.forward());
+  const double alpha = std::asin(std::min(1.0, ball.radius / distance)), theta = std::acos(along / distance);
+  const double focal = view.scale_at(view.camera().target) * (view.camera().target - view.eye()).norm();
+  const double near = focal * std::tan(theta - alpha), far = focal * std::tan(theta + alpha);
+  const double e = std::sin(theta) / std::cos(alpha), a = (far - near) / 2;
+
+  const Vec2 axis = view.corner() + Vec2(view.width() / 2, view.height() / 2);  // where the view direction meets it
+  const Vec2 outwards = (middle - axis).norm() > 1e-9 ? Vec2((middle - axis).normalized()) : Vec2(1, 0);
+  const Vec2 across = {-outwards.y(), outwards.x()};
+  return {axis + (near + far) / 2 * outwards, a * outwards, a * std::sqrt(std::max(0.0, 1 - e * e)) * across};
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,77 @@
+#include "viz/player/camera_rig.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isect::viz {
+namespace {
+
+constexpr double radians_per_pixel = 0.008;
+constexpr double pi = std::numbers::pi;
+/// An orthographic view is the limit of ever narrower perspective ones; this one looks the same already.
+constexpr double nearly_orthographic = 0.5 * pi / 180;
+
+double ease_in_out(double x) { return x < 0.5 ? 4 * x * x * x : 1 - std::pow(2 - 2 * x, 3) / 2; }
+double mix(double a, double b, double x) { return a + (b - a) * x; }
+double mix_angle(double a, double b, double x) { return a + std::remainder(b - a, 2 * pi) * x; }
+double opening(const Camera& c) { return c.perspective ? c.field_of_view : nearly_orthographic; }
+
+Camera between(const Camera& a, const Camera& b, double x) {
+  Camera c = b;
+  c.target = a.target + (b.target - a.target) * x;
+  c.azimuth = mix_angle(a.azimuth, b.azimuth, x);
+  c.elevation = mix(a.elevation, b.elevation, x);
+  c.half_height = std::exp(mix(std::log(a.half_height), std::log(b.half_height), x));
+  if (a.perspective != b.perspective) {
+    c.perspective = true;
+    c.field_of_view = mix(opening(a), opening(b), x);
+  }
+  return c;
+}
+
+}  // namespace
+
+void CameraRig::jump(const Camera& camera) {
+  now_ = camera;
+  left_ = 0;
+}
+
+void CameraRig::glide(const Camera& camera, double seconds) {
+  if (reduced_motion_) return jump(camera);
+  from_ = now_;
+  to_ = camera;
+  whole_ = left_ = seconds;
+}
+
+void CameraRig::advance(double seconds) {
+  if (!moving()) return;
+  left_ = std::max(0.0, left_ - seconds);
+  now_ = moving() ? between(from_, to_, ease_in_out(1 - left_ / whole_)) : to_;
+}
+
+void CameraRig::orbit(const Vec2& pixels) {
+  jump(goal());
+  now_.azimuth = std::remainder(now_.azimuth - pixels.x() * radians_per_pixel, 2 * pi);
+  now_.elevation = std::clamp(now_.elevation + pixels.y() * radians_per_pixel, -pi / 2, pi / 2);
+}
+
+void CameraRig::pan(const View& view, const Vec2& from, const Vec2& to) {
+  jump(goal());
+  now_.target += view.on_facing_plane(from, now_.target) - view.on_facing_plane(to, now_.target);
+}
+
+void CameraRig::zoom(const View& view, const Vec2& at, double factor) {
+  jump(goal());
+  const Vec3 fixed = view.on_facing_plane(at, now_.target);
+  const double half_height = std::clamp(now_.half_height / factor, 1e-290, 1e290);
+  now_.target = fixed + (now_.target - fixed) * (half_height / now_.half_height);
+  now_.half_height = half_height;
+}
+
+void CameraRig::set_perspective(bool on) {
+  Camera camera = goal();
+  camera.perspective = on;
+  glide(camera);
+}
+
+}  // namespace isect::viz

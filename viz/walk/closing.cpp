@@ -1,0 +1,98 @@
+#include "viz/walk/closing.h"
+
+#include <algorithm>
+
+#include "viz/chart/case_map.h"
+#include "viz/walk/asking.h"
+
+namespace isect::viz {
+
+int outcome(const Walk& walk) {
+  int step = static_cast<int>(walk.steps.size()) - 1;
+  const auto surrounds = [&](const std::string& slug) { return slug == case_map_slug || slug == closing_slug; };
+  while (step > 0 && surrounds(walk.steps[step].slug)) --step;
+  return step;
+}
+
+std::string own_caption(const Lesson& lesson, const Step& step) {
+  const std::string opening = lesson.opening + "\n";
+  return !lesson.opening.empty() && step.caption.starts_with(opening) ? step.caption.substr(opening.size())
+                                                                      : step.caption;
+}
+
+int line_of(const Erratum& e, const Walk& walk) {
+  const auto found = std::ranges::find_if(
+      walk.pseudocode, [&](const std::string& line) { return line == e.published || line == e.corrected; });
+  return found == walk.pseudocode.end() ? -1 : static_cast<int>(found - walk.pseudocode.begin());
+}
+
+std::vector<Card::Row> card_rows(const Closing& c) {
+  return {{"Result", c.result}, {"Cost", c.cost}, {"Choose it", c.choose}, {"Used", c.used}, {"Typical bug", c.bug}};
+}
+
+std::vector<Card::Row> card_rows(const Lesson& lesson) {
+  std::vector<Card::Row> rows = card_rows(*lesson.closing);
+  std::string text;
+  for (const SharedIdea& shared : shared_ideas(lesson)) {
+    text += (text.empty() ? "" : ". ") + heading(shared) + ": ";
+    for (const Lesson* other : shared.others)
+      text += (other == shared.others.front() ? "" : ", ") + short_title(*other);
+  }
+  if (!text.empty()) rows.push_back({shared_head, text + "."});
+  return rows;
+}
+
+std::string heading(const SharedIdea& shared) {
+  std::string text = shared.idea;
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z' && !text.starts_with("k-")) text[0] += 'A' - 'a';
+  return text;
+}
+
+std::vector<SharedIdea> shared_ideas(const Lesson& lesson) {
+  return lesson.shared ? lesson.shared(lesson) : std::vector<SharedIdea>();
+}
+
+std::string short_title(const Lesson& lesson) { return lesson.title.substr(0, lesson.title.find(':')); }
+
+Step closing_step(const Lesson& lesson, const Step& before) {
+  const Closing& closing = *lesson.closing;
+  Step step = before;
+  step.slug = closing_slug, step.title = "What to remember";
+  step.caption = closing.result;
+  for (const std::string& source : closing.reading) step.caption += "\nRead: " + source;
+  step.formula = {}, step.source = {};
+  if (!closing.reading.empty()) step.source = closing.reading.front();
+  step.decides = false;
+  step.comparison.reset(), step.question.reset();
+  for (Value& value : step.values) value.fresh = false;
+  step.scene = {};
+  step.scene.chart = DeferredChart([&lesson] { return Chart{Card{card_rows(lesson)}}; });
+  return step;
+}
+
+/// Returns the step that comes before a first step with a question.
+static Step opening_step(const Lesson& lesson, const Walk& walk) {
+  const Step& first = walk.steps.front();
+  Step step;
+  step.slug = opening_slug, step.title = "The setting", step.caption = lesson.opening, step.source = first.source;
+  step.scene = opening_scene(first);
+  return step;
+}
+
+Walk Lesson::walk(const Parameters& here) const {
+  Walk walk = steps(here);
+  if (walk.steps.empty()) return walk;
+  ask_once(walk);
+  if (walk.steps.front().question && !opening.empty())
+    walk.steps.insert(walk.steps.begin(), opening_step(*this, walk));
+  else if (!opening.empty())
+    walk.steps.front().caption = opening + "\n" + walk.steps.front().caption;
+  const Step last = walk.steps.back();
+  if (map)
+    if (const std::optional<Cases::Spot> spot = spot_on(*map, here))
+      walk.steps.push_back(map_step(*this, here, *spot, last));
+  if (closing) walk.steps.push_back(closing_step(*this, last));
+  return walk;
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,27 @@
+#pragma once
+// The window: a player for any list of lessons.
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "viz/course.h"
+#include "viz/lesson.h"
+#include "viz/player/place.h"
+
+namespace isect::viz {
+
+/// Thrown if there is no display for the window; the message names what to do instead.
+struct NoDisplay : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Opens the window at `at` and returns when it is closed. Messages for the user, such as that a state file is damaged,
+/// are shown there and passed to `say`. `save_scene` writes a setting into the scene file of the lesson, which is then
+/// as if made from that; null: there is no file. Throws NoDisplay.
+void show(const std::vector<const Lesson*>&, const Course&, const Place& at,
+          const std::function<void(const std::string&)>& say = {},
+          const std::function<void(const Parameters&)>& save_scene = {});
+
+}  // namespace isect::viz
