@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/child.h"
+#include "app/shell/child.h"
 #include "viz/formats/files.h"
 #include "viz/formats/formats.h"
 #include "viz/gl/offscreen.h"

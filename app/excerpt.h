@@ -19,7 +19,7 @@ struct Excerpt {
   std::optional<viz::Camera> camera = {};  ///< of the preset's file
   std::optional<int> step = {};            ///< of the preset's file, from 0
   std::string several = {};                ///< for a figure of several steps, these: "2-4"; else empty
-  std::string style = {};                  ///< for a figure, how it was asked for (see app/style.h); else empty
+  std::string style = {};                  ///< for a figure, how it was asked for (see app/figures/style.h); else empty
   std::string path = {};                   ///< of the preset's or the scene's file; empty where there is none
 };
 

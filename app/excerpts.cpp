@@ -8,14 +8,14 @@
 #include <set>
 #include <sstream>
 
-#include "app/figure_place.h"
-#include "app/named_file.h"
-#include "app/options.h"
+#include "app/figures/figure_place.h"
+#include "app/figures/setting_name.h"
 #include "app/preset_folder.h"
 #include "app/scene/lesson.h"
 #include "app/scene/walks.h"
-#include "app/setting_name.h"
-#include "app/terminal.h"
+#include "app/shell/named_file.h"
+#include "app/shell/options.h"
+#include "app/shell/terminal.h"
 #include "viz/formats/files.h"
 #include "viz/player/place.h"
 #include "viz/text/spelling.h"

@@ -3,7 +3,7 @@
 #include <new>
 
 #include "app/program.h"
-#include "app/terminal.h"
+#include "app/shell/terminal.h"
 #include "lessons/lessons.h"
 #include "viz/gl/resources.h"
 

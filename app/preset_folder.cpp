@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "app/ownership.h"
+#include "app/figures/ownership.h"
 #include "app/scene/lesson.h"
-#include "app/terminal.h"
+#include "app/shell/terminal.h"
 #include "viz/formats/files.h"
 #include "viz/player/place.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/options.h"
+#include "app/shell/options.h"
 
 namespace isect::program {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/command_line.h"
-#include "app/terminal.h"
+#include "app/shell/command_line.h"
+#include "app/shell/terminal.h"
 #include "viz/formats/files.h"
 #include "viz/gl/offscreen.h"
 #include "viz/player/place.h"

@@ -2,8 +2,8 @@
 // The program `isect`, and with `only` set the small program of one lesson: the same subcommands without
 // LESSON.
 //
-// Each subcommand is one file with one function that adds it to the command line. Parsing sets `chosen`; main
-// calls it.
+// Each subcommand is one file of commands/ with one function that adds it to the command line. Parsing sets `chosen`;
+// main calls it.
 
 #include <functional>
 #include <string>

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "app/book/picture_size.h"
+#include "app/figures/told_values.h"
 #include "app/pages/html.h"
-#include "app/told_values.h"
 #include "viz/chart/case_map.h"
 #include "viz/compose/paper.h"
 #include "viz/formats/page_svg.h"

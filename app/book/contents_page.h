@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/book/page.h"
-#include "app/options.h"
+#include "app/shell/options.h"
 #include "viz/course.h"
 #include "viz/formats/page_svg.h"
 

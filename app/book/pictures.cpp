@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "app/book/picture_size.h"
-#include "app/ownership.h"
-#include "app/studio.h"
+#include "app/figures/ownership.h"
+#include "app/figures/studio.h"
 #include "viz/compose/paper.h"
 #include "viz/walk/alt_text.h"
 #include "viz/walk/asking.h"

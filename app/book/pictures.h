@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/options.h"
+#include "app/shell/options.h"
 #include "viz/formats/page_svg.h"
 
 namespace isect::program::book {

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "app/book/lit_text.h"
+#include "app/figures/told_values.h"
 #include "app/pages/html.h"
-#include "app/told_values.h"
 #include "viz/formats/svg_path.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/alt_text.h"

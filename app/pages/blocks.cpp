@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "app/told_values.h"
+#include "app/figures/told_values.h"
 #include "viz/text/names.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/alt_text.h"

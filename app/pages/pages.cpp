@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "app/ownership.h"
+#include "app/figures/ownership.h"
 #include "viz/formats/files.h"
 
 namespace isect::program {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "app/options.h"
+#include "app/figures/piece.h"
+#include "app/figures/style.h"
 #include "app/pages/blocks.h"
-#include "app/piece.h"
-#include "app/style.h"
+#include "app/shell/options.h"
 
 namespace isect::program {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "app/values.h"
+#include "app/shell/values.h"
 #include "lessons/lessons.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"

@@ -1,6 +1,6 @@
 // A setting's numbers in a sentence.
 
-#include "app/told_values.h"
+#include "app/figures/told_values.h"
 
 #include "tests/catch.h"
 

@@ -1,0 +1,228 @@
+// isect book: the lessons as a folder of web pages, which open from disk and from any web server.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/book/contents_page.h"
+#include "app/book/fonts.h"
+#include "app/book/lesson_page.h"
+#include "app/book/scene_page.h"
+#include "app/figures/digest.h"
+#include "app/figures/ownership.h"
+#include "app/pages/pages.h"
+#include "app/shell/options.h"
+#include "app/shell/surroundings.h"
+#include "app/shell/terminal.h"
+#include "lessons/course.h"
+#include "viz/formats/files.h"
+#include "viz/player/place.h"
+
+namespace isect::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BookOptions {
+  std::string lesson, out = "book";
+  std::string live, live_scenes;  ///< files with the compiled lessons
+  bool single = false;
+};
+
+/// The fonts once more, for figures that are saved: a script can't read a style sheet from disk.
+constexpr const char* letters_file = "letters.js";
+/// Characters that changed settings may show, in addition to those of all presets.
+const std::string lesson_letters = "0123456789.,+-−()=<>≤≥≠ e";
+
+/// Returns the words as a comment in that file's language; in HTML and CSS the file goes on behind it.
+std::string comment(const std::string& file, const std::string& words) {
+  if (file.ends_with(".css")) return fmt::format("/* {} */", words);
+  if (file.ends_with(".js")) return fmt::format("// {}", words);
+  return fmt::format("<!-- {} -->", words);
+}
+std::string first_line(const std::string& file) { return comment(file, book::mark(file)); }
+
+/// Returns the last line, which shows that nobody has edited what stands above.
+std::string last_line(const std::string& file, const std::string& text) {
+  return "\n" + comment(file, "Digest of all above: " + digest(text)) + "\n";
+}
+/// Whether somebody has edited a page; one from before there were such lines counts as not edited.
+bool is_edited(const std::string& file, const std::string& page) {
+  const std::string line = last_line(file, "");
+  const std::size_t end = page.rfind(line.substr(0, line.find(':')));
+  return end != page.npos && page != page.substr(0, end) + last_line(file, page.substr(0, end));
+}
+
+/// The folder of a book: writes over isect's own pages only.
+class Shelf {
+ public:
+  /// Throws viz::BadInput if the folder holds baselines, viz::FileError if one of the files is somebody else's.
+  Shelf(const std::string& folder, const Program& program, const std::vector<std::string>& files) : folder_(folder) {
+    if (const auto trace = baseline_below(folder, program))
+      throw viz::BadInput(
+          fmt::format("out: {} holds baselines ({}), and pages never lie among them; give another folder, such as "
+                      "--out book",
+                      folder, trace->string()));
+    std::vector<PageFile> own;
+    for (const std::string& file : files) own.push_back({file, first_line(file)});
+    need_own(path(""), own);
+  }
+
+  /// Adds a file. If someone has edited it, it stays as it is, with a message.
+  void add(const std::string& file, const std::string& text) {
+    added_.insert(file);
+    std::error_code absent;
+    if (fs::is_regular_file(path(file), absent) && is_edited(file, viz::read_regular_file(path(file))))
+      return say_left_alone(path(file));
+    viz::write_file(path(file), text + last_line(file, text));
+    print(path(file) + "\n");
+  }
+
+  /// Removes pages of lessons that no longer exist. A page not under its own name stays, and so does an edited one.
+  void remove_stale() const {
+    std::vector<fs::path> gone;
+    std::error_code absent;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_, absent)) {
+      const std::string name = entry.path().filename().string();
+      if (!name.ends_with(".html") || added_.contains(name) || entry.is_symlink() || !entry.is_regular_file()) continue;
+      const std::string page = viz::read_regular_file(entry.path().string());
+      if (!page.starts_with(first_line(name))) continue;
+      if (is_edited(name, page))
+        say_left_alone(entry.path().string());
+      else
+        gone.push_back(entry.path());
+    }
+    for (const fs::path& page : gone) fs::remove(page);
+  }
+
+ private:
+  std::string path(const std::string& file) const { return (fs::path(folder_) / file).string(); }
+
+  std::string folder_;
+  std::set<std::string> added_;
+};
+
+std::vector<Excerpt> all_presets(const Program& program, const viz::Lesson& lesson) {
+  Selection asked;
+  if (!program.only) asked.lessons = {lesson.id};
+  asked.presets = {"all"};
+  return excerpts(program, asked);
+}
+
+std::string style(const viz::PageColours& colours) {
+  return fmt::format(
+      ":root {{ color-scheme: light dark; {}}}\n@media screen and (prefers-color-scheme: dark) {{ :root {{ {}}} "
+      "}}\n{}{}",
+      colours.variables(false), colours.variables(true), book::style_text(), colours.rules());
+}
+
+/// Returns what makes pages live: their script, then the compiled lessons. Empty if none was given. Throws
+/// viz::FileError, or viz::BadInput if the file is something else.
+std::string live_code(const std::string& file) {
+  if (file.empty()) return {};
+  const std::string code = viz::read_regular_file(file);
+  if (code.find("isect_module.packed") == code.npos)
+    throw viz::BadInput(fmt::format("live: {} is not what web/ is compiled to; ./run book makes it", file));
+  return book::live_script_text() + code;
+}
+
+int single(const Program& program, const BookOptions& options) {
+  const viz::Lesson& lesson = program.only ? *program.only : viz::lesson_named(program.lessons, options.lesson);
+  const std::string file = book::file_of(lesson);
+  const std::string live = live_code(options.live);
+  Shelf shelf(options.out, program, {file});
+  need_surroundings(program);
+  viz::PageColours colours;
+  const book::Page page =
+      book::lesson_page(lesson, all_presets(program, lesson), program.lessons, {nullptr, nullptr, true}, colours);
+  shelf.add(file, first_line(file) + book::html(page, {book::fonts_text(page.body + lesson_letters), style(colours),
+                                                       book::script_text(), live}));
+  return done;
+}
+
+int whole(const Program& program, const BookOptions& options) {
+  std::vector<std::string> files = {"index.html", "glossary.html", "book.css", "book.js", "fonts.css"};
+  const std::string live = live_code(options.live), live_scenes = live_code(options.live_scenes);
+  if (!live.empty()) files.insert(files.end(), {book::live_file, letters_file});
+  if (!live_scenes.empty()) files.insert(files.end(), {book::live_scenes_file, book::scene_file});
+  for (const viz::Lesson* lesson : program.lessons) files.push_back(book::file_of(*lesson));
+  Shelf shelf(options.out, program, files);
+  need_surroundings(program);
+
+  const std::vector<const viz::Lesson*>& course = program.lessons;
+  viz::PageColours colours;
+  std::vector<Excerpt> firsts;
+  book::Letters letters;
+  const auto add = [&](const book::Page& page) {
+    letters.add(page.body);
+    shelf.add(page.file, first_line(page.file) +
+                             book::html(page, {{}, {}, {}, page.file == book::scene_file ? live_scenes : live}));
+  };
+  shelf.add("book.js", first_line("book.js") + "\n" + book::script_text());
+  Progress progress(course.size());
+  for (std::size_t i = 0; i < course.size(); ++i) {
+    std::vector<Excerpt> presets = all_presets(program, *course[i]);
+    add(book::lesson_page(*course[i], presets, course,
+                          {i > 0 ? course[i - 1] : nullptr, i + 1 < course.size() ? course[i + 1] : nullptr}, colours));
+    firsts.push_back(std::move(presets.front()));
+    progress.done(course[i]->id);
+  }
+  if (!live_scenes.empty()) add(book::scene_page(colours));
+  add(book::contents_page(firsts, lessons::course(), !live_scenes.empty(), colours));
+  add(book::glossary_page(lessons::course(), course));
+  shelf.add("book.css", first_line("book.css") + "\n" + style(colours));
+  letters.add(lesson_letters);
+  const std::string fonts = letters.fonts();
+  shelf.add("fonts.css", first_line("fonts.css") + "\n" + fonts);
+  if (!live_scenes.empty()) shelf.add(book::live_scenes_file, first_line(book::live_scenes_file) + "\n" + live_scenes);
+  if (!live.empty()) {
+    shelf.add(book::live_file, first_line(book::live_file) + "\n" + live);
+    shelf.add(letters_file,
+              first_line(letters_file) + "\nvar isect_letters = " + nlohmann::ordered_json(fonts).dump() + ";\n");
+  }
+  shelf.remove_stale();
+  return done;
+}
+
+int make_book(const Program& program, const BookOptions& options) {
+  if (options.single && !program.only && options.lesson.empty())
+    throw viz::BadInput("single: one lesson in one file; name the lesson, such as isect book ray-sphere --single");
+  if (!options.single && !options.lesson.empty())
+    throw viz::BadInput(
+        fmt::format("lesson: a book holds all lessons; for {0} alone, in one file: isect book {0} --single",
+                    viz::lesson_named(program.lessons, options.lesson).id));
+  return options.single || program.only ? single(program, options) : whole(program, options);
+}
+
+}  // namespace
+
+void add_book(CLI::App& app, Program& program) {
+  CLI::App& sub = *app.add_subcommand("book", "the lessons as web pages");
+  const auto options = std::make_shared<BookOptions>();
+  if (!program.only) {
+    sub.add_option("LESSON", options->lesson, "with --single: the lesson")->type_name("");
+    sub.add_flag("--single", options->single, "one lesson in one file, for a learning platform");
+  }
+  add_path(sub, "--live", options->live,
+           "the compiled lessons, build/web/live.js: the pages can be dragged and changed", "FILE");
+  if (!program.only)
+    add_path(sub, "--live-scenes", options->live_scenes,
+             "build/web/live_scenes.js: and a page for scenes of the reader's own", "FILE")
+        ->needs("--live");
+  add_path(sub, "--out", options->out, "folder; book if not given", "DIR");
+  sub.footer(
+      "DIR/index.html is the first page. The pages open from disk and from any web server, and need no network.\n"
+      "Without scripts, and on paper, all presets stand one below the other. Files that isect did not make, or that\n"
+      "someone has edited since, stay.\n"
+      "With --live what they show can be dragged and changed, too: ./run book compiles the lessons for that.\n"
+      "Example: " +
+      program.name + " book" + (program.only ? "" : " ray-sphere --single") + " --out site");
+  sub.callback([&program, options] { program.chosen = [&program, options] { return make_book(program, *options); }; });
+}
+
+}  // namespace isect::program

@@ -1,0 +1,154 @@
+// isect deck: a lesson as slides, for LaTeX (beamer) and as one HTML file: one slide per step, with its question on the
+// slide before.
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/figures/asked.h"
+#include "app/figures/gallery.h"
+#include "app/figures/ownership.h"
+#include "app/figures/studio.h"
+#include "app/pages/html.h"
+#include "app/pages/latex.h"
+#include "app/pages/pages.h"
+#include "app/pages/slides.h"
+#include "app/shell/surroundings.h"
+#include "app/shell/terminal.h"
+#include "viz/formats/files.h"
+#include "viz/walk/closing.h"
+
+namespace isect::program {
+
+namespace {
+
+/// Sizes on a slide of 16 cm by 9: a picture beside text, and one alone.
+constexpr const char* beside_width = "8.2cm";
+constexpr const char* beside_height = "5.4cm";
+constexpr const char* alone_width = "13cm";
+constexpr const char* alone_height = "6.2cm";
+/// LaTeX sets labels at 8 pt; its letters are as wide at 10 pt as ours at 11.
+constexpr const char* label_size = "9pt";
+
+/// The picture of a step, or of the question before it.
+using Picture = std::function<Image(int step, bool asks)>;
+
+class Slides {
+ public:
+  Slides(const Excerpt& e, const Picture& picture) : e_(e), picture_(picture) {}
+
+  std::vector<Slide> made() {
+    const viz::Lesson& lesson = *e_.lesson;
+    all_.push_back({lesson.title, {Prose{lesson.summary}}, {}, {}, true});
+    const bool is_step = e_.walk.steps.front().slug == viz::opening_slug;
+    if (!lesson.opening.empty() && !is_step) all_.push_back({lesson.title, {Prose{lesson.opening}}, {}, {}});
+    all_.push_back({"What is given", {Prose{given(lesson, e_.parameters, e_.walk)}}, {}, {}});
+    if (!e_.walk.pseudocode.empty()) all_.push_back({"Algorithm", {code(e_)}, {}, {}});
+    for (const int index : e_.steps) {
+      const viz::Step& step = e_.walk.steps[index];
+      if (step.question) ask(index);
+      if (step.slug == viz::closing_slug)
+        close(step.title);
+      else
+        show(step, index);
+    }
+    return std::move(all_);
+  }
+
+ private:
+  /// Adds the question beside the picture for it, then the answer.
+  void ask(int index) {
+    const viz::Question& q = *e_.walk.steps[index].question;
+    Slide slide = {fmt::format("Question {}", number_of_question(e_.walk, index)), {}, {}, {}};
+    const bool picture = has_picture(e_.walk, index);
+    if (picture) slide.left.push_back(picture_(index, true));
+    Blocks& text = picture ? slide.right : slide.left;
+    text = {Prose{prompt(e_.walk, index)}, Choices{q.choices}, Pause{}, Prose{answer(q)}};
+    all_.push_back(std::move(slide));
+  }
+
+  void show(const viz::Step& step, int index) {
+    Slide slide = {step.title, {picture_(index, false)}, {}, {}};
+    if (step.line >= 0 && !step.scene.chart) slide.right.push_back(code(e_, step.line));
+    slide.below.push_back(Prose{viz::own_caption(*e_.lesson, step)});  // the opening has a slide of its own
+    all_.push_back(std::move(slide));
+  }
+
+  /// Adds the card as text, then one slide per exercise.
+  void close(const std::string& title) {
+    Slide slide = {title, {}, {}, {}};
+    for (const auto& [head, text] : viz::card_rows(*e_.lesson)) slide.left.push_back(Prose{text, head + "."});
+    all_.push_back(std::move(slide));
+    int number = 0;
+    for (const viz::Exercise& x : e_.lesson->closing->exercises)
+      all_.push_back({fmt::format("Exercise {}", ++number), {Prose{prompt(x)}, Pause{}, Prose{x.solution}}, {}, {}});
+  }
+
+  const Excerpt& e_;
+  const Picture& picture_;
+  std::vector<Slide> all_;
+};
+
+Style style_for(const PageOptions& options, bool alone) {
+  StyleOptions style;
+  style.format = "tikz,svg", style.theme = theme_of_pages(options), style.text_size = label_size, style.no_title = true;
+  style.width = alone ? alone_width : options.width, style.height = alone ? alone_height : beside_height;
+  return style_of(style);
+}
+
+int deck(const Program& program, const PageOptions& options) {
+  const Style beside = style_for(options, false), alone = style_for(options, true);
+  const Excerpt e = excerpt(program, options.asked);
+  const std::string folder = folder_of_pages(options.out, e);
+  const PageFile tex = {"deck.tex", latex_mark("deck")}, page = {"deck.html", html_mark("deck")};
+  need_own(folder, {tex, page});
+  need_surroundings(program);
+  Gallery gallery(options.out, program);
+  const viz::Format &tikz = viz::format_named("tikz"), &svg = viz::format_named("svg");
+  for (const int step : e.steps) {
+    gallery.need_ours(piece_of(e, step), tikz);
+    if (e.walk.steps[step].question) gallery.need_ours(piece_of_question(e, step), tikz);
+  }
+
+  Studio small(beside, "auto"), large(alone, "auto");
+  const Picture picture = [&](int step, bool asks) {
+    const viz::Step& s = e.walk.steps[step];
+    Studio& studio = asks || (s.line >= 0 && !s.scene.chart) ? small : large;
+    const Piece piece = asks ? piece_of_question(e, step) : piece_of(e, step);
+    const Excerpt asked = asks ? asking(e, step) : Excerpt();
+    const viz::Drawing drawing = asks ? studio.draw(asked, asked.steps.front()) : studio.draw(e, step);
+    gallery.add(e, piece, tikz.name, studio.write(piece, drawing, tikz),
+                {{"theme", options.theme},
+                 {"width_pt", drawing.width},
+                 {"height_pt", drawing.height},
+                 {"text_pt", beside.paper->text_size}});
+    Image shown = image_of(piece);
+    shown.svg = studio.write(piece, drawing, svg);
+    shown.fits = true;
+    return shown;
+  };
+  const std::vector<Slide> slides = Slides(e, picture).made();
+  print(gallery.add_page(folder_of(e) + "/" + tex.name, beamer(tex.mark, e.lesson->title, slides)));
+  print(gallery.add_page(folder_of(e) + "/" + page.name, html_slides(page.mark, e.lesson->title, slides)));
+  gallery.list();
+  gallery.say_left_alone();
+  return done;
+}
+
+}  // namespace
+
+void add_deck(CLI::App& app, Program& program) {
+  CLI::App& sub = *app.add_subcommand("deck", "a lesson as slides, for LaTeX (beamer) and as one HTML file");
+  const auto options = std::make_shared<PageOptions>();
+  options->width = beside_width;
+  add_page_options(sub, program, *options, "deck");
+  sub.footer(
+      "The files go to DIR/<lesson>/<preset>/: deck.tex, for pdflatex and lualatex run there, beside its pictures,\n"
+      "and deck.html, which needs nothing else: arrow keys, space or a click step through it.\nExample: " +
+      program.name + " deck" + (program.only ? "" : " ray-sphere") + " --preset tangent");
+  sub.callback([&program, options] { program.chosen = [&program, options] { return deck(program, *options); }; });
+}
+
+}  // namespace isect::program

@@ -1,0 +1,140 @@
+// isect handout: a lesson to print, as LaTeX and as HTML: pictures, captions, pseudocode, questions and exercises, the
+// answers at the end.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/figures/asked.h"
+#include "app/figures/gallery.h"
+#include "app/figures/ownership.h"
+#include "app/figures/studio.h"
+#include "app/pages/html.h"
+#include "app/pages/latex.h"
+#include "app/pages/pages.h"
+#include "app/shell/surroundings.h"
+#include "app/shell/terminal.h"
+#include "viz/formats/files.h"
+#include "viz/text/tex.h"
+#include "viz/walk/closing.h"
+
+namespace isect::program {
+
+namespace {
+
+constexpr const char* latex_head =
+    "\n\\documentclass[10pt]{{article}}\n\\usepackage{{tikz}}\n\\usepackage[margin=25mm]{{geometry}}\n"
+    "\\setlength{{\\parindent}}{{0pt}}\n\\setlength{{\\parskip}}{{4pt plus 1pt}}\n"
+    "\\begin{{document}}\n\\section*{{{}}}\n";
+constexpr const char* html_style =
+    "body { max-width: 42em; margin: 2em auto; padding: 0 1em; font: 11pt/1.45 serif; }\n"
+    "h1, h2 { line-height: 1.2; } h2 { margin-top: 2em; break-after: avoid; }\n"
+    "figure { margin: 1em 0; text-align: center; break-inside: avoid; } img { max-width: 100%; }\n"
+    "ol.code { font: 10pt/1.35 monospace; } ol.code li { white-space: pre-wrap; padding-left: 2em; text-indent: -2em; "
+    "}\n"
+    "ol.choices { list-style: lower-alpha; }\n";
+
+/// Returns the steps in order; a step's question stands before its picture, which shows the answer. `drawn`: the
+/// questions with a picture of their own.
+Blocks contents(const Excerpt& e, const std::set<int>& drawn) {
+  Blocks all = {Prose{e.lesson->summary}, Prose{given(*e.lesson, e.parameters, e.walk), "Given"}};
+  if (!e.walk.pseudocode.empty()) all.push_back(code(e));
+  Blocks answers;
+  for (const int index : e.steps) {
+    const viz::Step& step = e.walk.steps[index];
+    if (step.question) {
+      const std::string head = fmt::format("Question {}.", number_of_question(e.walk, index));
+      if (drawn.contains(index)) all.push_back(image_of(piece_of_question(e, index)));
+      all.push_back(Prose{prompt(e.walk, index), head});
+      all.push_back(Choices{step.question->choices});
+      answers.push_back(Prose{answer(*step.question), head});
+    }
+    all.push_back(Heading{fmt::format("{}. {}", index + 1, step.title)});  // a title may tell the answer
+    all.push_back(image_of(piece_of(e, index)));
+    all.push_back(Prose{step.caption});
+    if (step.slug != viz::closing_slug) continue;
+    int exercises = 0;
+    for (const viz::Exercise& x : e.lesson->closing->exercises) {
+      all.push_back(Prose{prompt(x), fmt::format("Exercise {}.", ++exercises)});
+      answers.push_back(Prose{x.solution, fmt::format("Exercise {}.", exercises)});
+    }
+  }
+  if (!answers.empty()) all.push_back(Heading{"Answers"});
+  std::ranges::move(answers, std::back_inserter(all));
+  return all;
+}
+
+/// Draws a step's picture without words, to compare with that of its question.
+viz::Drawing bare(Studio& studio, Excerpt e, int step) {
+  viz::Step& s = e.walk.steps[step];
+  s.formula.clear(), s.verdict = {};
+  return studio.draw(e, step);
+}
+
+int handout(const Program& program, const PageOptions& options) {
+  StyleOptions style_options;
+  style_options.format = "tikz,svg", style_options.theme = theme_of_pages(options), style_options.width = options.width;
+  style_options.text_size = "11pt", style_options.no_title = true;
+  const Style style = style_of(style_options);
+  const Excerpt e = excerpt(program, options.asked);
+  const std::string folder = folder_of_pages(options.out, e);
+  const PageFile tex = {"handout.tex", latex_mark("handout")}, page = {"handout.html", html_mark("handout")};
+  need_own(folder, {tex, page});
+  need_surroundings(program);
+  Gallery gallery(options.out, program);
+  for (const int step : e.steps)
+    for (const viz::Format* format : style.formats) {
+      gallery.need_ours(piece_of(e, step), *format);
+      if (e.walk.steps[step].question) gallery.need_ours(piece_of_question(e, step), *format);
+    }
+  Studio studio(style, "auto");
+  const auto add = [&](const Piece& piece, const viz::Drawing& drawing) {
+    for (const viz::Format* format : style.formats)
+      gallery.add(e, piece, format->name, studio.write(piece, drawing, *format),
+                  {{"theme", viz::name_of(style.theme)},
+                   {"width_pt", drawing.width},
+                   {"height_pt", drawing.height},
+                   {"text_pt", style.paper->text_size}});
+  };
+  std::set<int> drawn;
+  for (const int step : e.steps) {
+    if (e.walk.steps[step].question && has_picture(e.walk, step)) {
+      const Excerpt asked = asking(e, step);
+      const Piece piece = piece_of_question(e, step);
+      const viz::Drawing drawing = studio.draw(asked, asked.steps.front());
+      const auto text = [&](const viz::Drawing& d) { return studio.write(piece, d, *style.formats.back()); };
+      if (step == 0 || text(drawing) != text(bare(studio, e, step - 1))) drawn.insert(step), add(piece, drawing);
+    }
+    add(piece_of(e, step), studio.draw(e, step));
+  }
+  const Blocks blocks = contents(e, drawn);
+  print(gallery.add_page(folder_of(e) + "/" + tex.name, tex.mark + fmt::format(latex_head, viz::tex(e.lesson->title)) +
+                                                            latex(blocks) + "\\end{document}\n"));
+  print(gallery.add_page(folder_of(e) + "/" + page.name,
+                         html_page(page.mark, e.lesson->title, html_style,
+                                   fmt::format("<h1>{}</h1>\n", html_text(e.lesson->title)) + html(blocks))));
+  gallery.list();
+  gallery.say_left_alone();
+  return done;
+}
+
+}  // namespace
+
+void add_handout(CLI::App& app, Program& program) {
+  CLI::App& sub = *app.add_subcommand("handout", "a lesson to print, as LaTeX and as HTML, answers at the end");
+  const auto options = std::make_shared<PageOptions>();
+  options->width = "9cm";
+  add_page_options(sub, program, *options, "handout");
+  sub.footer(
+      "The files go to DIR/<lesson>/<preset>/, beside the pictures: handout.tex, for pdflatex and lualatex run\n"
+      "there, and handout.html.\nExample: " +
+      program.name + " handout" + (program.only ? "" : " ray-sphere") + " --preset tangent");
+  sub.callback([&program, options] { program.chosen = [&program, options] { return handout(program, *options); }; });
+}
+
+}  // namespace isect::program

@@ -1,0 +1,111 @@
+// isect show: the window.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "app/figures/figure_place.h"
+#include "app/scene/lesson.h"
+#include "app/scene/save.h"
+#include "app/shell/options.h"
+#include "app/shell/surroundings.h"
+#include "app/shell/terminal.h"
+#include "lessons/course.h"
+#include "viz/formats/files.h"
+#include "viz/formats/formats.h"
+#include "viz/player/place.h"
+#include "viz/window/window.h"
+
+namespace isect::program {
+
+namespace {
+
+using Lessons = std::vector<const viz::Lesson*>;
+
+/// Returns where to begin. `file` becomes the scene's, if that can be written to.
+viz::Place place_of(const Program& program, Selection asked, Lessons& lessons, std::optional<scene::KeptFile>& file) {
+  const std::string first = asked.lessons.empty() ? std::string() : asked.lessons.front();
+  if (const viz::Format* format = viz::format_of(first); format && asked.step.empty() && asked.changes.empty())
+    return place_in_figure(program, first, *format, lessons).place;
+  const bool anywhere = asked.lessons.empty() && asked.preset.empty() && asked.changes.empty() && asked.step.empty() &&
+                        asked.scene.empty();
+  if (anywhere && program.only == nullptr) return {};  // where the reader stopped last time, or the first lesson
+  if (asked.lessons.empty() && asked.preset.empty() && asked.scene.empty())
+    asked.lessons = {program.lessons.front()->id};
+  const Excerpt e = excerpt(program, asked);
+  if (!asked.step.empty() && e.steps.size() != 1)
+    throw viz::BadInput(fmt::format("step: \"{}\" is not allowed here; give one", asked.step));
+  if (!e.lesson->made_from.empty()) {
+    lessons.push_back(e.lesson);
+    if (std::error_code absent; std::filesystem::is_regular_file(e.path, absent)) file.emplace(e.path);
+  }
+  viz::Place place;
+  place.lesson = e.lesson->id;
+  place.preset = e.preset;
+  place.step = e.steps.front();
+  place.parameters = e.parameters;
+  place.camera = e.camera;
+  return place;
+}
+
+int show(const Program& program, const Selection& asked) {
+  Lessons lessons = program.lessons;
+  std::optional<scene::KeptFile> file;
+  const viz::Place place = place_of(program, asked, lessons, file);
+  std::function<void(const viz::Parameters&)> save;
+  if (file)
+    save = [&](const viz::Parameters& p) {
+      file->save(p);
+      scene::keep(*lessons.back(), file->folder(), p);
+    };
+  need_surroundings(program);
+  try {
+    viz::show(
+        lessons, lessons::course(), place,
+        [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); }, save);
+  } catch (const viz::NoDisplay& e) {
+    say(fmt::format("{}: {}", program.name, e.what()));
+    const bool scene = lessons.size() > program.lessons.size();
+    const std::string which = scene ? file ? " " + (asked.lessons.empty() ? asked.preset : asked.lessons.front())
+                                           : std::string(" FILE.json, of the scene in it,")
+                              : program.only
+                                  ? ""
+                                  : " " + (place.lesson.empty() ? program.lessons.front()->id : place.lesson);
+    const std::string method = asked.preset.empty() ? "" : " --preset " + asked.preset;
+    const std::string preset = !asked.scene.empty()            ? " --scene " + asked.scene + method
+                               : scene || place.preset.empty() ? ""
+                                                               : " --preset " + place.preset;
+    say(fmt::format(
+        "Without a display, `{0} render{1}{2}` writes the figures, and `{0} explain{1}{2}` tells them as text.",
+        program.name, which, preset));
+    return nowhere_to_draw;
+  }
+  return done;
+}
+
+}  // namespace
+
+void add_show(CLI::App& app, Program& program) {
+  CLI::App& sub = *app.add_subcommand("show", "the window, at that place");
+  const auto asked = std::make_shared<Selection>();
+  add_lesson(sub, program, *asked, Takes::one,
+             fmt::format("a lesson's id; or a figure made by isect (.{}),\nto open it where it was made",
+                         fmt::join(viz::format_names(), ", .")));
+  add_preset(sub, *asked, Takes::one,
+             "a preset, or a file with one (its step and camera are\nhonoured); the first if not given");
+  add_step(
+      sub, *asked, Takes::one,
+      "counted from 1, -1 is the last; or by name: intersect, verdict;\nif not given, that of the preset's file, or 1");
+  add_scene_file(sub, program, *asked);
+  add_set(sub, *asked);
+  sub.footer(program.only ? "Example: " + program.name + " show --step 3"
+                          : "Examples: isect show ray-sphere --step 3\n          isect show "
+                            "figures/ray-sphere/tangent/03-distance.svg");
+  sub.callback([&program, asked] { program.chosen = [&program, asked] { return show(program, *asked); }; });
+}
+
+}  // namespace isect::program
