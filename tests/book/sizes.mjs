@@ -1,5 +1,6 @@
-// Every page at every size of screen: the picture is whole where a page opens and after each step, and its letters are
-// nowhere smaller than on a phone. node sizes.mjs FOLDER; prints what is wrong; exit status 1 if anything is.
+// Every page at sizes from a phone to a large screen: the picture is whole where a page opens and after each step, and
+// its letters are nowhere smaller than on a phone. node sizes.mjs FOLDER; prints what is wrong; exit status 1 if
+// anything is.
 import { readFileSync, readdirSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -9,7 +10,8 @@ const folder = resolve(process.argv[2]), phone = "390x844";
 const sizes = [phone, "844x390", "1024x768", "1093x614", "1366x768", "2560x1440"];
 const pages = readdirSync(folder).filter(name => name.endsWith(".html")).sort()
   .filter(name => readFileSync(join(folder, name), "utf8").includes('<section class="walk'));
-// With the first setting at every size, with every third one on a phone; ISECT_LONG=1: with all there and on a low screen.
+// On a phone with every third setting, and with the first one at another size, which changes from page to page.
+// ISECT_LONG=1: at every size, with every setting on a phone and on a low screen.
 const every = process.env.ISECT_LONG === "1", thorough = every ? [phone, "1093x614"] : [phone];
 const text = 9, least = 7;  // units of a picture's letters; px of a picture taller than wide, on a low screen
 
@@ -37,9 +39,9 @@ function check(holds, what) {
 }
 const browser = await Browser.start(), beginning = Date.now(), smallest = {};
 try {
-  for (const page of pages) {
+  for (const [at, page] of pages.entries()) {
     const on_phone = new Map();
-    for (const size of sizes) {
+    for (const size of every ? sizes : [phone, sizes[1 + at % (sizes.length - 1)]]) {
       const [width, height] = size.split("x").map(Number);
       await browser.look({ width, height });
       await browser.open("about:blank");
