@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include <isect/bvh_ray.h>
+#include <isect/many/bvh_ray.h>
 #include <isect/triangle_mesh.h>
 
 namespace isect::bench {

@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 
+#include <isect/methods/orient.h>
+#include <isect/methods/point_polygon.h>
+#include <isect/methods/ray_sphere.h>
+#include <isect/methods/ray_sphere_stable.h>
+#include <isect/methods/sphere_sphere.h>
 #include <isect/orient.h>
-#include <isect/orient_methods.h>
 #include <isect/point_polygon.h>
 #include <isect/ray_sphere.h>
-#include <isect/ray_sphere_methods.h>
-#include <isect/ray_sphere_stable.h>
 #include <isect/sphere_sphere.h>
 #include "bench/near_edges.h"
 #include "bench/prose.h"

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include <isect/methods/point_polygon.h>
 #include <isect/numbers/exact.h>
 #include <isect/point_polygon.h>
-#include <isect/point_polygon_methods.h>
 #include "bench/random_shapes.h"
 
 namespace isect::bench::near_edges {

@@ -1,6 +1,6 @@
 # Lists the cases of a test program for ctest, each as "<ring>/<unit>: <case>", after the program is built. Catch2's own
 # way differs between its versions 2 and 3.
-#   cmake -D PROGRAM=test_core -D RING=core "-D UNITS=fit motion" -D CATCH2=3.7.1 "-D PROPERTIES=ENVIRONMENT A=b"
+#   cmake -D PROGRAM=test_core -D RING=core "-D UNITS=fit many/motion" -D CATCH2=3.7.1 "-D PROPERTIES=ENVIRONMENT A=b"
 #     -D OUT=file -P list_cases.cmake
 set(names_only --list-test-names-only)
 if(CATCH2 VERSION_GREATER_EQUAL 3)
@@ -8,7 +8,8 @@ if(CATCH2 VERSION_GREATER_EQUAL 3)
 endif()
 set(listed "")
 separate_arguments(UNITS)
-foreach(unit IN LISTS UNITS)
+foreach(path IN LISTS UNITS)
+  get_filename_component(unit ${path} NAME)
   execute_process(COMMAND ${PROGRAM} -\# "[#${unit}_test]~[.]" ${names_only} OUTPUT_VARIABLE output ERROR_VARIABLE said)
   if(output MATCHES ";")
     message(FATAL_ERROR "a case of ${unit} has a ; in its name, which ctest takes for two:\n${output}")

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include <isect/methods/point_polygon.h>
 #include <isect/parts/point_segment.h>
 #include <isect/point_polygon.h>
 #include <isect/trace.h>

@@ -2,13 +2,16 @@
 
 #include <isect/aabb_aabb.h>
 #include <isect/capsule_capsule.h>
-#include <isect/capsule_capsule_methods.h>
 #include <isect/kdop_kdop.h>
+#include <isect/methods/aabb_aabb.h>
+#include <isect/methods/capsule_capsule.h>
+#include <isect/methods/obb_obb.h>
+#include <isect/methods/sphere_aabb.h>
+#include <isect/methods/sphere_capsule.h>
+#include <isect/methods/sphere_sphere.h>
 #include <isect/obb_obb.h>
-#include <isect/obb_obb_methods.h>
 #include <isect/sphere_aabb.h>
 #include <isect/sphere_capsule.h>
-#include <isect/sphere_capsule_methods.h>
 #include <isect/sphere_sphere.h>
 #include <isect/triangle_aabb.h>
 #include "app/query/events.h"

@@ -5,12 +5,15 @@
 #include <isect/convex_polygons.h>
 #include <isect/fit.h>
 #include <isect/fit_tight.h>
+#include <isect/many/slab_map.h>
+#include <isect/many/trapezoid_map.h>
+#include <isect/methods/clip_polygon.h>
+#include <isect/methods/point_convex_polygon.h>
+#include <isect/methods/point_polygon.h>
 #include <isect/point_convex_polygon.h>
 #include <isect/point_polygon.h>
 #include <isect/polygon.h>
 #include <isect/polygon_polygon.h>
-#include <isect/slab_map.h>
-#include <isect/trapezoid_map.h>
 #include "app/query/events.h"
 #include "app/query/handlers.h"
 #include "app/query/results.h"

@@ -2,15 +2,21 @@
 
 #include <isect/clip_segment.h>
 #include <isect/line_triangle.h>
+#include <isect/methods/clip_segment.h>
+#include <isect/methods/ray_aabb.h>
+#include <isect/methods/ray_obb.h>
+#include <isect/methods/ray_plane.h>
+#include <isect/methods/ray_polygon.h>
+#include <isect/methods/segment_segment.h>
 #include <isect/ray_aabb.h>
 #include <isect/ray_plane.h>
 #include <isect/ray_sphere.h>
 
+#include <isect/methods/ray_sphere.h>
 #include <isect/ray_capsule.h>
 #include <isect/ray_obb.h>
 #include <isect/ray_outline.h>
 #include <isect/ray_polygon.h>
-#include <isect/ray_sphere_methods.h>
 #include <isect/segment_plane.h>
 #include <isect/segment_segment.h>
 #include "app/query/events.h"

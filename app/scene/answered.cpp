@@ -11,8 +11,8 @@
 #include <cmath>
 #include <limits>
 
-#include <isect/all_pairs.h>
 #include <isect/convex_hull.h>
+#include <isect/many/all_pairs.h>
 #include "app/query/reply.h"
 #include "app/scene/questions.h"
 #include "app/scene/shapes.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include <isect/aabb_frustum.h>
-#include <isect/bvh_ray.h>
 #include <isect/kdop_kdop.h>
 #include <isect/line_triangle.h>
+#include <isect/many/bvh_ray.h>
 #include <isect/point_mesh.h>
 #include <isect/point_polygon.h>
 #include <isect/sphere_frustum.h>

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 
-#include <isect/bvh.h>
 #include <isect/clip_polygon.h>
 #include <isect/clip_segment.h>
 #include <isect/convex_hull.h>
 #include <isect/fit.h>
+#include <isect/many/bvh.h>
 #include <isect/numbers/exact.h>
 #include <isect/numbers/quotient.h>
 

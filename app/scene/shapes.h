@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <isect/any_shape.h>
-#include <isect/bvh.h>
 #include <isect/described.h>
+#include <isect/many/bvh.h>
 
 #include "app/scene/objects.h"
 #include "viz/solids.h"

@@ -2,8 +2,8 @@
 
 #include <isect/aabb_aabb.h>
 
-#include <isect/aabb_aabb_methods.h>
-#include <isect/batch_aabb.h>
+#include <isect/many/batch_aabb.h>
+#include <isect/methods/aabb_aabb.h>
 #include "bench/aabb_aabb/families.h"
 #include "bench/aabb_aabb/oracle.h"
 #include "bench/pairs.h"

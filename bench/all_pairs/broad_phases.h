@@ -17,7 +17,7 @@
 #include <memory>
 #include <vector>
 
-#include <isect/all_pairs.h>
+#include <isect/many/all_pairs.h>
 
 namespace isect::bench::peers {
 

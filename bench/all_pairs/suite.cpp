@@ -1,12 +1,12 @@
 // All overlapping pairs of n boxes: time against n of every method. A time includes building whatever is built, and
 // listing each pair once.
 
-#include <isect/all_pairs.h>
+#include <isect/many/all_pairs.h>
 
 #include <stdexcept>
 
-#include <isect/bvh_pairs.h>
-#include <isect/overlapping_pairs.h>
+#include <isect/many/bvh_pairs.h>
+#include <isect/many/overlapping_pairs.h>
 #include "bench/growth.h"
 #include "bench/growth_shapes.h"
 #include "bench/session.h"

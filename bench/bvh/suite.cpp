@@ -1,8 +1,8 @@
 // A hierarchy of boxes around a mesh of n triangles: what it costs to build, and the closest hit of a ray, beside brute
 // force.
 
-#include <isect/bvh_ray.h>
-#include <isect/ray_mesh.h>
+#include <isect/many/bvh_ray.h>
+#include <isect/many/ray_mesh.h>
 #include <isect/triangle_mesh.h>
 #include "bench/brute_force.h"
 #include "bench/growth.h"

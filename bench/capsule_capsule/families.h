@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include <isect/capsule_capsule_methods.h>
+#include <isect/methods/capsule_capsule.h>
 #include "bench/sphere_capsule/families.h"
 
 namespace isect::bench {

@@ -2,7 +2,7 @@
 
 #include <isect/capsule_capsule.h>
 
-#include <isect/capsule_capsule_methods.h>
+#include <isect/methods/capsule_capsule.h>
 #include "bench/capsule_capsule/families.h"
 #include "bench/capsule_capsule/oracle.h"
 #include "bench/pairs.h"

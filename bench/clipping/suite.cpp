@@ -4,6 +4,7 @@
 #include <isect/clip_polygon.h>
 #include <isect/clip_segment.h>
 #include <isect/convex_polygons.h>
+#include <isect/methods/clip_polygon.h>
 
 #include "bench/clip_polygon/oracle.h"
 #include "bench/clip_segment/oracle.h"

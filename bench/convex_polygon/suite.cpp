@@ -1,6 +1,7 @@
 // Point in convex polygon in O(lg n): whether the closed polygon holds the point; and how the time of a query grows.
 
 #include <isect/convex_hull.h>
+#include <isect/methods/point_convex_polygon.h>
 #include <isect/point_convex_polygon.h>
 #include "bench/contest.h"
 #include "bench/growth.h"

@@ -2,7 +2,7 @@
 
 #include <isect/interval_interval.h>
 
-#include <isect/interval_interval_methods.h>
+#include <isect/methods/interval_interval.h>
 #include "bench/aabb_aabb/families.h"
 #include "bench/aabb_aabb/oracle.h"
 #include "bench/pairs.h"

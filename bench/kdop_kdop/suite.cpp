@@ -5,7 +5,7 @@
 
 #include <isect/directions.h>
 #include <isect/fit.h>
-#include <isect/kdop_kdop_methods.h>
+#include <isect/methods/kdop_kdop.h>
 #include "bench/kdop_kdop/families.h"
 #include "bench/pairs.h"
 #include "bench/peer.h"

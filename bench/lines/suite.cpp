@@ -8,8 +8,8 @@
 #include <isect/ray_half_spaces.h>
 #include <isect/segment_sphere.h>
 
-#include <isect/ray_cone_methods.h>
-#include <isect/ray_cylinder_methods.h>
+#include <isect/methods/ray_cone.h>
+#include <isect/methods/ray_cylinder.h>
 
 #include "bench/half_spaces/bodies.h"
 #include "bench/line_triangle/oracle.h"

@@ -3,8 +3,8 @@
 
 #include <isect/mesh_convex.h>
 #include <isect/mesh_mesh.h>
-#include <isect/point_cone_methods.h>
-#include <isect/point_cylinder_methods.h>
+#include <isect/methods/point_cone.h>
+#include <isect/methods/point_cylinder.h>
 
 #include "bench/cylinder_half_spaces/oracle.h"
 #include "bench/half_spaces/bodies.h"

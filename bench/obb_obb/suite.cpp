@@ -3,7 +3,7 @@
 
 #include <isect/obb_obb.h>
 
-#include <isect/obb_obb_methods.h>
+#include <isect/methods/obb_obb.h>
 #include "bench/obb_obb/families.h"
 #include "bench/obb_obb/oracle.h"
 #include "bench/pairs.h"

@@ -2,7 +2,7 @@
 
 #include <isect/orient.h>
 
-#include <isect/orient_methods.h>
+#include <isect/methods/orient.h>
 #include "bench/contest.h"
 #include "bench/orient2d/families.h"
 #include "bench/session.h"

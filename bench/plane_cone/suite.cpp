@@ -2,7 +2,7 @@
 
 #include <isect/plane_cone.h>
 
-#include <isect/plane_cone_methods.h>
+#include <isect/methods/plane_cone.h>
 #include "bench/pairs.h"
 #include "bench/plane_cylinder/families.h"
 #include "bench/plane_cylinder/oracle.h"

@@ -2,7 +2,7 @@
 
 #include <isect/plane_cylinder.h>
 
-#include <isect/plane_cylinder_methods.h>
+#include <isect/methods/plane_cylinder.h>
 #include "bench/pairs.h"
 #include "bench/plane_cylinder/families.h"
 #include "bench/plane_cylinder/oracle.h"

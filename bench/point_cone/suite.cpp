@@ -2,7 +2,7 @@
 
 #include <isect/point_cone.h>
 
-#include <isect/point_cone_methods.h>
+#include <isect/methods/point_cone.h>
 #include "bench/pairs.h"
 #include "bench/point_cylinder/families.h"
 #include "bench/point_cylinder/oracle.h"

@@ -1,10 +1,10 @@
 // Point location in a polygon prepared for it: slabs in floating point, exact slabs, trapezoids, grid. The question is
 // whether the closed polygon holds the point. Then what preparation costs, and how that and a query grow.
 
-#include <isect/polygon_grid.h>
-#include <isect/slab_map.h>
-#include <isect/slab_map_methods.h>
-#include <isect/trapezoid_map.h>
+#include <isect/many/polygon_grid.h>
+#include <isect/many/slab_map.h>
+#include <isect/many/trapezoid_map.h>
+#include <isect/methods/slab_map.h>
 #include "bench/contest.h"
 #include "bench/growth.h"
 #include "bench/growth_shapes.h"

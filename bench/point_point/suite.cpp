@@ -2,7 +2,7 @@
 
 #include <isect/point_point.h>
 
-#include <isect/point_point_methods.h>
+#include <isect/methods/point_point.h>
 #include "bench/pairs.h"
 #include "bench/point_point/families.h"
 #include "bench/rational.h"

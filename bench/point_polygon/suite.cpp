@@ -3,8 +3,8 @@
 
 #include <isect/point_polygon.h>
 
-#include <isect/batch_point_polygon.h>
-#include <isect/point_polygon_methods.h>
+#include <isect/many/batch_point_polygon.h>
+#include <isect/methods/point_polygon.h>
 #include "bench/contest.h"
 #include "bench/growth.h"
 #include "bench/growth_shapes.h"

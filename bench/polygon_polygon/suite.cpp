@@ -1,5 +1,7 @@
 // Polygon against polygon: whether they meet, and how they lie; by edges and corners in floating point, and exactly.
 
+#include <isect/methods/point_polygon.h>
+#include <isect/methods/segment_segment.h>
 #include <isect/polygon_polygon.h>
 
 #include "bench/contest.h"

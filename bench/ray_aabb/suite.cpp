@@ -3,7 +3,7 @@
 
 #include <isect/ray_aabb.h>
 
-#include <isect/ray_aabb_methods.h>
+#include <isect/methods/ray_aabb.h>
 #include "bench/pairs.h"
 #include "bench/ray_aabb/families.h"
 #include "bench/ray_aabb/oracle.h"

@@ -2,7 +2,7 @@
 
 #include <isect/ray_cone.h>
 
-#include <isect/ray_cone_methods.h>
+#include <isect/methods/ray_cone.h>
 #include "bench/pairs.h"
 #include "bench/ray_cylinder/families.h"
 #include "bench/ray_cylinder/oracle.h"

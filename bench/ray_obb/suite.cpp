@@ -1,5 +1,6 @@
 // Ray against oriented box: where the ray enters, by projections onto the axes, and exactly.
 
+#include <isect/methods/ray_obb.h>
 #include <isect/ray_obb.h>
 
 #include "bench/pairs.h"

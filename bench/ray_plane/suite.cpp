@@ -2,7 +2,7 @@
 
 #include <isect/ray_plane.h>
 
-#include <isect/ray_plane_methods.h>
+#include <isect/methods/ray_plane.h>
 #include "bench/pairs.h"
 #include "bench/ray_plane/families.h"
 #include "bench/ray_plane/oracle.h"

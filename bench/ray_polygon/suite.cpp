@@ -2,7 +2,7 @@
 
 #include <isect/ray_polygon.h>
 
-#include <isect/ray_polygon_methods.h>
+#include <isect/methods/ray_polygon.h>
 #include "bench/pairs.h"
 #include "bench/ray_polygon/families.h"
 #include "bench/ray_polygon/oracle.h"

@@ -5,9 +5,9 @@
 
 #include <span>
 
-#include <isect/batch_ray_sphere.h>
-#include <isect/ray_sphere_methods.h>
-#include <isect/ray_sphere_stable.h>
+#include <isect/many/batch_ray_sphere.h>
+#include <isect/methods/ray_sphere.h>
+#include <isect/methods/ray_sphere_stable.h>
 #include "bench/contest.h"
 #include "bench/rational.h"
 #include "bench/ray_sphere/families.h"

@@ -2,7 +2,7 @@
 
 #include <isect/ray_triangle.h>
 
-#include <isect/ray_triangle_methods.h>
+#include <isect/methods/ray_triangle.h>
 #include "bench/pairs.h"
 #include "bench/ray_triangle/families.h"
 #include "bench/ray_triangle/oracle.h"

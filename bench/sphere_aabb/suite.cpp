@@ -2,7 +2,7 @@
 
 #include <isect/sphere_aabb.h>
 
-#include <isect/sphere_aabb_methods.h>
+#include <isect/methods/sphere_aabb.h>
 #include "bench/pairs.h"
 #include "bench/session.h"
 #include "bench/sphere_aabb/families.h"

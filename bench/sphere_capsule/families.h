@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include <isect/sphere_capsule_methods.h>
+#include <isect/methods/sphere_capsule.h>
 #include "bench/named_draw.h"
 #include "bench/ordinary_shapes.h"
 #include "bench/ray_sphere/generators.h"

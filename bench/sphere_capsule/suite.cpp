@@ -2,7 +2,7 @@
 
 #include <isect/sphere_capsule.h>
 
-#include <isect/sphere_capsule_methods.h>
+#include <isect/methods/sphere_capsule.h>
 #include "bench/pairs.h"
 #include "bench/session.h"
 #include "bench/sphere_capsule/families.h"

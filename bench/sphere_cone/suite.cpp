@@ -2,7 +2,7 @@
 
 #include <isect/sphere_cone.h>
 
-#include <isect/sphere_cone_methods.h>
+#include <isect/methods/sphere_cone.h>
 #include "bench/pairs.h"
 #include "bench/session.h"
 #include "bench/sphere_cylinder/families.h"

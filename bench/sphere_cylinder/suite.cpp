@@ -2,7 +2,7 @@
 
 #include <isect/sphere_cylinder.h>
 
-#include <isect/sphere_cylinder_methods.h>
+#include <isect/methods/sphere_cylinder.h>
 #include "bench/pairs.h"
 #include "bench/session.h"
 #include "bench/sphere_cylinder/families.h"

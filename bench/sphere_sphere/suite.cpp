@@ -2,7 +2,7 @@
 
 #include <isect/sphere_sphere.h>
 
-#include <isect/sphere_sphere_methods.h>
+#include <isect/methods/sphere_sphere.h>
 #include "bench/pairs.h"
 #include "bench/session.h"
 #include "bench/sphere_sphere/families.h"

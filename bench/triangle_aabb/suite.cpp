@@ -2,7 +2,7 @@
 
 #include <isect/triangle_aabb.h>
 
-#include <isect/triangle_aabb_methods.h>
+#include <isect/methods/triangle_aabb.h>
 #include "bench/pairs.h"
 #include "bench/session.h"
 #include "bench/triangle_aabb/families.h"

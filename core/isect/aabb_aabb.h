@@ -10,7 +10,6 @@
 #include <limits>
 #include <variant>
 
-#include <isect/interval_interval.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
 
@@ -47,18 +46,6 @@ bool same(const Aabb<S, N>& a, const Aabb<S, N>& b) {
 }
 
 }  // namespace detail
-
-/// Whether the boxes meet, axis by axis, as the note prints it, errata corrected. Naive: right for valid boxes, but it
-/// takes inverted ones and NaN for overlapping.
-template <class S, int N, class Trace = NoTrace>
-bool by_axis(const Aabb<S, N>& a, const Aabb<S, N>& b, Trace&& trace = {}) {
-  for (int axis = 0; axis < N; ++axis) {
-    const bool disjoint = !interval_interval::ends(a.along(axis), b.along(axis));
-    trace(Axis<S>{axis, a.along(axis), b.along(axis), disjoint});
-    if (disjoint) return false;
-  }
-  return true;
-}
 
 }  // namespace aabb_aabb
 

@@ -26,14 +26,15 @@
 #include <isect/aabb_aabb.h>
 #include <isect/answer.h>
 #include <isect/any_shape.h>
-#include <isect/bvh_pairs.h>
 #include <isect/capsule_capsule.h>
 #include <isect/capsule_half_spaces.h>
 #include <isect/cone_half_spaces.h>
 #include <isect/cylinder_half_spaces.h>
 #include <isect/half_spaces.h>
+#include <isect/interval_interval.h>
 #include <isect/line_line.h>
 #include <isect/line_triangle.h>
+#include <isect/many/bvh_pairs.h>
 #include <isect/mesh_convex.h>
 #include <isect/mesh_mesh.h>
 #include <isect/obb_obb.h>

@@ -76,22 +76,6 @@ Ring<S, N> cut(const Ring<S, N>& ring, const Height& height, const Settle& settl
 
 }  // namespace detail
 
-/// Clips the ring at one plane, in floating point. Naive: rounding may decide which vertices survive.
-template <class S, int N, class Trace = NoTrace>
-Ring<S, N> sutherland_hodgman(const Ring<S, N>& ring, const Plane<S, N>& half_space, Trace&& trace = {}) {
-  Ring<S, N> kept;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point<S, N>&p = ring[i], &q = ring[i + 1 < ring.size() ? i + 1 : 0];
-    const S from = half_space.normal.dot(p) + half_space.d, to = half_space.normal.dot(q) + half_space.d;
-    trace(Side{static_cast<int>(i), from > S(0) ? 1 : from < S(0) ? -1 : 0});
-    if (from >= S(0)) kept.push_back(p);
-    if (!(from * to < S(0))) continue;
-    kept.push_back(p + (from / (from - to)) * (q - p));
-    trace(Crossing<S, N>{static_cast<int>(i), kept.back()});
-  }
-  return kept;
-}
-
 }  // namespace clip_polygon
 
 /// The part of a convex polygon on the plane or on the side that its normal points to, normal.x + d >= 0.

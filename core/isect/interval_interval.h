@@ -44,8 +44,8 @@ bool holds_nothing(const Interval<S>& x) {
 
 }  // namespace detail
 
-/// The note's test, disjoint iff a.lo > b.hi or b.lo > a.hi. Naive: right for valid intervals, but it takes inverted
-/// ones and NaN, for which no comparison holds, for overlapping.
+/// The note's test, disjoint iff a.lo > b.hi or b.lo > a.hi. Exact for intervals that are not empty; inverted ones and
+/// NaN, for which no comparison holds, count as overlapping.
 template <class S, class Trace = NoTrace>
 bool ends(const Interval<S>& a, const Interval<S>& b, Trace&& trace = {}) {
   const bool a_beyond_b = a.lo > b.hi;

@@ -13,7 +13,6 @@
 // Source: the note, N08; Klosowski, Held, Mitchell, Sowizral, Zikan, Efficient collision detection using bounding
 // volume hierarchies of k-DOPs, IEEE TVCG 4 (1998).
 
-#include <cassert>
 #include <optional>
 #include <variant>
 
@@ -51,15 +50,6 @@ std::optional<int> first_apart(const Kdop<S, N>& a, const Kdop<S, N>& b, Trace&&
 }  // namespace detail
 
 }  // namespace kdop_kdop
-
-/// The first slab whose intervals are disjoint, so that its normal separates a from b; nothing when all overlap.
-/// Exact; touching intervals overlap. The normals of both must be the same, in the same order. Both must be finite
-/// and no slab empty; then an answer is certain.
-template <class S, int N, class Trace = NoTrace>
-std::optional<int> separating_slab(const Kdop<S, N>& a, const Kdop<S, N>& b, Trace&& trace = {}) {
-  assert(a.normals == b.normals && a.slabs.size() == b.slabs.size() && a.normals.size() == a.slabs.size());
-  return kdop_kdop::detail::first_apart(a, b, trace);
-}
 
 /// Whether the k-DOPs may have a common point: false is certain, true only possible. The normals of both must be the
 /// same, in the same order. An empty slab, NaN or an infinite coordinate: no.

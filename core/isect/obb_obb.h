@@ -4,7 +4,7 @@
 //
 // The first pass is the classical test in plain doubles, with a proved margin in place of its epsilon. It settles
 // nearly all pairs; the axes of the others are tested exactly, one by one, each by the sign of a polynomial. The
-// classical test itself stands in isect/obb_obb_methods.h. Source: Gottschalk, Lin, Manocha, OBBTree, SIGGRAPH 1996;
+// classical test itself stands in isect/methods/obb_obb.h. Source: Gottschalk, Lin, Manocha, OBBTree, SIGGRAPH 1996;
 // Ericson, Real-Time Collision Detection (2005), 4.4.1.
 
 #include <optional>

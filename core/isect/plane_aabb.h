@@ -65,19 +65,6 @@ bool meaningful(const Plane<S, N>& plane, const Aabb<S, N>& box) {
 
 }  // namespace detail
 
-/// The side of the plane that the box lies on, or 0. Naive: rounding may decide.
-template <class S, int N, class Trace = NoTrace>
-int corners(const Plane<S, N>& plane, const Aabb<S, N>& box, Trace&& trace = {}) {
-  const Point<S, N> least = detail::corner(plane.normal, box, false),
-                    greatest = detail::corner(plane.normal, box, true);
-  const S at_least = plane.normal.dot(least) + plane.d;
-  const S at_greatest = plane.normal.dot(greatest) + plane.d;
-  trace(Corners<S, N>{least, greatest, at_least, at_greatest});
-
-  if (at_least > S(0)) return 1;
-  return at_greatest < S(0) ? -1 : 0;
-}
-
 }  // namespace plane_aabb
 
 /// The sign of n.x + d for all points x of the box, or 0 where the box meets the plane. Exact. A zero normal, which

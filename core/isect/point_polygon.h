@@ -187,67 +187,6 @@ Winding winding(const Point<S, 2>& p, std::span<const Ring<S, 2>> rings, Trace&&
 
 }  // namespace detail
 
-// The note's method, and its winding number, in floating point.
-
-struct Straddles {
-  int index;
-  bool holds;  ///< whether the ends of the edge lie on different sides of the line
-};
-/// Where an edge meets the line, and whether that is on the right of the point.
-template <class S>
-struct CrossesAt {
-  int index;
-  S x;
-  bool holds;
-};
-/// Twice the area of a, b, p: positive on the left of the edge.
-template <class S>
-struct LeftBy {
-  int index;
-  S area2;
-};
-template <class S>
-using NaiveEvent = std::variant<Straddles, CrossesAt<S>, LeftBy<S>>;
-
-/// Whether an odd number of edges crosses the ray to the right; anything for points on the boundary. Naive: rounding
-/// may decide near an edge. Source: Franklin's PNPOLY.
-template <class S, class Trace = NoTrace>
-bool crossings_naive(const Point<S, 2>& p, const Ring<S, 2>& ring, Trace&& trace = {}) {
-  bool inside = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point<S, 2>&a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
-    const bool straddles = (a[1] > p[1]) != (b[1] > p[1]);
-    trace(Straddles{static_cast<int>(i), straddles});
-    if (!straddles) continue;
-
-    const S x = (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]) + a[0];
-    const bool crosses = p[0] < x;
-    trace(CrossesAt<S>{static_cast<int>(i), x, crosses});
-    if (crosses) inside = !inside;
-  }
-  return inside;
-}
-
-/// How many times the ring goes around the point, counter-clockwise. Naive: rounding may decide near an edge. Source:
-/// D. Sunday, Inclusion of a point in a polygon (2001).
-template <class S, class Trace = NoTrace>
-int winding_naive(const Point<S, 2>& p, const Ring<S, 2>& ring, Trace&& trace = {}) {
-  int winding = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point<S, 2>&a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
-    const bool straddles = (a[1] > p[1]) != (b[1] > p[1]);
-    trace(Straddles{static_cast<int>(i), straddles});
-    if (!straddles) continue;
-
-    const S area2 = (b[0] - a[0]) * (p[1] - a[1]) - (p[0] - a[0]) * (b[1] - a[1]);
-    trace(LeftBy<S>{static_cast<int>(i), area2});
-    const bool up = b[1] > p[1];
-    if (up && area2 > S(0)) ++winding;
-    if (!up && area2 < S(0)) --winding;
-  }
-  return winding;
-}
-
 }  // namespace point_polygon
 
 /// Where the point lies by both rules, with the winding number and the number of crossings; over all rings together,

@@ -140,29 +140,6 @@ std::optional<FineAreaVector> area_vector(const Ring<S, 3>& ring, Trace&& trace)
 
 }  // namespace detail
 
-/// One more edge of Newell's sum.
-template <class S>
-struct Term {
-  int index;
-  Vector<S, 3> sum;
-};
-template <class S>
-using NaiveEvent = std::variant<Term<S>>;
-
-/// Twice the area vector, as Newell has it. Naive: rounding may turn it, the more the farther from the origin.
-template <class S, class Trace = NoTrace>
-Vector<S, 3> newell_naive(const Ring<S, 3>& ring, Trace&& trace = {}) {
-  Vector<S, 3> sum = {S(0), S(0), S(0)};
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point<S, 3>&a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
-    sum[0] = sum[0] + (a[1] - b[1]) * (a[2] + b[2]);
-    sum[1] = sum[1] + (a[2] - b[2]) * (a[0] + b[0]);
-    sum[2] = sum[2] + (a[0] - b[0]) * (a[1] + b[1]);
-    trace(Term<S>{static_cast<int>(i), sum});
-  }
-  return sum;
-}
-
 }  // namespace polygon_area
 
 /// The area of a ring in the plane, positive when it goes counter-clockwise; each part counts as often as the ring

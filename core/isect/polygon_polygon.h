@@ -34,8 +34,8 @@
 #include <utility>
 #include <vector>
 
-#include <isect/bvh.h>
-#include <isect/bvh_pairs.h>
+#include <isect/many/bvh.h>
+#include <isect/many/bvh_pairs.h>
 #include <isect/orient.h>
 #include <isect/point_polygon.h>
 #include <isect/segment_segment.h>

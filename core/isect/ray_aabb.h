@@ -63,7 +63,7 @@ struct Slabs {
   // clang-format on
 };
 
-/// The textbook's method in double, and whether rounding may have decided. Any input: numbers that are not finite, or
+/// The slabs' method in double, and whether rounding may have decided. Any input: numbers that are not finite, or
 /// would overflow, make that unknown.
 ///
 /// Bound. A difference, a reciprocal and a product err by at most g(3) = 3 u / (1 - 3 u) of each t, the product by
@@ -103,41 +103,6 @@ template <class S, int N>
 }
 
 }  // namespace detail
-
-// clang-format off
-template <class S> struct Beside { int axis; S origin; bool outside; };   ///< d_i = 0
-template <class S> struct Crossing { int axis; S entry, exit; };          ///< t at the two planes, sorted
-template <class S> struct Remains { S in, out; bool holds; };             ///< in <= out
-// clang-format on
-template <class S>
-using SlabsEvent = std::variant<Beside<S>, Crossing<S>, Remains<S>>;
-
-/// The part of the range in the box, slab by slab with divisions. Naive: rounding may decide, at edges and corners it
-/// loses 1.6 % of the hits. Source: Kay, Kajiya (1986); the note's box (N06) and ray (N16).
-template <class S, int N, class Trace = NoTrace>
-std::optional<Interval<S>> slabs(const Ray<S, N>& ray, const Aabb<S, N>& box, Trace&& trace = {}) {
-  S in = ray.range.lo, out = ray.range.hi;
-  for (int i = 0; i < N; ++i) {
-    const S o = ray.origin[i], d = ray.direction[i];
-    if (d == S(0)) {
-      const bool outside = o < box.lo[i] || box.hi[i] < o;
-      trace(Beside<S>{i, o, outside});
-      if (outside) return {};
-      continue;
-    }
-
-    const S t1 = (box.lo[i] - o) / d, t2 = (box.hi[i] - o) / d;
-    const S entry = std::min(t1, t2), exit = std::max(t1, t2);
-    trace(Crossing<S>{i, entry, exit});
-
-    in = std::max(in, entry), out = std::min(out, exit);
-    const bool holds = in <= out;
-    if constexpr (heard<Trace>) trace(Remains<S>{in, out, holds});
-    if (!holds) return {};
-  }
-  if (!(in <= out)) return {};
-  return Interval<S>{in, out};
-}
 
 }  // namespace ray_aabb
 

@@ -82,39 +82,6 @@ RayPlane<S> meet(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace& trace) {
 
 }  // namespace detail
 
-// clang-format off
-template <class S> struct Numerator { S value; };                         ///< n.o + D
-template <class S> struct Denominator { S value; };                       ///< n.d
-template <class S> struct Parallel { S denominator; bool holds; };        ///< n.d = 0
-template <class S> struct Quotient { S t; };                              ///< -(n.o + D) / n.d
-template <class S> struct InRange { S t; bool holds; };                   ///< t_min <= t <= t_max
-// clang-format on
-template <class S>
-using TextbookEvent = std::variant<Numerator<S>, Denominator<S>, Parallel<S>, Quotient<S>, InRange<S>>;
-
-/// t by the note's formula, when the range holds it; nothing for a parallel ray, even one in the plane. Naive:
-/// rounding may decide, and products overflow beyond 1e154 or vanish. Source: the note, N20.
-template <class S, int N, class Trace = NoTrace>
-std::optional<S> textbook(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace&& trace = {}) {
-  const S numerator = plane.normal.dot(ray.origin) + plane.d;
-  trace(Numerator<S>{numerator});
-
-  const S denominator = plane.normal.dot(ray.direction);
-  trace(Denominator<S>{denominator});
-
-  const bool parallel = denominator == S(0);
-  trace(Parallel<S>{denominator, parallel});
-  if (parallel) return {};
-
-  const S t = -numerator / denominator;
-  trace(Quotient<S>{t});
-
-  const bool holds = ray.range.contains(t);
-  trace(InRange<S>{t, holds});
-  if (!holds) return {};
-  return t;
-}
-
 }  // namespace ray_plane
 
 /// Where a ray, segment or line meets a plane.

@@ -1,5 +1,5 @@
 #pragma once
-// Ray against sphere, exactly right. The note's own three methods stand in isect/ray_sphere_methods.h.
+// Ray against sphere, exactly right. The note's own three methods stand in isect/methods/ray_sphere.h.
 //
 // With f = o - c, the line o + t d meets the sphere |x - c| = r where
 //

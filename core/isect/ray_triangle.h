@@ -10,8 +10,7 @@
 // that of an edge is the same for both triangles that share it: no line slips between them. t = n.A / n.d.
 //
 // Source: Plucker coordinates, as in Shoemake, Ray Tracing News 11 (1998); Woop, Benthin, Wald, Watertight
-// ray/triangle intersection, J. Computer Graphics Techniques 2 (2013); Moller, Trumbore, J. Graphics Tools 2 (1997),
-// for the naive.
+// ray/triangle intersection, J. Computer Graphics Techniques 2 (2013).
 
 #include <Eigen/Geometry>
 #include <optional>
@@ -142,45 +141,6 @@ bool met(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace& trace) {
 }
 
 }  // namespace detail
-
-// clang-format off
-template <class S> struct Determinant { S value; };                       ///< (d x e2).e1
-template <class S> struct WeightU { S value; bool holds; };               ///< 0 <= u <= 1
-template <class S> struct WeightV { S value; bool holds; };               ///< 0 <= v, u + v <= 1
-template <class S> struct InRange { S t; bool holds; };                   ///< t_min <= t <= t_max
-// clang-format on
-template <class S>
-using MollerTrumboreEvent = std::variant<Determinant<S>, WeightU<S>, WeightV<S>, InRange<S>>;
-
-/// t and the weights by Cramer's rule. Naive: rounding may decide, and a ray through an edge that two triangles share
-/// may miss both. Source: Moller, Trumbore, Fast, minimum storage ray-triangle intersection, J. Graphics Tools 2
-/// (1997).
-template <class S, class Trace = NoTrace>
-std::optional<Hit<S>> moller_trumbore(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&& trace = {}) {
-  const auto& [a, b, c] = triangle.vertices;
-  const Vector<S, 3> e1 = b - a, e2 = c - a, p = ray.direction.cross(e2);
-  const S determinant = p.dot(e1);
-  trace(Determinant<S>{determinant});
-  if (determinant == S(0)) return {};
-
-  const Vector<S, 3> from = ray.origin - a;
-  const S u = from.dot(p) / determinant;
-  const bool u_holds = S(0) <= u && u <= S(1);
-  trace(WeightU<S>{u, u_holds});
-  if (!u_holds) return {};
-
-  const Vector<S, 3> q = from.cross(e1);
-  const S v = ray.direction.dot(q) / determinant;
-  const bool v_holds = S(0) <= v && u + v <= S(1);
-  trace(WeightV<S>{v, v_holds});
-  if (!v_holds) return {};
-
-  const S t = e2.dot(q) / determinant;
-  const bool holds = ray.range.contains(t);
-  trace(InRange<S>{t, holds});
-  if (!holds) return {};
-  return Hit<S>{t, u, v};
-}
 
 }  // namespace ray_triangle
 

@@ -43,28 +43,6 @@ struct Decision {
 template <class S>
 using Event = std::variant<Axis<S>, Compared<S>, Decision, Fallback>;
 
-/// The note's method: whether the box comes nearer than touching. Naive: rounding may decide, and NaN is near.
-template <class S, int N, class Trace = NoTrace>
-bool accumulate(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace = {}) {
-  S distance2 = S(0);
-  for (int axis = 0; axis < N; ++axis) {
-    const S c = sphere.center[axis];
-    S gap = S(0);
-    if (c < box.lo[axis]) {
-      gap = c - box.lo[axis];
-      distance2 = distance2 + gap * gap;
-    } else if (c > box.hi[axis]) {
-      gap = c - box.hi[axis];
-      distance2 = distance2 + gap * gap;
-    }
-    if constexpr (heard<Trace>) trace(Axis<S>{axis, c, box.along(axis), gap, distance2});
-  }
-  const S radius2 = sphere.radius * sphere.radius;
-  const bool near = distance2 < radius2;
-  if constexpr (heard<Trace>) trace(Compared<S>{distance2, radius2});
-  return near;
-}
-
 /// The point of the box nearest to the center. Exact; the box is not empty, and all is finite.
 template <int N>
 Point<double, N> nearest(const Point<double, N>& center, const Aabb<double, N>& box) {

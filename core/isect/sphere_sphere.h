@@ -25,12 +25,6 @@ struct Decision {
 };
 using Event = std::variant<Decision, Fallback>;
 
-/// The rounded numbers of the note's method.
-template <class S>
-struct Compared {
-  S distance2, sum2;
-};
-
 namespace detail {
 
 /// |a - b|^2 - (r +- s)^2
@@ -66,17 +60,6 @@ S squared(S x) {
 }
 
 }  // namespace detail
-
-/// Whether the spheres come nearer than touching, as the note prints it. Naive: rounding may decide.
-template <class S, int N, class Trace = NoTrace>
-bool squared_distance(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
-  const Vector<S, N> l = a.center - b.center;
-  const S distance2 = l.dot(l);
-  const S sum = a.radius + b.radius, sum2 = sum * sum;
-  trace(Compared<S>{distance2, sum2});
-
-  return distance2 < sum2;
-}
 
 }  // namespace sphere_sphere
 

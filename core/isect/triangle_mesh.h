@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include <isect/bvh_ray.h>
+#include <isect/many/bvh_ray.h>
 #include <isect/ray_triangle.h>
 
 namespace isect {

@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-#include <isect/aabb_aabb_methods.h>
+#include <isect/methods/aabb_aabb.h>
 #include "lessons/aabb_aabb/picture.h"
 #include "lessons/shared/opinions.h"
 

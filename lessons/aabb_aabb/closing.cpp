@@ -1,5 +1,7 @@
 // What a reader takes along from two boxes, and what there is to do.
 
+#include <isect/interval_interval.h>
+
 #include "lessons/aabb_aabb/picture.h"
 
 namespace isect::lessons::aabb_aabb_lesson {

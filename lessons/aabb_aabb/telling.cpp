@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <isect/methods/aabb_aabb.h>
+
 #include "lessons/aabb_aabb/picture.h"
 #include "lessons/shared/axis_names.h"
 #include "lessons/shared/digits.h"

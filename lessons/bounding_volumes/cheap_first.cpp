@@ -6,9 +6,10 @@
 
 #include <isect/aabb_aabb.h>
 #include <isect/fit.h>
+#include <isect/methods/aabb_aabb.h>
+#include <isect/methods/triangle_aabb.h>
 #include <isect/point_mesh.h>
 #include <isect/triangle_aabb.h>
-#include <isect/triangle_aabb_methods.h>
 #include "lessons/bounding_volumes/picture.h"
 #include "lessons/shared/plural.h"
 #include "lessons/shared/script.h"

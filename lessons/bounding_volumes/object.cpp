@@ -11,7 +11,9 @@
 #include <isect/fit.h>
 #include <isect/fit_tight.h>
 #include <isect/kdop_kdop.h>
-#include <isect/obb_obb_methods.h>
+#include <isect/methods/aabb_aabb.h>
+#include <isect/methods/obb_obb.h>
+#include <isect/methods/sphere_sphere.h>
 #include <isect/orient.h>
 #include <isect/sphere_sphere.h>
 #include <isect/volume.h>

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <isect/capsule_capsule_methods.h>
+#include <isect/methods/capsule_capsule.h>
 #include "lessons/capsule_capsule/picture.h"
 #include "lessons/shared/flat.h"
 #include "lessons/shared/opinions.h"

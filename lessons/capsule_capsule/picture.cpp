@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <isect/capsule_capsule_methods.h>
 #include <isect/clip_polygon.h>
+#include <isect/methods/capsule_capsule.h>
 #include "lessons/shared/flat.h"
 #include "lessons/shared/parameters.h"
 

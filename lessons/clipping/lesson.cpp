@@ -3,7 +3,8 @@
 // The walks stand in clipping/segment and clipping/polygon.
 
 #include <isect/clip_segment.h>
-#include <isect/ray_aabb_methods.h>
+#include <isect/methods/clip_segment.h>
+#include <isect/methods/ray_aabb.h>
 #include "lessons/clipping/picture.h"
 #include "lessons/course.h"
 #include "lessons/shared/opinions.h"

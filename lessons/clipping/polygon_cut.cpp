@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <isect/clip_polygon.h>
+#include <isect/methods/clip_polygon.h>
 #include "lessons/clipping/polygon.h"
 #include "lessons/shared/plural.h"
 

@@ -6,7 +6,7 @@
 
 #include <bit>
 
-#include <isect/ray_aabb_methods.h>
+#include <isect/methods/ray_aabb.h>
 
 namespace isect::lessons::clipping_lesson {
 

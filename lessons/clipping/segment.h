@@ -2,6 +2,7 @@
 // The walk of a segment against a box: comparisons first, then a range of t that narrows side by side.
 
 #include <isect/clip_segment.h>
+#include <isect/methods/clip_segment.h>
 #include "lessons/clipping/picture.h"
 #include "lessons/shared/script.h"
 

@@ -1,6 +1,6 @@
 // What a reader takes along from collisions, and what there is to do.
 
-#include <isect/all_pairs.h>
+#include <isect/many/all_pairs.h>
 #include "lessons/collision/telling.h"
 
 namespace isect::lessons::collision_lesson {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include <isect/all_pairs.h>
+#include <isect/many/all_pairs.h>
 #include "lessons/collision/telling.h"
 
 namespace isect::lessons::collision_lesson {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <isect/bvh_pairs.h>
+#include <isect/many/bvh_pairs.h>
 #include "lessons/collision/telling.h"
 
 namespace isect::lessons::collision_lesson {

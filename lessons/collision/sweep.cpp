@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <isect/all_pairs.h>
+#include <isect/many/all_pairs.h>
 #include "lessons/collision/telling.h"
 
 namespace isect::lessons::collision_lesson {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <isect/all_pairs.h>
-#include <isect/bvh_pairs.h>
+#include <isect/many/all_pairs.h>
+#include <isect/many/bvh_pairs.h>
 #include "viz/chart/chart.h"
 
 namespace isect::lessons::collision_lesson {

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <isect/motion.h>
+#include <isect/many/motion.h>
+#include <isect/methods/motion.h>
 
 namespace isect::lessons::collision_lesson {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include <isect/slab_map.h>
-#include <isect/trapezoid_map.h>
+#include <isect/many/slab_map.h>
+#include <isect/many/trapezoid_map.h>
 #include "lessons/concave_polygon/picture.h"
 #include "viz/chart/chart.h"
 

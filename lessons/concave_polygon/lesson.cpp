@@ -1,7 +1,8 @@
 // Concave polygon in O(lg n) (N24): slabs, the trapezoidal map, and Kirkpatrick's hierarchy: built, searched, and what
 // they keep.
 
-#include <isect/slab_map_methods.h>
+#include <isect/methods/point_polygon.h>
+#include <isect/methods/slab_map.h>
 #include "lessons/concave_polygon/picture.h"
 #include "lessons/course.h"
 #include "lessons/shared/parameters.h"

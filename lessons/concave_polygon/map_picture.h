@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include <isect/trapezoid_map.h>
+#include <isect/many/trapezoid_map.h>
 #include "lessons/concave_polygon/picture.h"
 
 namespace isect::lessons::concave_polygon_lesson {

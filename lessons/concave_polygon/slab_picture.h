@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <isect/slab_map.h>
+#include <isect/many/slab_map.h>
 #include "lessons/concave_polygon/picture.h"
 
 namespace isect::lessons::concave_polygon_lesson {

@@ -1,6 +1,6 @@
 // Slabs: a line through every vertex, and in each slab its edges from left to right.
 
-#include <isect/slab_map.h>
+#include <isect/many/slab_map.h>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // The trapezoidal map: built edge by edge, then searched by the questions that the building left behind.
 
-#include <isect/trapezoid_map.h>
+#include <isect/many/trapezoid_map.h>
 
 #include <fmt/format.h>
 

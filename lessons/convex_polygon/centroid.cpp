@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <isect/methods/point_convex_polygon.h>
+
 #include "lessons/convex_polygon/picture.h"
 #include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"

@@ -1,6 +1,8 @@
 // Convex polygon in O(lg n): wedges, bisection, one edge (N23); by the core's fan from a vertex, and by the note's
 // wedges around a centroid.
 
+#include <isect/methods/point_convex_polygon.h>
+#include <isect/methods/point_polygon.h>
 #include <isect/point_polygon.h>
 #include "lessons/convex_polygon/picture.h"
 #include "lessons/course.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <isect/point_polygon_methods.h>
+#include <isect/methods/point_polygon.h>
 #include "lessons/crossings/telling.h"
 #include "lessons/shared/questions.h"
 

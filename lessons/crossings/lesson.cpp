@@ -3,7 +3,7 @@
 // The situations stand in crossings/situations, the picture in crossings/picture, the steps of the rules in
 // crossings/half_open and crossings/closed.
 
-#include <isect/point_polygon_methods.h>
+#include <isect/methods/point_polygon.h>
 #include "lessons/course.h"
 #include "lessons/crossings/situations.h"
 #include "lessons/crossings/telling.h"

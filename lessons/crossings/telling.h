@@ -2,7 +2,7 @@
 // The two rules, walked: which edges count. What they share: the first step, the last question, and the state between
 // them.
 
-#include <isect/point_polygon_methods.h>
+#include <isect/methods/point_polygon.h>
 #include "lessons/crossings/picture.h"
 #include "lessons/shared/script.h"
 

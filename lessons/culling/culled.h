@@ -1,7 +1,7 @@
 #pragma once
 // Boxes under a hierarchy against a frustum: which nodes are tested, and what is drawn.
 
-#include <isect/bvh.h>
+#include <isect/many/bvh.h>
 #include "lessons/culling/picture.h"
 
 namespace isect::lessons::culling_lesson {

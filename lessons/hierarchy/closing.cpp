@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <isect/bvh_pairs.h>
+#include <isect/many/bvh_pairs.h>
 #include <isect/ray_aabb.h>
 #include "lessons/hierarchy/tree.h"
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include <isect/bvh_pairs.h>
-#include <isect/bvh_ray.h>
+#include <isect/many/bvh_pairs.h>
+#include <isect/many/bvh_ray.h>
 #include "bench/random.h"
 #include "lessons/collision/picture.h"
 #include "lessons/hierarchy/tree.h"

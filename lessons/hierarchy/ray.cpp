@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <isect/bvh_ray.h>
+#include <isect/many/bvh_ray.h>
 #include "lessons/hierarchy/changes.h"
 #include "lessons/hierarchy/tree.h"
 #include "lessons/shared/digits.h"

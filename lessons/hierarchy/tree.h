@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <isect/bvh.h>
+#include <isect/many/bvh.h>
 #include "lessons/shared/flat.h"
 #include "viz/lesson.h"
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include <isect/interval_interval_methods.h>
+#include <isect/methods/interval_interval.h>
 #include "lessons/intervals/picture.h"
 #include "lessons/shared/opinions.h"
 

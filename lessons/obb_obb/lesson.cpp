@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <set>
 
-#include <isect/obb_obb_methods.h>
+#include <isect/methods/obb_obb.h>
 #include "lessons/course.h"
 #include "lessons/obb_obb/telling.h"
 #include "lessons/shared/digits.h"

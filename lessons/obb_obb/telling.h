@@ -1,7 +1,7 @@
 #pragma once
 // The walk through the axes of two boxes, in three groups, and how the boxes lie.
 
-#include <isect/obb_obb_methods.h>
+#include <isect/methods/obb_obb.h>
 #include "lessons/obb_obb/picture.h"
 #include "lessons/shared/script.h"
 

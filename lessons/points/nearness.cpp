@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include <isect/methods/point_point.h>
 #include <isect/point_point.h>
-#include <isect/point_point_methods.h>
 #include "lessons/points/picture.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <isect/methods/point_point.h>
 #include <isect/point_point.h>
-#include <isect/point_point_methods.h>
 #include "viz/camera.h"
 
 namespace isect::lessons::points_lesson {

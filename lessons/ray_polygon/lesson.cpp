@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <isect/ray_polygon_methods.h>
+#include <isect/methods/ray_polygon.h>
 #include "lessons/course.h"
 #include "lessons/ray_polygon/telling.h"
 #include "lessons/shared/opinions.h"

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include <isect/methods/point_polygon.h>
+
 #include "lessons/shared/axis_names.h"
 #include "viz/compose/compose.h"
 #include "viz/compose/grid.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include <isect/convex_hull.h>
-#include <isect/ray_polygon_methods.h>
+#include <isect/methods/ray_polygon.h>
 #include "lessons/shared/axis_names.h"
 #include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"

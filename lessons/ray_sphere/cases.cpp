@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include <isect/ray_sphere_methods.h>
-#include <isect/ray_sphere_stable.h>
+#include <isect/methods/ray_sphere.h>
+#include <isect/methods/ray_sphere_stable.h>
 #include "lessons/ray_sphere/picture.h"
 #include "lessons/ray_sphere/telling.h"
 #include "lessons/shared/opinions.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <isect/ray_sphere_methods.h>
+#include <isect/methods/ray_sphere.h>
 #include "lessons/ray_sphere/telling.h"
 #include "lessons/shared/questions.h"
 

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <isect/motion.h>
+#include <isect/many/motion.h>
+#include <isect/methods/motion.h>
 #include "lessons/rays/picture.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <isect/ray_plane_methods.h>
+#include <isect/methods/ray_plane.h>
 #include "lessons/rays/picture.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"

@@ -4,10 +4,12 @@
 
 #include <limits>
 
-#include <isect/orient_methods.h>
+#include <isect/methods/orient.h>
+#include <isect/methods/point_polygon.h>
+#include <isect/methods/ray_sphere.h>
+#include <isect/methods/sphere_sphere.h>
 #include <isect/point_polygon.h>
 #include <isect/ray_sphere.h>
-#include <isect/ray_sphere_methods.h>
 #include <isect/sphere_sphere.h>
 
 namespace isect::lessons::robustness_lesson {

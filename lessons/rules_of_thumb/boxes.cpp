@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include <isect/methods/obb_obb.h>
+#include <isect/methods/sphere_sphere.h>
 #include <isect/obb_obb.h>
-#include <isect/obb_obb_methods.h>
-#include <isect/sphere_sphere_methods.h>
 #include "bench/random.h"
 #include "lessons/rules_of_thumb/experiment.h"
 #include "lessons/shared/plural.h"

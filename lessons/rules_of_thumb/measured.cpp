@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <isect/sphere_aabb_methods.h>
+#include <isect/methods/sphere_aabb.h>
 #include "bench/ordinary_shapes.h"
 #include "bench/prose.h"
 #include "bench/rows.h"

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include <isect/many/slab_map.h>
+#include <isect/methods/point_polygon.h>
 #include <isect/point_polygon.h>
-#include <isect/slab_map.h>
 #include "bench/random.h"
 #include "lessons/rules_of_thumb/experiment.h"
 #include "viz/lesson.h"

@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include <isect/ray_polygon_methods.h>
-#include <isect/ray_sphere_methods.h>
+#include <isect/methods/ray_polygon.h>
+#include <isect/methods/ray_sphere.h>
 #include "lessons/rules_of_thumb/experiment.h"
 #include "lessons/shared/plural.h"
 

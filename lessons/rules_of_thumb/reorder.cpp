@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <isect/aabb_aabb.h>
+#include <isect/methods/aabb_aabb.h>
 #include "bench/random.h"
 #include "lessons/rules_of_thumb/experiment.h"
 

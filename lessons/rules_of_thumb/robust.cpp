@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include <isect/methods/orient.h>
 #include <isect/orient.h>
-#include <isect/orient_methods.h>
 #include "bench/rows.h"
 #include "lessons/rules_of_thumb/experiment.h"
 #include "lessons/shared/plural.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include <isect/bvh_ray.h>
+#include <isect/many/bvh_ray.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::viewing {

@@ -4,7 +4,7 @@
 
 #include <isect/sphere_aabb.h>
 
-#include <isect/sphere_aabb_methods.h>
+#include <isect/methods/sphere_aabb.h>
 #include "lessons/course.h"
 #include "lessons/shared/opinions.h"
 #include "lessons/shared/parameters.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <isect/sphere_aabb_methods.h>
+#include <isect/methods/sphere_aabb.h>
 #include "lessons/shared/digits.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/relation.h"

@@ -1,6 +1,6 @@
 // All cases of two balls in the plane of two numbers, and the methods side by side.
 
-#include <isect/sphere_sphere_methods.h>
+#include <isect/methods/sphere_sphere.h>
 #include "lessons/shared/opinions.h"
 #include "lessons/shared/plane.h"
 #include "lessons/shared/relation.h"

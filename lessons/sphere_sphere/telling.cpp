@@ -1,6 +1,8 @@
 #include <cmath>
 #include <limits>
 
+#include <isect/methods/sphere_sphere.h>
+
 #include "lessons/shared/digits.h"
 #include "lessons/shared/relation.h"
 #include "lessons/shared/script.h"

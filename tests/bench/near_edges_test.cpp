@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include <isect/point_polygon_methods.h>
+#include <isect/methods/point_polygon.h>
 #include "bench/maps.h"
 #include "bench/point_polygon/families.h"
 #include "bench/prose.h"

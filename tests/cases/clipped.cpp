@@ -1,6 +1,7 @@
 // What half-spaces and boxes leave of segments and polygons, and what is decided by clipping: how convex polygons lie.
 
 #include <isect/clip_segment.h>
+#include <isect/methods/clip_segment.h>
 #include "bench/clip_polygon/oracle.h"
 #include "bench/clip_segment/oracle.h"
 #include "bench/convex_polygons/families.h"

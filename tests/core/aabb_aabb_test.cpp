@@ -1,4 +1,5 @@
 #include <isect/aabb_aabb.h>
+#include <isect/methods/aabb_aabb.h>
 
 #include <isect/numbers/counted.h>
 #include "bench/aabb_aabb/oracle.h"

@@ -1,4 +1,5 @@
 #include <isect/clip_polygon.h>
+#include <isect/methods/clip_polygon.h>
 
 #include <algorithm>
 #include <cmath>

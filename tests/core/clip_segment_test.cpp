@@ -1,4 +1,5 @@
 #include <isect/clip_segment.h>
+#include <isect/methods/clip_segment.h>
 
 #include <cmath>
 #include <limits>

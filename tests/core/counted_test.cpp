@@ -1,6 +1,6 @@
 #include <isect/numbers/counted.h>
 
-#include <isect/ray_sphere_methods.h>
+#include <isect/methods/ray_sphere.h>
 #include "tests/catch.h"
 
 namespace counted_test {

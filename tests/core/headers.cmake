@@ -1,5 +1,7 @@
-# Every header of the core has a test: isect/<name>.h, in whichever folder there, in tests/core/<name>_test.cpp, or a
-# part of another header in the test named here, which must include it, directly or by way of others.
+# Every header of the core has a test, which must include it, directly or by way of others, and stands in its room.
+# The test of isect/<name>.h, be it among parts or numbers, is tests/core/<name>_test.cpp, that of isect/many/<name>.h
+# many/<name>_test.cpp there, that of isect/methods/<name>.h methods/<name>_methods_test.cpp, or the one named here.
+# What is exact includes no method, what is naive is one, and no source includes a header by an old name.
 #   cmake -D ROOT=... -P headers.cmake
 cmake_minimum_required(VERSION 3.22)
 set(tested_by
@@ -7,10 +9,7 @@ set(tested_by
   ask=answer
   ask_meshes=answer
   ask_pairs=answer
-  batch_aabb=batch
-  batch_point_polygon=batch
-  batch_ray_sphere=batch
-  bvh_split=bvh
+  bvh_split=many/bvh
   capsule_half_spaces=half_spaces
   conventions=shapes
   convex_hull_3d_growth=convex_hull_3d
@@ -18,32 +17,46 @@ set(tested_by
   fit_guess=fit
   fit_tight_guess=fit_tight
   frustum_planes=aabb_frustum
-  index_pair=all_pairs
+  index_pair=many/all_pairs
   inequalities=half_spaces
   inequality_distance=half_spaces
   inner_point=mesh_half_spaces
-  instruction_set=batch
+  instruction_set=many/batch
+  many/batch_aabb=many/batch
+  many/batch_point_polygon=many/batch
+  many/batch_ray_sphere=many/batch
+  many/overlapping_pairs=many/all_pairs
   mesh_surface=mesh_mesh
+  methods/clip_polygon=clip_polygon
+  methods/clip_segment=clip_segment
+  methods/motion=many/motion
+  methods/obb_obb=obb_obb
+  methods/plane_aabb=plane_aabb
+  methods/plane_cone=plane_cone
+  methods/plane_cylinder=plane_cylinder
+  methods/point_cone=point_cone
+  methods/point_convex_polygon=point_convex_polygon
+  methods/point_cylinder=point_cylinder
+  methods/ray_cone=ray_cone
+  methods/ray_cylinder=ray_cylinder
+  methods/ray_obb=ray_obb
+  methods/ray_sphere_stable=methods/ray_sphere_stable
+  methods/segment_segment=segment_segment
+  methods/sphere_cone=sphere_cone
+  methods/sphere_cylinder=sphere_cylinder
+  methods/triangle_aabb=triangle_aabb
   obb_obb_axes=obb_obb
   obb_obb_first_pass=obb_obb
-  obb_obb_methods=obb_obb
-  overlapping_pairs=all_pairs
-  overlapping_pairs_corners=all_pairs
-  overlapping_pairs_level=all_pairs
+  overlapping_pairs_corners=many/all_pairs
+  overlapping_pairs_level=many/all_pairs
   place=first_place
-  plane_cone_methods=plane_cone
-  plane_cylinder_methods=plane_cylinder
   plane_round=plane_cylinder
-  point_cone_methods=point_cone
-  point_cylinder_methods=point_cylinder
   point_polygon_fast=point_polygon
   point_segment=sphere_capsule
   predicate=bounded
   quotient=bounded
-  ray_cone_methods=ray_cone
-  ray_cylinder_methods=ray_cylinder
   ray_half_spaces=half_spaces
-  ray_mesh_parts=ray_mesh
+  ray_mesh_parts=many/ray_mesh
   ray_range=ray_plane
   ray_round=ray_cylinder
   ray_sphere_meeting=ray_sphere
@@ -51,15 +64,12 @@ set(tested_by
   ray_sphere_settle=ray_sphere
   root=ray_capsule
   round_half_spaces=cylinder_half_spaces
-  slabs=ray_aabb
   round_solid=point_cylinder
-  sphere_cone_methods=sphere_cone
-  sphere_cylinder_methods=sphere_cylinder
+  slabs=ray_aabb
   sphere_half_spaces=half_spaces
   sphere_round=sphere_cylinder
   straight=ray_capsule
   triangle_aabb_first_pass=triangle_aabb
-  triangle_aabb_methods=triangle_aabb
   triangle_half_spaces=half_spaces
   two_triangles=mesh_mesh
   unit_of_length=capsule_capsule)
@@ -90,14 +100,15 @@ if(count LESS 90)
   message(FATAL_ERROR "only ${count} headers in ${ROOT}/core")
 endif()
 foreach(header ${headers})
-  get_filename_component(name ${header} NAME_WE)
-  set(test ${name})
+  string(REGEX REPLACE "^isect/(parts/|numbers/)?|\\.h$" "" name ${header})
+  string(REGEX REPLACE "^methods/.*" "\\0_methods" test ${name})
+  set(own ${test})
   set(listed ${tested_by})
   list(FILTER listed INCLUDE REGEX "^${name}=")
   list(REMOVE_ITEM tested_by "${listed}")
   if(listed)
     string(REPLACE "${name}=" "" test ${listed})
-    if(EXISTS ${ROOT}/tests/core/${name}_test.cpp)
+    if(NOT test STREQUAL own AND EXISTS ${ROOT}/tests/core/${own}_test.cpp)
       string(APPEND complaints "core/${header} has a test of its own, so it needs no line in headers.cmake\n")
     endif()
   endif()
@@ -113,6 +124,43 @@ foreach(header ${headers})
 endforeach()
 foreach(entry ${tested_by})
   string(APPEND complaints "${entry}: there is no such header\n")
+endforeach()
+
+# Exact headers neither include a method nor have one.
+foreach(header ${headers})
+  if(header MATCHES "^isect/methods/")
+    continue()
+  endif()
+  file(STRINGS ${ROOT}/core/${header} methods REGEX "^#include [<\"](isect/)?methods/")
+  file(STRINGS ${ROOT}/core/${header} naive REGEX "[Nn]aive")
+  if(methods)
+    string(APPEND complaints "core/${header} includes a method: move what it needs to isect/parts/\n")
+  endif()
+  if(naive)
+    string(APPEND complaints "core/${header} has what is naive: it belongs in isect/methods/\n")
+  endif()
+endforeach()
+
+# Sources include headers by the names that they have now.
+include(${ROOT}/core/moved.cmake)
+set(olds ${isect_moved})
+list(TRANSFORM olds REPLACE "=.*" "")
+list(JOIN olds "|" olds)
+foreach(ring core viz bench lessons app tests web examples)
+  file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${ring}/*.h ${ROOT}/${ring}/*.cpp)
+  list(REMOVE_ITEM files tests/packaging/main.cpp)
+  foreach(file ${files})
+    file(STRINGS ${ROOT}/${file} old REGEX "^ *#include [<\"]isect/(${olds})\\.h[>\"]")
+    if(old)
+      string(APPEND complaints "${file} includes by an old name: ${old}\n")
+    endif()
+  endforeach()
+endforeach()
+foreach(moved ${isect_moved})
+  string(REGEX MATCH "(.*)=(.*)" moved ${moved})
+  if(EXISTS ${ROOT}/core/isect/${CMAKE_MATCH_1}.h OR NOT EXISTS ${ROOT}/core/isect/${CMAKE_MATCH_2}.h)
+    string(APPEND complaints "core/moved.cmake: ${moved} is not where a header was and where it is\n")
+  endif()
 endforeach()
 if(complaints)
   message(FATAL_ERROR "${complaints}")

@@ -39,6 +39,12 @@ Kdop<S, N> around(const std::vector<Vector<S, N>>& normals, const std::vector<Po
   return k;
 }
 
+/// The first slab whose intervals are disjoint.
+template <class S, int N, class Trace = NoTrace>
+std::optional<int> separating_slab(const Kdop<S, N>& a, const Kdop<S, N>& b, Trace&& trace = {}) {
+  return kdop_kdop::detail::first_apart(a, b, trace);
+}
+
 template <class S, int N>
 std::optional<int> separation(const Kdop<S, N>& a, const Kdop<S, N>& b) {
   const std::optional<int> slab = separating_slab(a, b);

@@ -94,8 +94,6 @@ def pairs():
     """Each pair with its questions, in the order of the headers."""
     found = {}
     for header in sorted(CORE.glob("*.h")):
-        if header.stem.startswith("batch") or header.stem.endswith("_methods"):
-            continue
         for question, a, of_a, b, of_b in SIGNATURE.findall(public(text(header))):
             a, b = a.split("::")[-1], b.split("::")[-1]
             if a not in SHAPES or b not in SHAPES:
@@ -137,7 +135,7 @@ class Evidence:
         self.scene = all_text("app/scene", "*.cpp") + all_text("app/scene", "*.h")
         self.scene += text(CORE / "ask.h") + text(CORE / "parts/ask_pairs.h")  # by which scenes ask any two shapes
         self.lessons = all_text("lessons", "*.cpp") + all_text("lessons", "*.h")
-        self.tests = [text(p) for p in sorted((ROOT / "tests/core").glob("*_test.cpp"))]
+        self.tests = [text(p) for p in sorted((ROOT / "tests/core").rglob("*_test.cpp"))]
 
     def kind(self, pair):
         if (pair.header, pair.dimension) in OF_HEADER and OF_HEADER[pair.header, pair.dimension][0] == pair.first:

@@ -1,3 +1,4 @@
+#include <isect/methods/plane_aabb.h>
 #include <isect/plane_aabb.h>
 
 #include <isect/numbers/counted.h>

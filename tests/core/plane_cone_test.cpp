@@ -1,6 +1,6 @@
 #include <isect/plane_cone.h>
 
-#include <isect/plane_cone_methods.h>
+#include <isect/methods/plane_cone.h>
 #include "bench/plane_cylinder/families.h"
 #include "bench/plane_cylinder/oracle.h"
 #include "tests/catch.h"

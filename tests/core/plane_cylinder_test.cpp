@@ -1,6 +1,6 @@
 #include <isect/plane_cylinder.h>
 
-#include <isect/plane_cylinder_methods.h>
+#include <isect/methods/plane_cylinder.h>
 #include "bench/plane_cylinder/families.h"
 #include "bench/plane_cylinder/oracle.h"
 #include "tests/catch.h"

@@ -1,6 +1,6 @@
 #include <isect/point_cone.h>
 
-#include <isect/point_cone_methods.h>
+#include <isect/methods/point_cone.h>
 #include "bench/point_cylinder/families.h"
 #include "bench/point_cylinder/oracle.h"
 #include "tests/catch.h"

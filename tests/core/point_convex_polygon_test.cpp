@@ -1,5 +1,6 @@
 // Convex polygons: what is one, and where a point lies, by name, by property and against half-planes in rationals.
 
+#include <isect/methods/point_convex_polygon.h>
 #include <isect/point_convex_polygon.h>
 
 #include <limits>

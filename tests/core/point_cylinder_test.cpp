@@ -1,6 +1,6 @@
 #include <isect/point_cylinder.h>
 
-#include <isect/point_cylinder_methods.h>
+#include <isect/methods/point_cylinder.h>
 #include "bench/point_cylinder/families.h"
 #include "bench/point_cylinder/oracle.h"
 #include "tests/catch.h"

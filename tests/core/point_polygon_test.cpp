@@ -1,5 +1,6 @@
 // Points in polygons by name, by property, and against a ray in a direction that meets no vertex, in rationals.
 
+#include <isect/methods/point_polygon.h>
 #include <isect/point_polygon.h>
 
 #include <limits>

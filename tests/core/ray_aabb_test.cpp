@@ -1,3 +1,4 @@
+#include <isect/methods/ray_aabb.h>
 #include <isect/ray_aabb.h>
 
 #include <cmath>

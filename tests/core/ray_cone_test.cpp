@@ -1,6 +1,6 @@
 #include <isect/ray_cone.h>
 
-#include <isect/ray_cone_methods.h>
+#include <isect/methods/ray_cone.h>
 #include "bench/ray_cylinder/families.h"
 #include "bench/ray_cylinder/oracle.h"
 #include "tests/catch.h"

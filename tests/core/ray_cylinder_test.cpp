@@ -1,6 +1,6 @@
 #include <isect/ray_cylinder.h>
 
-#include <isect/ray_cylinder_methods.h>
+#include <isect/methods/ray_cylinder.h>
 #include "bench/ray_cylinder/families.h"
 #include "bench/ray_cylinder/oracle.h"
 #include "tests/catch.h"

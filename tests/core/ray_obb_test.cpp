@@ -1,3 +1,4 @@
+#include <isect/methods/ray_obb.h>
 #include <isect/ray_obb.h>
 
 #include <cmath>

@@ -1,3 +1,4 @@
+#include <isect/methods/ray_plane.h>
 #include <isect/ray_plane.h>
 
 #include <cmath>

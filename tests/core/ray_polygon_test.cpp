@@ -1,3 +1,4 @@
+#include <isect/methods/ray_polygon.h>
 #include <isect/ray_polygon.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+#include <isect/methods/ray_triangle.h>
 #include <isect/ray_triangle.h>
 
 #include <cmath>

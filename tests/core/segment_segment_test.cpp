@@ -1,3 +1,4 @@
+#include <isect/methods/segment_segment.h>
 #include <isect/segment_segment.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+#include <isect/methods/sphere_aabb.h>
 #include <isect/sphere_aabb.h>
 
 #include <isect/numbers/counted.h>

@@ -1,6 +1,6 @@
 #include <isect/sphere_cone.h>
 
-#include <isect/sphere_cone_methods.h>
+#include <isect/methods/sphere_cone.h>
 #include "bench/sphere_cylinder/families.h"
 #include "bench/sphere_cylinder/oracle.h"
 #include "tests/catch.h"

@@ -1,6 +1,6 @@
 #include <isect/sphere_cylinder.h>
 
-#include <isect/sphere_cylinder_methods.h>
+#include <isect/methods/sphere_cylinder.h>
 #include "bench/sphere_cylinder/families.h"
 #include "bench/sphere_cylinder/oracle.h"
 #include "tests/catch.h"

@@ -1,3 +1,4 @@
+#include <isect/methods/sphere_sphere.h>
 #include <isect/sphere_sphere.h>
 
 #include <isect/numbers/counted.h>

@@ -6,8 +6,8 @@
 #include <bit>
 #include <limits>
 
+#include <isect/methods/triangle_aabb.h>
 #include <isect/numbers/counted.h>
-#include <isect/triangle_aabb_methods.h>
 #include "bench/random_obb.h"
 #include "bench/triangle_aabb/families.h"
 #include "bench/triangle_aabb/oracle.h"

@@ -5,12 +5,14 @@
 #if defined(INTERSECT)
 #include <isect/ray_sphere.h>
 #elif defined(METHODS)
-#include <isect/ray_sphere_methods.h>
+#include <isect/methods/ray_sphere.h>
 #elif defined(RELATE)
 #include <isect/aabb_aabb.h>
 #include <isect/aabb_frustum.h>
 #include <isect/interval_interval.h>
 #include <isect/kdop_kdop.h>
+#include <isect/methods/aabb_aabb.h>
+#include <isect/methods/sphere_aabb.h>
 #include <isect/obb_obb.h>
 #include <isect/plane_aabb.h>
 #include <isect/plane_sphere.h>
@@ -34,6 +36,7 @@
 #include <isect/sphere_cone.h>
 #include <isect/sphere_cylinder.h>
 #elif defined(RAYS)
+#include <isect/methods/ray_plane.h>
 #include <isect/ray_aabb.h>
 #include <isect/ray_obb.h>
 #include <isect/ray_plane.h>
@@ -69,6 +72,7 @@
 #else
 #include <isect/convex_hull.h>
 #include <isect/convex_polygons.h>
+#include <isect/methods/point_polygon.h>
 #include <isect/point_convex_polygon.h>
 #include <isect/point_polygon.h>
 #include <isect/segment_segment.h>

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include <isect/trapezoid_map.h>
+#include <isect/many/trapezoid_map.h>
 #include "lessons/concave_polygon/map_picture.h"
 #include "lessons/concave_polygon/triangles.h"
 #include "lessons/lessons.h"

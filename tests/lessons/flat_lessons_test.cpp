@@ -1,7 +1,7 @@
 // What the flat lessons say in the end is what the core's exact tests say: crossings, convex polygon, hull, collision.
 
-#include <isect/all_pairs.h>
 #include <isect/convex_hull.h>
+#include <isect/many/all_pairs.h>
 #include "lessons/convex_polygon/picture.h"
 #include "lessons/crossings/situations.h"
 #include "lessons/lessons.h"

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <bit>
 
-#include <isect/point_polygon_methods.h>
+#include <isect/methods/point_convex_polygon.h>
+#include <isect/methods/point_polygon.h>
 #include "bench/rational.h"
 #include "lessons/concave_polygon/map_picture.h"
 #include "lessons/convex_polygon/picture.h"

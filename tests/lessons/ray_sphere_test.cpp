@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <map>
 
+#include <isect/methods/ray_sphere.h>
 #include <isect/ray_sphere.h>
-#include <isect/ray_sphere_methods.h>
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "viz/compose/compose.h"

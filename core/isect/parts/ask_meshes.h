@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <isect/answer.h>
-#include <isect/bvh_pairs.h>
 #include <isect/line_triangle.h>
+#include <isect/many/bvh_pairs.h>
 #include <isect/mesh_convex.h>
 #include <isect/mesh_mesh.h>
 #include <isect/parts/ask_pairs.h>

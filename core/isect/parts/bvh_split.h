@@ -1,5 +1,5 @@
 #pragma once
-// Where to split the primitives of a node of isect/bvh.h. That decides how fast a hierarchy is, never how right.
+// Where to split the primitives of a node of isect/many/bvh.h. That decides how fast a hierarchy is, never how right.
 //
 // A node of box B with parts L and R costs a random line
 //

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include <isect/bvh_pairs.h>
+#include <isect/many/bvh_pairs.h>
 #include <isect/orient.h>
 #include <isect/triangle_mesh.h>
 

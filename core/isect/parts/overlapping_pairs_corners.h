@@ -1,13 +1,13 @@
 #pragma once
 // Boxes as rows of numbers that compare without a branch, and the list that pairs are written to.
-// isect/overlapping_pairs.h says what for.
+// isect/many/overlapping_pairs.h says what for.
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include <isect/all_pairs.h>
+#include <isect/many/all_pairs.h>
 
 #ifdef __SSE2__
 #include <emmintrin.h>

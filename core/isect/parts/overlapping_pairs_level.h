@@ -1,5 +1,5 @@
 #pragma once
-// The boxes of one size in the cells of a grid. isect/overlapping_pairs.h says how and why.
+// The boxes of one size in the cells of a grid. isect/many/overlapping_pairs.h says how and why.
 
 #include <algorithm>
 #include <array>
@@ -64,7 +64,7 @@ Grid<N> make_grid(const Point<double, N>& origin, const Point<double, N>& last, 
   if (!grid.scattered) return grid;
 
   // Fractions whose multiples are spread evenly (Roberts, Quasirandom sequences, 2018). With these the 3^N cells
-  // around a cell have slots of their own in a table of any size from 2^8 to 2^31: tests/core/all_pairs_test.cpp.
+  // around a cell have slots of their own in a table of any size from 2^8 to 2^31: tests/core/many/all_pairs_test.cpp.
   constexpr double fraction[] = {0, 0.7548776662466927, 0.5698402909980532};
   for (int i = 1; i < N; ++i) grid.stride[i] = static_cast<std::uint32_t>(fraction[i] * slots) | 1;
   return grid;

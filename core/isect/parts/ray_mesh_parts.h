@@ -1,5 +1,6 @@
 #pragma once
-// The parts of isect/ray_mesh.h: four boxes in float against a line, and two triangles in double. Both only rule out.
+// The parts of isect/many/ray_mesh.h: four boxes in float against a line, and two triangles in double. Both only rule
+// out.
 //
 // Bound, with u = 2^-24. For a box that the ray meets at t, lo <= t <= end, each slab's entry is n <= t, each exit
 // x >= t, where n and x are formed with the origin rounded away from the box, which only widens [n, x]. Three more

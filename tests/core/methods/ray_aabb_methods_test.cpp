@@ -1,0 +1,68 @@
+#include <isect/methods/ray_aabb.h>
+
+#include <limits>
+
+#include "bench/ray_aabb/families.h"
+#include "bench/ray_aabb/oracle.h"
+#include "tests/catch.h"
+#include "tests/settings.h"
+
+namespace ray_aabb_methods_test {
+using namespace isect;
+using namespace isect::ray_aabb;
+
+namespace {
+
+const Aabb<double, 3> unit_cube = {{0, 0, 0}, {1, 1, 1}};
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("every method agrees with rationals on ordinary rays", "[ray_aabb_methods]", float, double) {
+  using S = TestType;
+  bench::Random random(tests::seed());
+  for (int i = 0; i < tests::cases(2000, 100000); ++i) {
+    INFO("seed " << tests::seed() << ", case " << i);
+    const auto [ray, box] = bench::ray_aabb_families::ordinary<S>(random);
+    const auto truth = oracle::ray_aabb(ray, box);
+    for (const auto& part : {by_min_max(ray, box), by_fmin_fmax(ray, box), by_sign(ray, box)}) {
+      if (part.has_value() != truth.has_value()) FAIL("wrong");
+      if (part && (oracle::ulps(part->lo, truth->first) > 4 || oracle::ulps(part->hi, truth->second) > 4))
+        FAIL("inaccurate");
+    }
+  }
+}
+
+TEST_CASE("a ray along a face meets the box, and the reciprocals lose it", "[ray_aabb_methods]") {
+  const Ray<double, 3> ray = {{1, .5, -1}, {0, 0, 1}};
+  CHECK(intersect(ray, unit_cube) == Interval<double>{1, 2});
+  CHECK_FALSE(by_min_max(ray, unit_cube));
+  CHECK_FALSE(by_fmin_fmax(ray, unit_cube));
+  const Ray<double, 3> along_lower = {{0, .5, -1}, {0, 0, 1}};
+  CHECK_FALSE(by_fmin_fmax(along_lower, unit_cube));
+}
+
+TEST_CASE("a component of -0 is of another sign than its reciprocal", "[ray_aabb_methods]") {
+  const Ray<double, 3> ray = {{.5, .5, -1}, {-0., 0, 1}};
+  CHECK(intersect(ray, unit_cube) == Interval<double>{1, 2});
+  CHECK(by_min_max(ray, unit_cube) == Interval<double>{1, 2});
+  CHECK_FALSE(by_sign(ray, unit_cube));
+}
+
+TEST_CASE("an inverted box is taken for another by min and max", "[ray_aabb_methods]") {
+  const Aabb<double, 3> inverted = {{1, 1, 1}, {0, 0, 0}};
+  const Ray<double, 3> ray = {{.5, .4, -1}, {.1, .2, 1}};
+  CHECK(by_min_max(ray, inverted));
+  CHECK_FALSE(by_sign(ray, inverted));
+  CHECK_FALSE(intersect(ray, inverted));
+}
+
+TEST_CASE("the events tell each slab", "[ray_aabb_methods]") {
+  Record<MethodEvent<double>> record;
+  by_min_max<double, 3>({{-1, .5, .5}, {2, .1, .1}}, unit_cube, record);
+  REQUIRE(record.events.size() == 9);
+  CHECK(std::get<Reciprocal<double>>(record.events[0]).value == .5);
+  CHECK(std::get<Crossing<double>>(record.events[1]).exit == 1);
+  CHECK(std::get<Remains<double>>(record.events[2]).holds);
+}
+
+}  // namespace ray_aabb_methods_test
