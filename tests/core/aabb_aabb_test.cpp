@@ -5,15 +5,15 @@
 #include "bench/aabb_aabb/oracle.h"
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
 namespace aabb_aabb_test {
 using namespace isect;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 /// A box from lo to hi on the first axis, from y to y + height on the others.
 template <class S, int N>
@@ -92,7 +92,7 @@ TEMPLATE_TEST_CASE_SIG("flat boxes have their interior within the plane that the
 TEMPLATE_TEST_CASE_SIG("inverted boxes, NaN and infinite coordinates meet nothing", "[aabb_aabb]",
                        FLOATS_AND_DIMENSIONS) {
   const Aabb<S, N> good = bar<S, N>(-1, 2, -1, 3);
-  for (const double bad : {nan_, inf, -inf, 5., -5.})
+  for (const double bad : {not_a_number, inf, -inf, 5., -5.})
     for (int i = 0; i < N; ++i)
       for (const bool low : {true, false}) {
         if ((low && bad == -5) || (!low && bad == 5)) continue;
@@ -133,7 +133,8 @@ TEST_CASE("the note's loop says yes after the last axis only, and no at the firs
   CHECK(record.events.size() == 3);
 
   CHECK(aabb_aabb::by_axis(a, Box{{1, 1, 1}, {0, 0, 0}}));  // naive: an inverted box
-  CHECK(aabb_aabb::by_axis(a, Box{{nan_, nan_, nan_}, {nan_, nan_, nan_}}));
+  CHECK(aabb_aabb::by_axis(
+      a, Box{{not_a_number, not_a_number, not_a_number}, {not_a_number, not_a_number, not_a_number}}));
 }
 
 TEST_CASE("the note's loop needs six comparisons for a yes, one at best for a no", "[aabb_aabb]") {

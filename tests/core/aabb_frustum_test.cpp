@@ -2,16 +2,16 @@
 
 #include "bench/rational.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/frustums.h"
 #include "tests/settings.h"
 
 namespace aabb_frustum_test {
 using namespace isect;
 using namespace isect::oracle;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 /// A cube with that half-width.
 template <class S>
@@ -65,7 +65,7 @@ TEST_CASE("near an edge a box may be outside and called crossing", "[aabb_frustu
 TEMPLATE_TEST_CASE("box and frustum: what is empty, NaN or infinite is outside", "[aabb_frustum]", float, double) {
   using S = TestType;
   CHECK(culled(cube<S>(0, 0, 5, -1)) == Culling::outside);
-  for (const double bad : {nan_, inf, -inf}) {
+  for (const double bad : {not_a_number, inf, -inf}) {
     CHECK(culled(cube<S>(0, bad, 5, 1)) == Culling::outside);
     CHECK(culled(cube<S>(0, 0, 5, bad)) == Culling::outside);
     Frustum<S> f = tests::pyramid<S>();

@@ -7,14 +7,14 @@
 
 #include <isect/ray_triangle.h>
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace answer_test {
 using namespace isect;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 /// Draws small whole numbers, so that much touches, or any numbers.
 template <int N>
@@ -396,7 +396,7 @@ TEST_CASE("an open mesh holds no point but those on it", "[answer]") {
 TEMPLATE_TEST_CASE_SIG("NaN and infinite coordinates meet nothing", "[answer]", ((int N), N), 2, 3) {
   Draw<N> draw;
   for (int round = 0; round < 20; ++round)
-    for (const double wrong : {nan_, inf}) {
+    for (const double wrong : {not_a_number, inf}) {
       Point<double, N> bad = draw.vector(4);
       bad[draw.integer(0, N - 1)] = wrong;
       Kdop<double, N> kdop = draw.kdop();

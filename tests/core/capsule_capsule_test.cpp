@@ -7,15 +7,15 @@
 #include "bench/capsule_capsule/families.h"
 #include "bench/capsule_capsule/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
 namespace capsule_capsule_test {
 using namespace isect;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S, int N>
 Capsule<S, N> capsule(double px, double py, double qx, double qy, double radius) {
@@ -122,7 +122,7 @@ TEMPLATE_TEST_CASE_SIG("two capsules: what is empty, NaN or infinite meets nothi
   const Capsule<S, N> good = lying<S, N>(3, 2);
   CHECK(related(good, lying<S, N>(3, -1)) == Relation::disjoint);
   CHECK(related(lying<S, N>(3, -1), lying<S, N>(3, -1)) == Relation::disjoint);
-  for (const double bad : {nan_, inf, -inf}) {
+  for (const double bad : {not_a_number, inf, -inf}) {
     CHECK(related(good, lying<S, N>(3, bad)) == Relation::disjoint);
     CHECK(related(lying<S, N>(3, bad), lying<S, N>(3, bad)) == Relation::disjoint);
     for (int i = 0; i < N; ++i) {

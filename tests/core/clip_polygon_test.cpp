@@ -9,6 +9,7 @@
 #include "bench/clip_polygon/oracle.h"
 #include "bench/random_shapes.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace clip_polygon_test {
@@ -16,18 +17,11 @@ using namespace isect;
 using bench::Numbers;
 using bench::Random;
 using oracle::Rational;
+using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
-
 /// (x, y), or (x, y, 0).
-template <class S, int N>
-Vector<S, N> at(double x, double y = 0) {
-  Vector<S, N> v = Vector<S, N>::Zero();
-  v[0] = static_cast<S>(x), v[1] = static_cast<S>(y);
-  return v;
-}
 /// The square [0, 4]^2.
 template <class S, int N>
 Ring<S, N> square() {

@@ -8,6 +8,7 @@
 #include "bench/clip_segment/oracle.h"
 #include "bench/random_rays.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace clip_segment_test {
@@ -15,18 +16,11 @@ using namespace isect;
 using bench::Numbers;
 using bench::Random;
 using oracle::Rational;
+using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
-
 /// (x, y), or (x, y, 0).
-template <class S, int N>
-Vector<S, N> at(double x, double y = 0) {
-  Vector<S, N> v = Vector<S, N>::Zero();
-  v[0] = static_cast<S>(x), v[1] = static_cast<S>(y);
-  return v;
-}
 /// x >= where.
 template <class S, int N>
 Plane<S, N> beyond(double where) {

@@ -7,10 +7,12 @@
 
 #include "bench/random.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace exact_test {
 using namespace isect;
+using tests::inf;
 namespace mp = boost::multiprecision;
 using Rational = mp::number<mp::gmp_rational, mp::et_off>;
 using Decimal = mp::number<mp::mpfr_float_backend<1000>, mp::et_off>;
@@ -24,8 +26,6 @@ T polynomial(const T& a, const T& b, const T& c, const T& d, const T& e) {
 }
 
 double nearest(const Rational& x) { return static_cast<double>(Decimal(x)); }
-
-constexpr double inf = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

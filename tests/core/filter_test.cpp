@@ -4,14 +4,14 @@
 
 #include "bench/random.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace filter_test {
 using namespace isect;
+using tests::inf, tests::not_a_number;
 
-namespace {
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-}
+namespace {}
 
 TEST_CASE("the unit roundoff is half the gap above 1, and 0 for exact numbers", "[filter]") {
   CHECK(unit<double> == 0x1p-53);

@@ -15,6 +15,7 @@
 #include "bench/ray_outline/oracle.h"
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/ray_capsule_pairs.h"
 #include "tests/core/ray_outline_pairs.h"
 #include "tests/settings.h"
@@ -23,10 +24,9 @@ namespace first_place_test {
 using namespace isect;
 using bench::Numbers, bench::Random;
 using oracle::Rational, oracle::operator-, oracle::operator*, oracle::operator+;
+using tests::inf;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// Whether the place lies among doubles as the truth does.
 bool is(const Place& place, const Rational& truth) {

@@ -13,6 +13,7 @@
 #include "bench/rational.h"
 #include "tests/catch.h"
 #include "tests/core/clouds.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace fit_test {
@@ -20,10 +21,9 @@ using namespace isect;
 using oracle::Rational;
 using tests::clouds::cloud;
 using oracle::operator-;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 template <class S, int N>
 using Points = std::vector<Point<S, N>>;

@@ -13,14 +13,15 @@
 #include <isect/triangle_aabb.h>
 #include "bench/half_spaces/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace half_spaces_test {
 using namespace isect;
+using tests::inf, tests::not_a_number;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 using Vec = Vector<double, 3>;
 
 /// Draws whole numbers, so that much touches, or any numbers.
@@ -401,7 +402,7 @@ TEST_CASE("where a point lies in a frustum is the sign of each plane", "[half_sp
   CHECK(locate<double, 3>({2, 0, 2}, frustum) == Location::on);
   CHECK(locate<double, 3>({std::nextafter(2, 3), 0, 2}, frustum) == Location::out);
   CHECK(locate<double, 3>({0, 0, 0.5}, frustum) == Location::out);
-  CHECK(locate<double, 3>({0, 0, nan_}, frustum) == Location::out);
+  CHECK(locate<double, 3>({0, 0, not_a_number}, frustum) == Location::out);
 }
 
 TEST_CASE("solids of the plane are prisms without ends", "[half_spaces]") {
@@ -434,7 +435,7 @@ TEST_CASE("what is empty, unbounded or not finite is no common point, or no part
   CHECK(relate(box, empty_slabs) == Relation::disjoint);
   CHECK(relate(Sphere<double, 3>{{0, 0, 0}, 9}, empty_slabs) == Relation::disjoint);
   CHECK(relate(Capsule<double, 3>{{0, 0, 0}, {1, 0, 0}, 9}, empty_slabs) == Relation::disjoint);
-  for (const double bad : {nan_, inf, -inf}) {
+  for (const double bad : {not_a_number, inf, -inf}) {
     CHECK(relate(half_spaces_of(Aabb<double, 3>{{bad, 0, 0}, {1, 1, 1}}), box) == Relation::disjoint);
     CHECK(relate(Sphere<double, 3>{{bad, 0, 0}, 9}, box) == Relation::disjoint);
     CHECK(relate(Capsule<double, 3>{{bad, 0, 0}, {0, 0, 0}, 9}, box) == Relation::disjoint);

@@ -4,14 +4,14 @@
 #include "bench/aabb_aabb/oracle.h"
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace interval_interval_test {
 using namespace isect;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S>
 Relation related(double a_lo, double a_hi, double b_lo, double b_hi) {
@@ -72,8 +72,14 @@ TEMPLATE_TEST_CASE("half-lines and the line are intervals too", "[interval_inter
 
 TEMPLATE_TEST_CASE("inverted intervals, NaN and an end at infinity alone hold nothing", "[interval_interval]", float,
                    double) {
-  const auto [lo, hi] = GENERATE(table<double, double>(
-      {{1, -1}, {inf, -inf}, {nan_, 1}, {-1, nan_}, {nan_, nan_}, {inf, inf}, {-inf, -inf}, {nan_, inf}}));
+  const auto [lo, hi] = GENERATE(table<double, double>({{1, -1},
+                                                        {inf, -inf},
+                                                        {not_a_number, 1},
+                                                        {-1, not_a_number},
+                                                        {not_a_number, not_a_number},
+                                                        {inf, inf},
+                                                        {-inf, -inf},
+                                                        {not_a_number, inf}}));
   CHECK(related<TestType>(lo, hi, -5, 5) == Relation::disjoint);
   CHECK(related<TestType>(lo, hi, -inf, inf) == Relation::disjoint);
   CHECK(related<TestType>(lo, hi, lo, hi) == Relation::disjoint);
@@ -85,7 +91,7 @@ TEST_CASE("the note's comparisons call what holds nothing overlapping", "[interv
   CHECK_FALSE(ends<double>({0, 1}, {2, 3}));
   CHECK_FALSE(ends<double>({2, 3}, {0, 1}));
   CHECK(ends<double>({1, -1}, {-5, 5}));
-  CHECK(ends<double>({nan_, nan_}, {0, 1}));
+  CHECK(ends<double>({not_a_number, not_a_number}, {0, 1}));
 }
 
 TEST_CASE("the note's test compares twice at most, and once where the first decides", "[interval_interval]") {

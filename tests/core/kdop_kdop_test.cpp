@@ -5,22 +5,15 @@
 #include "bench/rational.h"
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace kdop_kdop_test {
 using namespace isect;
 using namespace isect::oracle;
+using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
-
-template <class S, int N>
-Vector<S, N> at(double x, double y) {
-  Vector<S, N> p = Vector<S, N>::Zero();
-  p[0] = S(x), p[1] = S(y);
-  return p;
-}
 
 template <class S, int N>
 std::vector<Vector<S, N>> octagon_normals() {
@@ -79,7 +72,7 @@ TEMPLATE_TEST_CASE_SIG("two k-DOPs: what is empty, NaN or infinite meets nothing
                        FLOATS_AND_DIMENSIONS) {
   const Kdop<S, N> good = around<S, N>(octagon_normals<S, N>(), {at<S, N>(-1, -1), at<S, N>(1, 1)});
   CHECK(may_intersect(good, good));
-  for (const double bad : {nan_, inf, -inf, 7.})
+  for (const double bad : {not_a_number, inf, -inf, 7.})
     for (std::size_t i = 0; i < good.slabs.size(); ++i) {
       Kdop<S, N> k = good;
       k.slabs[i].lo = S(bad);

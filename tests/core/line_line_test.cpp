@@ -4,15 +4,16 @@
 
 #include "bench/rational.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace line_line_test {
 using namespace isect;
 using line_line::Meeting;
+using tests::inf, tests::not_a_number;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 using Vec = Vector<double, 3>;
 using oracle::operator*, oracle::operator+, oracle::operator-;
 using Straight = Ray<double, 3>;
@@ -120,8 +121,9 @@ TEST_CASE("segments keep both ends, and stretches begin where both do", "[line_l
 TEST_CASE("what has no points meets no line", "[line_line]") {
   const Straight x = {{0, 0, 0}, {1, 0, 0}, infinite<double>};
   CHECK(intersect(x, Straight{{0, 0, 0}, {0, 1, 0}, {1, 0}}).meeting == Meeting::apart);
-  for (const double bad : {nan_, inf}) CHECK(intersect(x, Straight{{0, bad, 0}, {0, 1, 0}}).meeting == Meeting::apart);
-  CHECK(intersect(x, Straight{{0, 0, 0}, {0, 1, 0}, {nan_, 1}}).meeting == Meeting::apart);
+  for (const double bad : {not_a_number, inf})
+    CHECK(intersect(x, Straight{{0, bad, 0}, {0, 1, 0}}).meeting == Meeting::apart);
+  CHECK(intersect(x, Straight{{0, 0, 0}, {0, 1, 0}, {not_a_number, 1}}).meeting == Meeting::apart);
 }
 
 }  // namespace line_line_test

@@ -5,23 +5,16 @@
 #include "bench/rational.h"
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
 namespace plane_aabb_test {
 using namespace isect;
 using namespace isect::oracle;
+using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
-
-template <class S, int N>
-Vector<S, N> at(double x, double y) {
-  Vector<S, N> p = Vector<S, N>::Zero();
-  p[0] = S(x), p[1] = S(y);
-  return p;
-}
 
 template <class S, int N>
 Aabb<S, N> cube(double lo, double hi) {
@@ -83,7 +76,7 @@ TEMPLATE_TEST_CASE_SIG("plane and box: a zero normal is no plane, and what is em
   };
   for (const double d : {-1, 0, 1}) nothing({at<S, N>(0, -0.0), S(d)}, box);
   nothing(good, cube<S, N>(1, -1));
-  for (const double bad : {nan_, inf, -inf}) {
+  for (const double bad : {not_a_number, inf, -inf}) {
     nothing({at<S, N>(1, bad), S(0)}, box);
     nothing({at<S, N>(1, 0), S(bad)}, box);
     nothing(good, {at<S, N>(bad, 0), box.hi});

@@ -3,16 +3,16 @@
 #include "bench/rational.h"
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
 namespace point_aabb_test {
 using namespace isect;
 using namespace isect::oracle;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S, int N>
 Aabb<S, N> cube(double lo, double hi) {
@@ -39,7 +39,7 @@ TEMPLATE_TEST_CASE_SIG("a point lies in a box, on a face, or outside", "[point_a
     CHECK(at<S, N>(axis, std::nextafter(S(2), S(3))) == Location::out);
     CHECK(at<S, N>(axis, -std::numeric_limits<S>::denorm_min()) == Location::out);
     CHECK(at<S, N>(axis, std::numeric_limits<S>::denorm_min()) == Location::in);
-    for (const double bad : {nan_, inf, -inf}) CHECK(at<S, N>(axis, S(bad)) == Location::out);
+    for (const double bad : {not_a_number, inf, -inf}) CHECK(at<S, N>(axis, S(bad)) == Location::out);
   }
   CHECK(locate<S, N>(Point<S, N>::Zero(), cube<S, N>(0, 2)) == Location::on);  // a corner
 }
@@ -57,7 +57,7 @@ TEMPLATE_TEST_CASE_SIG("every point is outside an empty box, and one with NaN or
   const Point<S, N> p = Point<S, N>::Ones();
   CHECK(locate(p, cube<S, N>(2, 0)) == Location::out);
   for (int axis = 0; axis < N; ++axis)
-    for (const double bad : {nan_, inf, -inf})
+    for (const double bad : {not_a_number, inf, -inf})
       for (const bool low : {true, false}) {
         Aabb<S, N> box = cube<S, N>(0, 2);
         (low ? box.lo : box.hi)[axis] = S(bad);

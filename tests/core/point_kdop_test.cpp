@@ -3,22 +3,15 @@
 #include "bench/rational.h"
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace point_kdop_test {
 using namespace isect;
 using namespace isect::oracle;
+using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
-
-template <class S, int N>
-Vector<S, N> at(double x, double y) {
-  Vector<S, N> p = Vector<S, N>::Zero();
-  p[0] = S(x), p[1] = S(y);
-  return p;
-}
 
 /// |x| <= 1, |y| <= 1, |x + y| <= 1
 template <class S, int N>
@@ -70,7 +63,7 @@ TEMPLATE_TEST_CASE_SIG("point and k-DOP: a zero normal bounds nothing, or everyt
 
 TEMPLATE_TEST_CASE_SIG("point and k-DOP: NaN and infinite coordinates are outside", "[point_kdop]",
                        FLOATS_AND_DIMENSIONS) {
-  for (const double bad : {nan_, inf, -inf}) {
+  for (const double bad : {not_a_number, inf, -inf}) {
     Kdop<S, N> k = hexagon<S, N>();
     CHECK(locate(at<S, N>(bad, 0), k) == Location::out);
     k.normals[1][0] = S(bad);

@@ -6,6 +6,7 @@
 #include "bench/random_rays.h"
 #include "bench/rational.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/point_line_pairs.h"
 #include "tests/settings.h"
 
@@ -13,19 +14,7 @@ namespace point_line_test {
 using namespace isect;
 using bench::Numbers, bench::Random;
 using namespace tests::point_line_pairs;
-
-namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
-
-template <class S, int N>
-Vector<S, N> at(double x, double y) {
-  Vector<S, N> p = Vector<S, N>::Zero();
-  p[0] = static_cast<S>(x), p[1] = static_cast<S>(y);
-  return p;
-}
-
-}  // namespace
+using tests::at, tests::inf, tests::not_a_number;
 
 TEMPLATE_TEST_CASE_SIG("a point lies on a ray, in line with it, or on a side of it", "[point_line]",
                        FLOATS_AND_DIMENSIONS) {
@@ -47,11 +36,11 @@ TEMPLATE_TEST_CASE_SIG("a point lies on a ray, in line with it, or on a side of 
   CHECK(where(1, 0) == right);
   CHECK(where(5, static_cast<double>(std::nextafter(S(3), S(4)))) == left);
   CHECK(where(5, static_cast<double>(std::nextafter(S(3), S(2)))) == right);
-  for (const double bad : {nan_, inf, -inf}) {
+  for (const double bad : {not_a_number, inf, -inf}) {
     CHECK(where(bad, 1) == Beside::aside);
     CHECK(beside(at<S, N>(1, 1), Ray<S, N>{at<S, N>(1, 1), at<S, N>(bad, 1)}) == Beside::aside);
   }
-  CHECK(where(1, 1, {S(nan_), 1}) == Beside::aside);
+  CHECK(where(1, 1, {S(not_a_number), 1}) == Beside::aside);
   const Ray<S, N> point = {at<S, N>(1, 1), at<S, N>(0, -0.), {3, 4}};
   CHECK(beside(at<S, N>(1, 1), point) == Beside::on);
   CHECK(beside(at<S, N>(1, 2), point) == Beside::aside);
@@ -72,7 +61,7 @@ TEMPLATE_TEST_CASE_SIG("a point beside a segment, whose ends are as given", "[po
   const Segment<S, N> point = {at<S, N>(0.1, 0.1), at<S, N>(0.1, 0.1)};
   CHECK(beside(at<S, N>(0.1, 0.1), point) == Beside::on);
   CHECK(beside(at<S, N>(0.1, 0.2), point) == Beside::aside);
-  CHECK(beside(at<S, N>(0.1, nan_), diagonal) == Beside::aside);
+  CHECK(beside(at<S, N>(0.1, not_a_number), diagonal) == Beside::aside);
 }
 
 TEST_CASE("in space a point that is aside in one coordinate alone is aside", "[point_line]") {

@@ -6,24 +6,18 @@
 #include <limits>
 
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/point_obb_pairs.h"
 #include "tests/settings.h"
 
 namespace point_obb_test {
 using namespace isect;
 using namespace tests::point_obb_pairs;
+using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
-
 /// (x, y), or (x, y, 0).
-template <class S, int N>
-Vector<S, N> at(double x, double y = 0) {
-  Vector<S, N> v = Vector<S, N>::Zero();
-  v[0] = static_cast<S>(x), v[1] = static_cast<S>(y);
-  return v;
-}
 
 /// Half-lengths 2, 1, 1 along the frame's axes.
 template <class S, int N>

@@ -3,25 +3,14 @@
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
 namespace point_point_test {
 using namespace isect;
 using namespace isect::oracle;
-
-namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
-
-template <class S, int N>
-Point<S, N> at(double x, double y) {
-  Point<S, N> p = Point<S, N>::Zero();
-  p[0] = S(x), p[1] = S(y);
-  return p;
-}
-
-}  // namespace
+using tests::at, tests::inf, tests::not_a_number;
 
 TEMPLATE_TEST_CASE_SIG("points are equal when all their coordinates are", "[point_point]", FLOATS_AND_DIMENSIONS) {
   CHECK(equal(at<S, N>(1, 2), at<S, N>(1, 2)));
@@ -43,7 +32,7 @@ TEST_CASE("a tenth and two tenths are not three tenths, but nearly", "[point_poi
 
 TEMPLATE_TEST_CASE_SIG("NaN and infinite coordinates equal nothing, themselves neither", "[point_point]",
                        FLOATS_AND_DIMENSIONS) {
-  for (const double bad : {nan_, inf, -inf})
+  for (const double bad : {not_a_number, inf, -inf})
     for (int i = 0; i < N; ++i) {
       Point<S, N> p = at<S, N>(1, 2);
       p[i] = S(bad);
@@ -64,7 +53,7 @@ TEMPLATE_TEST_CASE_SIG("a tolerance is a closed ball", "[point_point]", FLOATS_A
   CHECK_FALSE(nearly_equal(p, q, std::nextafter(S(5), S(4))));
   CHECK(nearly_equal(p, q, S(inf)));
   CHECK_FALSE(nearly_equal(p, p, S(-1)));
-  CHECK_FALSE(nearly_equal(p, p, S(nan_)));
+  CHECK_FALSE(nearly_equal(p, p, S(not_a_number)));
   CHECK(nearly_equal(p, p, S(0)));
   CHECK(nearly_equal(p, p, S(-0.0)));
 }

@@ -3,25 +3,14 @@
 #include "bench/rational.h"
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
 namespace point_sphere_test {
 using namespace isect;
 using namespace isect::oracle;
-
-namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
-
-template <class S, int N>
-Point<S, N> at(double x, double y) {
-  Point<S, N> p = Point<S, N>::Zero();
-  p[0] = S(x), p[1] = S(y);
-  return p;
-}
-
-}  // namespace
+using tests::at, tests::inf, tests::not_a_number;
 
 TEMPLATE_TEST_CASE_SIG("a point lies in a ball, on its surface, or outside, and an ulp decides", "[point_sphere]",
                        FLOATS_AND_DIMENSIONS) {
@@ -45,7 +34,7 @@ TEMPLATE_TEST_CASE_SIG("a sphere of radius 0 is its center, one of negative radi
 TEMPLATE_TEST_CASE_SIG("point and sphere: NaN and infinite coordinates are outside", "[point_sphere]",
                        FLOATS_AND_DIMENSIONS) {
   const Sphere<S, N> ball = {at<S, N>(1, 2), S(5)};
-  for (const double bad : {nan_, inf, -inf}) {
+  for (const double bad : {not_a_number, inf, -inf}) {
     for (int i = 0; i < N; ++i) {
       Point<S, N> p = ball.center;
       p[i] = S(bad);

@@ -11,11 +11,13 @@
 
 #include "bench/cylinder_half_spaces/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/polyominoes.h"
 #include "tests/settings.h"
 
 namespace polygon_in_space_test {
 using namespace isect;
+using tests::inf, tests::not_a_number;
 
 namespace {
 
@@ -24,7 +26,6 @@ using tests::Frame, tests::Squares, tests::locate;
 using P = Point<double, 3>;
 
 constexpr int n = 3;  // squares reach from (0, 0) to (n, n)
-constexpr double nan_ = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
 
 struct Case {
   Frame frame;
@@ -399,7 +400,7 @@ TEST_CASE("a polygon that is empty, and what is not finite or empty, is disjoint
   const TriangulatedPolygon<double> some = triangulated(l),
                                     none = triangulated(Ring<double, 3>{l[0], l[2], l[1], l[3]});
   Ring<double, 3> bad = l;
-  bad[2].z() = nan_;
+  bad[2].z() = not_a_number;
   const auto square = triangulated(Ring<double, 3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
   CHECK_FALSE(square.convex.empty());
   REQUIRE(empty(none));
@@ -418,17 +419,17 @@ TEST_CASE("a polygon that is empty, and what is not finite or empty, is disjoint
     CHECK_FALSE(first_hit(Ray<double, 3>{{1, 1, 1}, {0, 0, -1}}, x));
   }
   for (const auto& x : {some, square}) {
-    for (const double r : {-1., nan_, inf}) {
+    for (const double r : {-1., not_a_number, inf}) {
       CHECK(relate(x, Sphere<double, 3>{{0, 0, 0}, r}) == Relation::disjoint);
       CHECK(relate(x, Capsule<double, 3>{{0, 0, 0}, {1, 0, 0}, r}) == Relation::disjoint);
       CHECK(relate(x, Cylinder<double>{{0, 0, 0}, {1, 0, 0}, r}) == Relation::disjoint);
       CHECK(relate(x, Cone<double>{{0, 0, 0}, {1, 0, 0}, r}) == Relation::disjoint);
     }
     CHECK(relate(x, Cone<double>{{0, 0, 0}, {0, 0, 0}, 1}) == Relation::disjoint);
-    CHECK(relate(x, Triangle<double, 3>{{P(0, 0, 0), P(1, 0, nan_), P(0, 1, 0)}}) == Relation::disjoint);
+    CHECK(relate(x, Triangle<double, 3>{{P(0, 0, 0), P(1, 0, not_a_number), P(0, 1, 0)}}) == Relation::disjoint);
     CHECK(relate(x, half_spaces_of(Aabb<double, 3>{{1, 0, 0}, {0, 1, 1}})) == Relation::disjoint);
-    CHECK(isect::locate(P(0, 0, nan_), x) == Location::out);
-    CHECK_FALSE(first_hit(Ray<double, 3>{{0, 0, nan_}, {0, 0, 1}}, x));
+    CHECK(isect::locate(P(0, 0, not_a_number), x) == Location::out);
+    CHECK_FALSE(first_hit(Ray<double, 3>{{0, 0, not_a_number}, {0, 0, 1}}, x));
   }
 }
 

@@ -8,6 +8,7 @@
 #include "bench/random_rays.h"
 #include "bench/ray_aabb/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace ray_aabb_test {
@@ -15,18 +16,11 @@ using namespace isect;
 using bench::Numbers;
 using bench::Random;
 using oracle::Rational;
+using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
-
 /// (x, y), or (x, y, 0).
-template <class S, int N>
-Vector<S, N> at(double x, double y = 0) {
-  Vector<S, N> v = Vector<S, N>::Zero();
-  v[0] = static_cast<S>(x), v[1] = static_cast<S>(y);
-  return v;
-}
 template <class S, int N>
 Aabb<S, N> cube(double half = 1) {
   return {Point<S, N>::Constant(static_cast<S>(-half)), Point<S, N>::Constant(static_cast<S>(half))};

@@ -5,6 +5,7 @@
 #include "bench/ray_capsule/oracle.h"
 #include "bench/sphere_capsule/families.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/motion.h"
 #include "tests/core/ray_capsule_pairs.h"
 #include "tests/settings.h"
@@ -12,17 +13,10 @@
 namespace ray_capsule_test {
 using namespace isect;
 using oracle::Rational;
+using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
-
-template <class S, int N>
-Vector<S, N> at(double x, double y) {
-  Vector<S, N> p = Vector<S, N>::Zero();
-  p[0] = S(x), p[1] = S(y);
-  return p;
-}
 template <class S, int N>
 Ray<S, N> ray(double x, double y, double dx, double dy, double lo = 0, double hi = inf) {
   return {at<S, N>(x, y), at<S, N>(dx, dy), {S(lo), S(hi)}};
@@ -105,8 +99,8 @@ TEMPLATE_TEST_CASE_SIG("ray and capsule: no direction, no range, nothing finite"
   }
   CHECK_FALSE(met(ray<S, N>(1, 5, 0, -1, 1, 0), c));
   CHECK_FALSE(met(ray<S, N>(1, 5, 0, -1, inf, inf), c));
-  CHECK_FALSE(met(ray<S, N>(1, 5, 0, -1, nan_, inf), c));
-  for (const double bad : {nan_, inf, -inf}) {
+  CHECK_FALSE(met(ray<S, N>(1, 5, 0, -1, not_a_number, inf), c));
+  for (const double bad : {not_a_number, inf, -inf}) {
     CHECK_FALSE(intersects(ray<S, N>(bad, 5, 0, -1), c));
     CHECK_FALSE(intersects(ray<S, N>(1, 5, 0, bad), c));
     CHECK_FALSE(intersects(ray<S, N>(1, 5, 0, -1), lying<S, N>(bad)));
@@ -216,8 +210,8 @@ TEMPLATE_TEST_CASE_SIG("the part of a ray in a capsule, by its side and by its e
   CHECK_FALSE(part(ray<S, N>(1, 5, 0, -1, 8), c));
   CHECK_FALSE(part(ray<S, N>(1, 5, 0, -1, 0, S(2.5)), c));
   CHECK_FALSE(part(ray<S, N>(1, 5, 0, -1, 6, 5), c));
-  CHECK_FALSE(part(ray<S, N>(1, 5, 0, -1, nan_), c));
-  for (const double bad : {nan_, inf, -1.0}) CHECK_FALSE(part(ray<S, N>(1, 5, 0, -1), lying<S, N>(bad)));
+  CHECK_FALSE(part(ray<S, N>(1, 5, 0, -1, not_a_number), c));
+  for (const double bad : {not_a_number, inf, -1.0}) CHECK_FALSE(part(ray<S, N>(1, 5, 0, -1), lying<S, N>(bad)));
 }
 
 TEMPLATE_TEST_CASE_SIG("a segment keeps both its ends as it enters a capsule", "[ray_capsule]", FLOATS_AND_DIMENSIONS) {
@@ -231,7 +225,7 @@ TEMPLATE_TEST_CASE_SIG("a segment keeps both its ends as it enters a capsule", "
   const Segment<S, N> point = {at<S, N>(1, 2), at<S, N>(1, 2)};
   CHECK(intersect(point, lying<S, N>(2)) == Interval<S>{0, 1});
   CHECK_FALSE(intersect(point, lying<S, N>(1)));
-  CHECK_FALSE(intersect(Segment<S, N>{at<S, N>(nan_, 0), at<S, N>(0, 0)}, lying<S, N>(1)));
+  CHECK_FALSE(intersect(Segment<S, N>{at<S, N>(not_a_number, 0), at<S, N>(0, 0)}, lying<S, N>(1)));
 }
 
 TEST_CASE("ray and capsule: the events tell by which piece a line enters and leaves", "[ray_capsule]") {

@@ -4,14 +4,14 @@
 #include "bench/ray_cylinder/families.h"
 #include "bench/ray_cylinder/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/ray_round_pairs.h"
 
 namespace ray_cone_test {
 using namespace isect;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S>
 Ray<S, 3> ray(double x, double y, double dx, double dy, double lo = 0, double hi = inf) {
@@ -61,8 +61,8 @@ TEMPLATE_TEST_CASE("the part of a ray in a cone, by its side, its base and its a
   CHECK_FALSE(part(ray<S>(2, 5, 0, -1, 8), c));
   CHECK_FALSE(part(ray<S>(2, 5, 0, -1, 0, S(2.5)), c));
   CHECK_FALSE(part(ray<S>(2, 5, 0, -1, 6, 5), c));
-  CHECK_FALSE(part(ray<S>(2, 5, 0, -1, nan_), c));
-  for (const double bad : {nan_, inf, -1.0}) CHECK_FALSE(part(ray<S>(2, 5, 0, -1), lying<S>(bad)));
+  CHECK_FALSE(part(ray<S>(2, 5, 0, -1, not_a_number), c));
+  for (const double bad : {not_a_number, inf, -1.0}) CHECK_FALSE(part(ray<S>(2, 5, 0, -1), lying<S>(bad)));
   CHECK_FALSE(part(ray<S>(1, 5, 0, -1), Cone<S>{{1, 0, 0}, {1, 0, 0}, 3}));
 }
 
@@ -87,7 +87,7 @@ TEMPLATE_TEST_CASE("a segment keeps both its ends as it enters a cone", "[ray_co
   CHECK(intersect(segment, Cone<S>{{0, 0, 0}, {S(1 / 3.), 0, 0}, 1}) == Interval<S>{1, 1});
   CHECK_FALSE(intersects(segment, Cone<S>{{0, 0, 0}, {std::nextafter(S(1 / 3.), S(0)), 0, 0}, 1}));
   CHECK(intersect(Segment<S, 3>{{2, 2, 0}, {2, 2, 0}}, lying<S>(4)) == Interval<S>{0, 1});
-  CHECK_FALSE(intersect(Segment<S, 3>{{S(nan_), 0, 0}, {0, 0, 0}}, lying<S>(1)));
+  CHECK_FALSE(intersect(Segment<S, 3>{{S(not_a_number), 0, 0}, {0, 0, 0}}, lying<S>(1)));
 }
 
 TEST_CASE("ray and cone: the events tell where the line comes in between apex and base, and out", "[ray_cone]") {

@@ -4,14 +4,14 @@
 #include "bench/ray_cylinder/families.h"
 #include "bench/ray_cylinder/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/ray_round_pairs.h"
 
 namespace ray_cylinder_test {
 using namespace isect;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S>
 Ray<S, 3> ray(double x, double y, double dx, double dy, double lo = 0, double hi = inf) {
@@ -61,8 +61,8 @@ TEMPLATE_TEST_CASE("the part of a ray in a cylinder, by its side and by its ends
   CHECK_FALSE(part(ray<S>(1, 5, 0, -1, 8), c));
   CHECK_FALSE(part(ray<S>(1, 5, 0, -1, 0, S(2.5)), c));
   CHECK_FALSE(part(ray<S>(1, 5, 0, -1, 6, 5), c));
-  CHECK_FALSE(part(ray<S>(1, 5, 0, -1, nan_), c));
-  for (const double bad : {nan_, inf, -1.0}) CHECK_FALSE(part(ray<S>(1, 5, 0, -1), lying<S>(bad)));
+  CHECK_FALSE(part(ray<S>(1, 5, 0, -1, not_a_number), c));
+  for (const double bad : {not_a_number, inf, -1.0}) CHECK_FALSE(part(ray<S>(1, 5, 0, -1), lying<S>(bad)));
   CHECK_FALSE(part(ray<S>(1, 5, 0, -1), Cylinder<S>{{1, 0, 0}, {1, 0, 0}, 3}));
 }
 
@@ -89,7 +89,7 @@ TEMPLATE_TEST_CASE("a segment keeps both its ends as it enters a cylinder", "[ra
   CHECK(intersect(segment, touched) == Interval<S>{1, 1});
   CHECK_FALSE(intersects(segment, Cylinder<S>{{0, 0, 0}, {std::nextafter(S(1 / 3.), S(0)), 0, 0}, 1}));
   CHECK(intersect(Segment<S, 3>{{1, 2, 0}, {1, 2, 0}}, lying<S>(2)) == Interval<S>{0, 1});
-  CHECK_FALSE(intersect(Segment<S, 3>{{S(nan_), 0, 0}, {0, 0, 0}}, lying<S>(1)));
+  CHECK_FALSE(intersect(Segment<S, 3>{{S(not_a_number), 0, 0}, {0, 0, 0}}, lying<S>(1)));
 }
 
 TEST_CASE("ray and cylinder: the events tell where the line comes in between the ends, and out", "[ray_cylinder]") {

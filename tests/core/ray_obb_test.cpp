@@ -9,6 +9,7 @@
 #include "bench/ray_obb/families.h"
 #include "bench/ray_obb/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/ray_obb_pairs.h"
 #include "tests/settings.h"
 
@@ -18,18 +19,11 @@ using bench::Numbers;
 using bench::Random;
 using oracle::Rational;
 using namespace tests::ray_obb_pairs;
+using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
-
 /// (x, y), or (x, y, 0).
-template <class S, int N>
-Vector<S, N> at(double x, double y = 0) {
-  Vector<S, N> v = Vector<S, N>::Zero();
-  v[0] = static_cast<S>(x), v[1] = static_cast<S>(y);
-  return v;
-}
 template <class S>
 std::optional<Interval<S>> between(double lo, double hi) {
   return Interval<S>{static_cast<S>(lo), static_cast<S>(hi)};

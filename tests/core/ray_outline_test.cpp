@@ -9,6 +9,7 @@
 
 #include "bench/ray_outline/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/poses.h"
 #include "tests/core/ray_outline_pairs.h"
 #include "tests/settings.h"
@@ -16,11 +17,10 @@
 namespace ray_outline_test {
 using namespace isect;
 using oracle::Rational, oracle::operator-;
+using tests::inf, tests::not_a_number;
 using tests::ray_outline_pairs::Case, tests::ray_outline_pairs::draw;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 /// A square from (1, 1) to (5, 5), with a hole from (2, 2) to (4, 4).
 template <class S>
@@ -72,13 +72,13 @@ TEMPLATE_TEST_CASE("ray and polygon in the plane: points, thin rings, nothing fi
   CHECK(first_hit(ray, Polygon<S, 2>{}) == std::nullopt);
   CHECK(first<S>(0, 3, 1, 0, 2, 1) == std::nullopt);
   CHECK(first<S>(0, 3, 1, 0, inf, inf) == std::nullopt);
-  for (const double bad : {nan_, inf, -inf}) {
+  for (const double bad : {not_a_number, inf, -inf}) {
     const S x = static_cast<S>(bad);
     CHECK(first<S>(x, 3, 1, 0) == std::nullopt);
     CHECK(first<S>(0, 3, x, 0) == std::nullopt);
     CHECK(first_hit(ray, Polygon<S, 2>{{{{4, 0}, {0, 4}, {x, 9}}}}) == std::nullopt);
   }
-  CHECK(first<S>(0, 3, 1, 0, nan_) == std::nullopt);
+  CHECK(first<S>(0, 3, 1, 0, not_a_number) == std::nullopt);
   // A bow-tie wound twice around the point: outside by even-odd
   const Polygon<S, 2> twice = {{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}}};
   const Ray<S, 2> within = {{2, 2}, {1, 0}};
@@ -92,7 +92,7 @@ TEST_CASE("a segment in the plane keeps both its ends", "[ray_outline]") {
   CHECK(first_hit(Segment<double, 2>{{1e8, 0}, {std::nextafter(1 / 3., 1), 0}}, at_third) == std::nullopt);
   CHECK(first_hit(Segment<double, 2>{{0, 0}, {0, 0}}, at_third) == 0.0);
   CHECK(first_hit(Segment<double, 2>{{1, 0}, {1, 0}}, at_third) == std::nullopt);
-  CHECK(first_hit(Segment<double, 2>{{nan_, 0}, {1, 0}}, at_third) == std::nullopt);
+  CHECK(first_hit(Segment<double, 2>{{not_a_number, 0}, {1, 0}}, at_third) == std::nullopt);
 }
 
 TEST_CASE("ray and polygon in the plane: the events tell where it starts, and what comes nearer", "[ray_outline]") {

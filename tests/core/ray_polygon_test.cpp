@@ -10,6 +10,7 @@
 #include "bench/random_rays.h"
 #include "bench/ray_polygon/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace ray_polygon_test {
@@ -27,10 +28,9 @@ namespace ray_polygon_test {
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 template <class S>
 Point<S, 3> at(double x, double y, double z = 0) {

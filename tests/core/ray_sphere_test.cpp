@@ -7,22 +7,16 @@
 #include <limits>
 
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace ray_sphere_test {
 using namespace isect;
+using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
-
 /// (x, y), or (x, y, 0).
-template <class S, int N>
-Vector<S, N> at(double x, double y = 0) {
-  Vector<S, N> v = Vector<S, N>::Zero();
-  v[0] = static_cast<S>(x), v[1] = static_cast<S>(y);
-  return v;
-}
 
 template <class S, int N>
 Sphere<S, N> ball(double radius = 1) {

@@ -7,6 +7,7 @@
 
 #include <isect/numbers/counted.h>
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/segment_pairs.h"
 #include "tests/settings.h"
 
@@ -17,10 +18,9 @@ using bench::Random;
 using oracle::Rational;
 using segment_segment::Meeting;
 using namespace tests::segment_pairs;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 template <class S>
 Segment<S, 2> line(double px, double py, double qx, double qy) {

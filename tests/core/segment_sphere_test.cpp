@@ -5,23 +5,16 @@
 #include "bench/ray_capsule/oracle.h"
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace segment_sphere_test {
 using namespace isect;
 using bench::Numbers, bench::Random;
 using oracle::Rational, oracle::operator-;
+using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
-
-template <class S, int N>
-Point<S, N> at(double x, double y = 0) {
-  Point<S, N> p = Point<S, N>::Zero();
-  p[0] = static_cast<S>(x), p[1] = static_cast<S>(y);
-  return p;
-}
 
 /// A segment and a ball: any of both, ends on the sphere, lines that touch it up to rounding.
 template <class S, int N>
@@ -89,8 +82,8 @@ TEMPLATE_TEST_CASE_SIG("segment and sphere: points, empty balls, nothing finite"
   CHECK_FALSE(meets(6).surface);
   CHECK(meets(6).solid == Interval<S>{0, 1});
   CHECK_FALSE(meets(4));
-  for (const double bad : {nan_, inf, -5.0}) CHECK_FALSE(meets(bad));
-  CHECK_FALSE(intersect(Segment<S, N>{at<S, N>(nan_), at<S, N>(0)}, Sphere<S, N>{at<S, N>(0), S(5)}));
+  for (const double bad : {not_a_number, inf, -5.0}) CHECK_FALSE(meets(bad));
+  CHECK_FALSE(intersect(Segment<S, N>{at<S, N>(not_a_number), at<S, N>(0)}, Sphere<S, N>{at<S, N>(0), S(5)}));
 }
 
 TEMPLATE_TEST_CASE_SIG("segment and sphere: every answer is that of rational arithmetic", "[segment_sphere]",

@@ -7,14 +7,14 @@
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace shapes_test {
 using namespace isect;
+using tests::inf, tests::not_a_number;
 
-namespace {
-constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
-}
+namespace {}
 
 TEMPLATE_TEST_CASE("an interval holds both of its ends", "[shapes]", float, double) {
   const Interval<TestType> interval = {TestType(-1), TestType(2)};

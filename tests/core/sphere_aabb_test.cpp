@@ -5,15 +5,15 @@
 #include "bench/sphere_aabb/families.h"
 #include "bench/sphere_aabb/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
 namespace sphere_aabb_test {
 using namespace isect;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S, int N>
 Sphere<S, N> ball(double x, double y, double radius) {
@@ -86,7 +86,7 @@ TEMPLATE_TEST_CASE_SIG("sphere and box: what is empty, NaN or infinite meets not
     Aabb<S, N> inverted = box;
     inverted.lo[i] = 2;
     CHECK(related(good, inverted) == Relation::disjoint);
-    for (const double bad : {nan_, inf, -inf}) {
+    for (const double bad : {not_a_number, inf, -inf}) {
       Sphere<S, N> sphere = good;
       sphere.center[i] = S(bad);
       CHECK(related(sphere, box) == Relation::disjoint);
@@ -124,7 +124,7 @@ TEST_CASE("the note's sum over the axes calls touching and NaN what they are not
   CHECK(accumulate<double, 3>({{2, 0, 0}, 1.5}, box));
   CHECK_FALSE(accumulate<double, 3>({{4, 5, 0}, 4}, box));
   CHECK_FALSE(accumulate<double, 3>({{3, 0, 0}, 2}, box));  // touching, and a strict <
-  CHECK(accumulate<double, 3>({{nan_, 0, 0}, 1}, box));
+  CHECK(accumulate<double, 3>({{not_a_number, 0, 0}, 1}, box));
   CHECK(accumulate<double, 3>({{0, 0, 0}, 3}, {{1, 1, 1}, {-1, -1, -1}}));  // inverted
 }
 

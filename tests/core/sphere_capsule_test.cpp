@@ -3,22 +3,16 @@
 #include "bench/sphere_capsule/families.h"
 #include "bench/sphere_capsule/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
 namespace sphere_capsule_test {
 using namespace isect;
+using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
-
-template <class S, int N>
-Point<S, N> at(double x, double y) {
-  Point<S, N> p = Point<S, N>::Zero();
-  p[0] = S(x), p[1] = S(y);
-  return p;
-}
 template <class S, int N>
 Sphere<S, N> ball(double x, double y, double radius) {
   return {at<S, N>(x, y), S(radius)};
@@ -92,7 +86,7 @@ TEMPLATE_TEST_CASE_SIG("sphere and capsule: what is empty, NaN or infinite meets
   CHECK(related(ball<S, N>(0, 0, -1), capsule) == Relation::disjoint);
   CHECK(related(good, lying<S, N>(3, -1)) == Relation::disjoint);
   CHECK(related(ball<S, N>(0, 0, -1), lying<S, N>(0, -1)) == Relation::disjoint);
-  for (const double bad : {nan_, inf, -inf}) {
+  for (const double bad : {not_a_number, inf, -inf}) {
     CHECK(related(ball<S, N>(0, 0, bad), capsule) == Relation::disjoint);
     CHECK(related(good, lying<S, N>(3, bad)) == Relation::disjoint);
     for (int i = 0; i < N; ++i) {

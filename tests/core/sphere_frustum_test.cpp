@@ -2,16 +2,16 @@
 
 #include "bench/rational.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/frustums.h"
 #include "tests/settings.h"
 
 namespace sphere_frustum_test {
 using namespace isect;
 using namespace isect::oracle;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S>
 Sphere<S, 3> ball(double x, double y, double z, double radius) {
@@ -55,7 +55,7 @@ TEST_CASE("near an edge a ball may be outside and called crossing", "[sphere_fru
 TEMPLATE_TEST_CASE("sphere and frustum: what is empty, NaN or infinite is outside", "[sphere_frustum]", float, double) {
   using S = TestType;
   CHECK(culled(ball<S>(0, 0, 5, -1)) == Culling::outside);
-  for (const double bad : {nan_, inf, -inf}) {
+  for (const double bad : {not_a_number, inf, -inf}) {
     CHECK(culled(ball<S>(0, 0, 5, bad)) == Culling::outside);
     CHECK(culled(ball<S>(0, bad, 5, 1)) == Culling::outside);
     Frustum<S> f = tests::pyramid<S>();

@@ -5,15 +5,15 @@
 #include "bench/sphere_sphere/families.h"
 #include "bench/sphere_sphere/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/motion.h"
 #include "tests/settings.h"
 
 namespace sphere_sphere_test {
 using namespace isect;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S, int N>
 Sphere<S, N> ball(double x, double y, double radius) {
@@ -80,7 +80,7 @@ TEMPLATE_TEST_CASE_SIG("empty balls, NaN and infinite coordinates meet nothing",
   const Sphere<S, N> good = ball<S, N>(0, 0, 5);
   CHECK(related(good, ball<S, N>(0, 0, -1)) == Relation::disjoint);
   CHECK(related(ball<S, N>(0, 0, -1), ball<S, N>(0, 0, -1)) == Relation::disjoint);
-  for (const double bad : {nan_, inf, -inf}) {
+  for (const double bad : {not_a_number, inf, -inf}) {
     CHECK(related(good, ball<S, N>(0, 0, bad)) == Relation::disjoint);
     CHECK(related(ball<S, N>(0, 0, bad), ball<S, N>(0, 0, bad)) == Relation::disjoint);
     for (int i = 0; i < N; ++i) {

@@ -4,14 +4,15 @@
 
 #include "bench/sphere_triangle/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace sphere_triangle_test {
 using namespace isect;
+using tests::inf, tests::not_a_number;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 using Vec = Vector<double, 3>;
 using oracle::operator*, oracle::operator+, oracle::operator-;
 
@@ -106,7 +107,7 @@ TEST_CASE("an ulp decides at a corner, an edge and the face of a triangle", "[sp
 TEST_CASE("a ball or a triangle that is empty, NaN or infinite meets nothing", "[sphere_triangle]") {
   const Triangle<double, 3> triangle = {{{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}}};
   CHECK(relate(Sphere<double, 3>{{0, 0, 0}, -1}, triangle) == Relation::disjoint);
-  for (const double bad : {nan_, inf}) {
+  for (const double bad : {not_a_number, inf}) {
     CHECK_FALSE(intersects(Sphere<double, 3>{{bad, 0, 0}, 1}, triangle));
     CHECK_FALSE(intersects(Capsule<double, 3>{{0, 0, 0}, {0, bad, 0}, 1}, triangle));
     CHECK_FALSE(

@@ -12,16 +12,16 @@
 #include "bench/triangle_aabb/families.h"
 #include "bench/triangle_aabb/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/triangle_box_pairs.h"
 #include "tests/settings.h"
 
 namespace triangle_aabb_test {
 using namespace isect;
 using namespace tests::triangle_box_pairs;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// (x, y), or (x, y, z).
 template <class S, int N>

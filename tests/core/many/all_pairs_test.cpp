@@ -5,16 +5,16 @@
 #include <isect/many/overlapping_pairs.h>
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/core/heap.h"
 #include "tests/settings.h"
 
 using namespace isect;
 using bench::Numbers;
 using bench::Random;
+using tests::inf, tests::not_a_number;
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
 
 template <class S, int N>
 using Boxes = std::vector<Aabb<S, N>>;
@@ -160,7 +160,7 @@ TEMPLATE_TEST_CASE_SIG("an ulp ends touching", "[all_pairs]", FLOATS_AND_DIMENSI
 TEMPLATE_TEST_CASE_SIG("boxes with NaN, infinite or inverted coordinates meet nothing", "[all_pairs]",
                        FLOATS_AND_DIMENSIONS) {
   Boxes<S, N> boxes(4, cube<S, N>(Point<double, N>::Zero(), 1));
-  for (const double bad : {nan_, inf, -inf, 5.0})
+  for (const double bad : {not_a_number, inf, -inf, 5.0})
     for (int axis = 0; axis < N; ++axis) {
       boxes.push_back(boxes[0]), boxes.back().lo[axis] = S(bad);
       boxes.push_back(boxes[0]), boxes.back().hi[axis] = S(-bad);

@@ -6,6 +6,7 @@
 #include "bench/rational.h"
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace motion_test {
@@ -13,17 +14,10 @@ using namespace isect;
 using bench::Numbers;
 using bench::Random;
 using namespace isect::oracle;
+using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity(), nan_ = std::numeric_limits<double>::quiet_NaN();
-
-template <class S, int N>
-Vector<S, N> at(double x, double y = 0) {
-  Vector<S, N> v = Vector<S, N>::Zero();
-  v[0] = static_cast<S>(x), v[1] = static_cast<S>(y);
-  return v;
-}
 /// A cube of half side 1, or a ball of radius 1.
 template <class S, int N>
 Moving<Aabb, S, N> cube(const Point<S, N>& center, const Vector<S, N>& velocity) {
@@ -99,9 +93,9 @@ TEMPLATE_TEST_CASE_SIG("boxes and balls meet on their way, touch in passing, or 
     CHECK(first(still, make(at<S, N>(6, 2), at<S, N>(-4)), 5).has_value());  // grazes
     CHECK_FALSE(first(still, make(at<S, N>(6, std::nextafter(S(2), S(3))), at<S, N>(-4)), 5));
     CHECK_FALSE(first(still, make(at<S, N>(6), at<S, N>(-4)), -1));
-    CHECK_FALSE(first(still, make(at<S, N>(6), at<S, N>(-4)), nan_));
-    CHECK_FALSE(may_collide(still, make(at<S, N>(6), at<S, N>(-4)), S(nan_)));
-    for (const double bad : {nan_, inf, -inf}) {
+    CHECK_FALSE(first(still, make(at<S, N>(6), at<S, N>(-4)), not_a_number));
+    CHECK_FALSE(may_collide(still, make(at<S, N>(6), at<S, N>(-4)), S(not_a_number)));
+    for (const double bad : {not_a_number, inf, -inf}) {
       CHECK_FALSE(first(still, make(at<S, N>(6), at<S, N>(bad)), 5));
       CHECK_FALSE(first(still, make(at<S, N>(bad), at<S, N>(-4)), 5));
     }

@@ -5,15 +5,17 @@
 #include "bench/capsule_capsule/families.h"
 #include "bench/capsule_capsule/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace capsule_capsule_methods_test {
 using namespace isect;
 using namespace isect::capsule_capsule;
+using tests::not_a_number;
 
 namespace {
 
-constexpr double nan_ = std::numeric_limits<double>::quiet_NaN(), small = 1e-8;
+constexpr double small = 1e-8;
 using Capsule3 = Capsule<double, 3>;
 const Capsule3 lying = {{-3, 0, 0}, {3, 0, 0}, 2};
 
@@ -86,7 +88,7 @@ TEST_CASE("two capsules: squares that vanish make far things meet", "[capsule_ca
 
 TEST_CASE("two capsules: NaN meets nothing, and a negative radius is taken off the other",
           "[capsule_capsule_methods]") {
-  const Capsule3 bad = {{nan_, 0, 0}, {1, 1, 1}, 1}, negative = {{0, -3, 1}, {0, 3, 1}, -1};
+  const Capsule3 bad = {{not_a_number, 0, 0}, {1, 1, 1}, 1}, negative = {{0, -3, 1}, {0, 3, 1}, -1};
   CHECK_FALSE(clamped(lying, bad));
   CHECK_FALSE(sunday(lying, bad, small));
   CHECK(clamped(lying, negative));

@@ -3,14 +3,14 @@
 #include <limits>
 
 #include "tests/catch.h"
+#include "tests/core/common.h"
 
 namespace interval_interval_methods_test {
 using namespace isect;
 using namespace isect::interval_interval;
+using tests::not_a_number;
 
 namespace {
-
-constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
 
 bool all(const Interval<double>& a, const Interval<double>& b) {
   const bool meet = min_max(a, b);
@@ -38,8 +38,8 @@ TEST_CASE("middles come apart where ends touch", "[interval_interval_methods]") 
 TEST_CASE("the larger lower end shows an inverted interval, and may hide NaN", "[interval_interval_methods]") {
   CHECK_FALSE(min_max<double>({1, -1}, {-5, 5}));
   CHECK(ends<double>({1, -1}, {-5, 5}));
-  CHECK(min_max<double>({0, 1}, {nan_, nan_}));
-  CHECK_FALSE(min_max<double>({nan_, nan_}, {0, 1}));
+  CHECK(min_max<double>({0, 1}, {not_a_number, not_a_number}));
+  CHECK_FALSE(min_max<double>({not_a_number, not_a_number}, {0, 1}));
 }
 
 TEST_CASE("the events tell the common part and the middles", "[interval_interval_methods]") {

@@ -6,6 +6,7 @@
 
 #include "bench/ray_sphere/judge.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace ray_sphere_methods_test {
@@ -14,10 +15,9 @@ using namespace isect::bench;
 using ray_sphere::haines;
 using ray_sphere::half_b;
 using ray_sphere::quadratic;
+using tests::not_a_number;
 
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 template <class S, int N>
 Ray<S, N> along_x(double x, double y = 0, Interval<S> range = semi_infinite<S>) {

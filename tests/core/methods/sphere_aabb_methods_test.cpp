@@ -5,15 +5,16 @@
 #include "bench/sphere_aabb/families.h"
 #include "bench/sphere_aabb/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace sphere_aabb_methods_test {
 using namespace isect;
 using namespace isect::sphere_aabb;
+using tests::not_a_number;
 
 namespace {
 
-constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
 const Aabb<double, 3> box = {{-1, -1, -1}, {1, 1, 1}};
 
 }  // namespace
@@ -45,8 +46,8 @@ TEST_CASE("squares that vanish make far things meet", "[sphere_aabb_methods]") {
 }
 
 TEST_CASE("NaN and inverted boxes are decided by chance", "[sphere_aabb_methods]") {
-  CHECK_FALSE(clamped<double, 3>({{nan_, 0, 0}, 1}, box));
-  CHECK(with_rejections<double, 3>({{nan_, 0, 0}, 1}, box));
+  CHECK_FALSE(clamped<double, 3>({{not_a_number, 0, 0}, 1}, box));
+  CHECK(with_rejections<double, 3>({{not_a_number, 0, 0}, 1}, box));
   CHECK(clamped<double, 3>({{0, 0, 0}, 3}, {{1, 1, 1}, {-1, -1, -1}}));
 }
 

@@ -6,15 +6,16 @@
 #include "bench/sphere_capsule/families.h"
 #include "bench/sphere_capsule/oracle.h"
 #include "tests/catch.h"
+#include "tests/core/common.h"
 #include "tests/settings.h"
 
 namespace sphere_capsule_methods_test {
 using namespace isect;
 using namespace isect::sphere_capsule;
+using tests::not_a_number;
 
 namespace {
 
-constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
 const Capsule<double, 3> capsule = {{-3, 0, 0}, {3, 0, 0}, 2};
 
 }  // namespace
@@ -69,8 +70,8 @@ TEST_CASE("a capsule that is a ball needs no division", "[sphere_capsule_methods
 
 TEST_CASE("sphere and capsule: NaN meets nothing, and a negative radius is taken off the other",
           "[sphere_capsule_methods]") {
-  CHECK_FALSE(clamped<double, 3>({{nan_, 0, 0}, 1}, capsule));
-  CHECK_FALSE(by_pythagoras<double, 3>({{nan_, 0, 0}, 1}, capsule));
+  CHECK_FALSE(clamped<double, 3>({{not_a_number, 0, 0}, 1}, capsule));
+  CHECK_FALSE(by_pythagoras<double, 3>({{not_a_number, 0, 0}, 1}, capsule));
   CHECK(clamped<double, 3>({{0, 1, 0}, -1}, capsule));
   CHECK(by_pythagoras<double, 3>({{0, 1, 0}, -1}, capsule));
 }
