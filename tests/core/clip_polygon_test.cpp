@@ -1,11 +1,9 @@
 #include <isect/clip_polygon.h>
-#include <isect/methods/clip_polygon.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include <isect/numbers/counted.h>
 #include "bench/clip_polygon/oracle.h"
 #include "bench/random_shapes.h"
 #include "tests/catch.h"
@@ -21,7 +19,6 @@ using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
 
-/// (x, y), or (x, y, 0).
 /// The square [0, 4]^2.
 template <class S, int N>
 Ring<S, N> square() {
@@ -135,26 +132,6 @@ TEST_CASE("polygons of any size are cut where they should be", "[clip_polygon]")
     REQUIRE(boxed.size() == 3);
     CHECK(boxed[2][1] == Approx(3 * k).epsilon(1e-15));
   }
-}
-
-TEST_CASE("floating point agrees on ordinary polygons", "[clip_polygon]") {
-  Random random(tests::seed());
-  int cut = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const Ring<double, 3> r = {random.in_box<3>(1), random.in_box<3>(1), random.in_box<3>(1)};
-    const Plane<double, 3> p = {random.in_box<3>(1), random.uniform(-.5, .5)};
-    INFO("seed " << tests::seed() << ", case " << i);
-    const Ring<double, 3> naive = clip_polygon::sutherland_hodgman(r, p), exact = clip(r, p);
-    REQUIRE(naive.size() == exact.size());
-    for (std::size_t k = 0; k < naive.size(); ++k) REQUIRE((naive[k] - exact[k]).norm() < 1e-12);
-    cut += naive.size() == 4;
-  }
-  CHECK(cut > 100);
-  using C = Counted<double>;
-  tally() = {};
-  const Ring<C, 2> r = {{C(0), C(0)}, {C(4), C(0)}, {C(0), C(4)}};
-  CHECK(clip_polygon::sutherland_hodgman(r, Plane<C, 2>{{C(1), C(0)}, C(-1)}).size() == 3);
-  CHECK(tally().div == 2);
 }
 
 TEMPLATE_TEST_CASE_SIG("which vertices survive, and the new ones, are those of rational arithmetic",

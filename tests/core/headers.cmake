@@ -27,8 +27,6 @@ set(tested_by
   many/batch_ray_sphere=many/batch
   many/overlapping_pairs=many/all_pairs
   mesh_surface=mesh_mesh
-  methods/clip_polygon=clip_polygon
-  methods/clip_segment=clip_segment
   methods/motion=many/motion
   methods/obb_obb=obb_obb
   methods/plane_aabb=plane_aabb
@@ -39,9 +37,7 @@ set(tested_by
   methods/point_cylinder=point_cylinder
   methods/ray_cone=ray_cone
   methods/ray_cylinder=ray_cylinder
-  methods/ray_obb=ray_obb
   methods/ray_sphere_stable=methods/ray_sphere_stable
-  methods/segment_segment=segment_segment
   methods/sphere_cone=sphere_cone
   methods/sphere_cylinder=sphere_cylinder
   methods/triangle_aabb=triangle_aabb

@@ -23,8 +23,6 @@ using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
 
-/// (x, y), or (x, y, 0).
-
 /// Half-lengths 2, 1, 1 along the frame's axes.
 template <class S, int N>
 Obb<S, N> brick(const Point<S, N>& center = at<S, N>(0)) {

@@ -20,7 +20,6 @@ using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
 
-/// (x, y), or (x, y, 0).
 template <class S, int N>
 Aabb<S, N> cube(double half = 1) {
   return {Point<S, N>::Constant(static_cast<S>(-half)), Point<S, N>::Constant(static_cast<S>(half))};

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include <isect/numbers/counted.h>
 #include <isect/ray_aabb.h>
 #include "bench/ray_obb/families.h"
 #include "bench/ray_obb/oracle.h"
@@ -23,7 +22,6 @@ using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
 
-/// (x, y), or (x, y, 0).
 template <class S>
 std::optional<Interval<S>> between(double lo, double hi) {
   return Interval<S>{static_cast<S>(lo), static_cast<S>(hi)};
@@ -122,28 +120,6 @@ TEST_CASE("oriented boxes of any size are met where they are", "[ray_obb]") {
     box.axes *= size;
     CHECK(intersect<double, 3>({{-3 * size, 2 * size, 0}, {1e-300, 0, 0}}, box));
   }
-}
-
-TEST_CASE("projections agree on ordinary rays", "[ray_obb]") {
-  Random random(tests::seed());
-  int hits = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const Ray<double, 3> ray = {random.in_box<3>(2), random.in_box<3>(1)};
-    const Obb<double, 3> box = {random.in_box<3>(1), bench::rotation<double, 3>(random, 3), {1, .5, .7}};
-    INFO("seed " << tests::seed() << ", case " << i);
-    const auto naive = ray_obb::projections(ray, box), exact = intersect(ray, box);
-    REQUIRE(naive.has_value() == exact.has_value());
-    if (!exact) continue;
-    ++hits;
-    REQUIRE(naive->lo == Approx(exact->lo));
-    REQUIRE(naive->hi == Approx(exact->hi));
-  }
-  CHECK(hits > 200);
-  using C = Counted<double>;
-  tally() = {};
-  const Obb<C, 2> box = {{C(0), C(0)}, Eigen::Matrix<C, 2, 2>{{C(1), C(0)}, {C(0), C(1)}}, {C(1), C(9)}};
-  CHECK(ray_obb::projections<C, 2>({{C(-3), C(0)}, {C(1), C(1)}, {C(0), C(9)}}, box));
-  CHECK(tally().div == 4);
 }
 
 TEMPLATE_TEST_CASE_SIG("ray and OBB: every answer is that of rational arithmetic", "[ray_obb][random]",

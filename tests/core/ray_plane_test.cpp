@@ -20,8 +20,6 @@ using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
 
-/// (x, y), or (x, y, 0).
-
 /// The plane x = at.
 template <class S, int N>
 Plane<S, N> wall(double where, double length = 1) {

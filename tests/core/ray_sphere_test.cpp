@@ -16,8 +16,6 @@ using tests::at, tests::inf, tests::not_a_number;
 
 namespace {
 
-/// (x, y), or (x, y, 0).
-
 template <class S, int N>
 Sphere<S, N> ball(double radius = 1) {
   return {at<S, N>(0), static_cast<S>(radius)};

@@ -1,11 +1,9 @@
-#include <isect/methods/segment_segment.h>
 #include <isect/segment_segment.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include <isect/numbers/counted.h>
 #include "tests/catch.h"
 #include "tests/core/common.h"
 #include "tests/core/segment_pairs.h"
@@ -124,26 +122,6 @@ TEST_CASE("segments of any size cross where they cross", "[segment_segment]") {
     CHECK(intersect<double>({{-k, -k}, {3 * k, 3 * k}}, {{k, k}, {2 * k, 0}}).relation == Meeting::touch);
     CHECK_FALSE(intersects<double>({{-k, -k}, {3 * k, 3 * k}}, {{k, k * (1 - 1e-15)}, {2 * k, 0}}));
   }
-}
-
-TEST_CASE("parameters agree on ordinary segments", "[segment_segment]") {
-  Random random(tests::seed());
-  int hits = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const Segment<double, 2> a = {random.in_box<2>(1), random.in_box<2>(1)},
-                             b = {random.in_box<2>(1), random.in_box<2>(1)};
-    INFO("seed " << tests::seed() << ", case " << i);
-    const auto naive = segment_segment::parametric(a, b);
-    const auto exact = intersect(a, b);
-    REQUIRE(naive.has_value() == (exact.relation == Meeting::cross));
-    if (naive) REQUIRE((*naive - *exact.point).norm() < 1e-10);
-    hits += naive.has_value();
-  }
-  CHECK(hits > 200);
-  using C = Counted<double>;
-  tally() = {};
-  CHECK(segment_segment::parametric<C>({{C(0), C(0)}, {C(2), C(2)}}, {{C(0), C(2)}, {C(2), C(0)}}));
-  CHECK(tally().div == 2);
 }
 
 TEMPLATE_TEST_CASE("two segments: every answer is that of rational arithmetic", "[segment_segment][random]", float,
