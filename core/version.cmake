@@ -1,2 +1,2 @@
 # The version of isect, for whichever project builds it.
-set(ISECT_VERSION 0.1.0)
+set(ISECT_VERSION 1.0.0)

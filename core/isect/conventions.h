@@ -12,6 +12,10 @@
 //             compared. Only the range of a ray and an interval by itself may be infinite.
 // Signs       -0 equals +0. Frame: right-handed, y up, radians, counter-clockwise seen from outside.
 
+#if __cplusplus <= 201703L
+#error "isect needs C++20: build with -std=c++20 or later"
+#endif
+
 #include <cfloat>
 
 #if defined(__FAST_MATH__)

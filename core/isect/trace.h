@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include <isect/conventions.h>
+
 namespace isect {
 
 /// Listens to nothing.
