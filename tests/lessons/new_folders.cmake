@@ -4,7 +4,8 @@
 cmake_minimum_required(VERSION 3.22)
 
 file(REMOVE_RECURSE ${SCRATCH})
-file(COPY ${ROOT}/CMakeLists.txt ${ROOT}/bench ${ROOT}/lessons DESTINATION ${SCRATCH}/isect)
+file(COPY ${ROOT}/CMakeLists.txt ${ROOT}/package.cmake ${ROOT}/CHANGELOG.md ${ROOT}/bench ${ROOT}/lessons
+  DESTINATION ${SCRATCH}/isect)
 foreach(folder app core examples viz)
   file(CREATE_LINK ${ROOT}/${folder} ${SCRATCH}/isect/${folder} SYMBOLIC)
 endforeach()
