@@ -1,5 +1,6 @@
 #pragma once
 // The words and the rules that every test shares.
+//
 // Sets        All shapes are closed: a common point, even a single one, is an intersection.
 // Exactness   Every verdict is the true one for the real numbers that the floating-point arguments denote.
 //             There is no hidden epsilon; a tolerance is a named argument.
