@@ -1,6 +1,6 @@
 """The core as a package of Conan 2:
 
-    conan create .
+    conan create . -s compiler.cppstd=20
 """
 
 import os
@@ -41,14 +41,16 @@ class Isect(ConanFile):
         cmake.configure()
         cmake.install()
         copy(self, "LICENSE", self.source_folder, os.path.join(self.package_folder, "licenses"))
-        rmdir(self, os.path.join(self.package_folder, "share"))  # Conan writes its own files for CMake and pkg-config
+        for folder in "share", "res":  # Conan writes files for CMake and pkg-config of its own
+            rmdir(self, os.path.join(self.package_folder, folder))
 
     def package_id(self):
         self.info.clear()
 
     def package_info(self):
         self.cpp_info.set_property("cmake_target_name", "isect::core")
-        self.cpp_info.bindirs = self.cpp_info.libdirs = []
+        self.cpp_info.bindirs = []
+        self.cpp_info.libdirs = []
         self.cpp_info.cxxflags = ["-ffp-contract=off"]
         if self.settings.compiler == "gcc":
             self.cpp_info.cxxflags.append("-fno-tree-slp-vectorize")
