@@ -17,7 +17,7 @@
 #include "app/shell/options.h"
 #include "app/shell/terminal.h"
 #include "viz/formats/files.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/text/spelling.h"
 
 namespace isect::program {
@@ -86,14 +86,14 @@ Excerpt from_scene_for(const viz::Lesson& lesson, const std::string& method, con
   }
 }
 
-Excerpt at(const std::vector<const viz::Lesson*>& lessons, const viz::Place& place, const PresetFile& file) {
+Excerpt at(const std::vector<const viz::Lesson*>& lessons, const viz::ReaderState& state, const PresetFile& file) {
   Excerpt e;
-  e.lesson = &viz::lesson_named(lessons, place.lesson);
+  e.lesson = &viz::lesson_named(lessons, state.lesson);
   e.folder = file.name;
-  e.preset = place.preset;
-  e.parameters = *place.parameters;
-  e.camera = place.camera;
-  e.step = place.step;
+  e.preset = state.preset;
+  e.parameters = *state.parameters;
+  e.camera = state.camera;
+  e.step = state.step;
   return e;
 }
 
@@ -105,22 +105,22 @@ Excerpt from_file(const Program& program, const PresetFile& file) {
   if (const viz::Format* format = viz::format_of(file.path)) {
     std::vector<const viz::Lesson*> lessons = program.lessons;
     const FigurePlace found = place_in_figure(program, file.path, *format, lessons);
-    Excerpt e = at(lessons, found.place, file);
+    Excerpt e = at(lessons, found.state, file);
     e.several = found.steps;
     e.style = found.style;
     if (!found.folder.empty()) e.folder = found.folder;
     return e;
   }
-  viz::Place place;
+  viz::ReaderState state;
   try {
     require_utf8(file);
     const std::string text = read_named_file(file.path);
     if (scene::is_scene(text)) return from_scene(text, file);
-    place = viz::place_from_json(text, program.lessons);
+    state = viz::reader_state_from_json(text, program.lessons);
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", file.path, e.what()));
   }
-  Excerpt e = at(program.lessons, place, file);
+  Excerpt e = at(program.lessons, state, file);
   e.path = file.path;
   return e;
 }

@@ -11,7 +11,7 @@
 #include "app/scene/lesson.h"
 #include "app/shell/terminal.h"
 #include "viz/formats/files.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 
 namespace isect::program {
 
@@ -71,7 +71,7 @@ PresetFolder preset_folder(const std::string& folder, const Program& program) {
         continue;
       }
       require_utf8(file);
-      viz::place_from_json(text, program.lessons);
+      viz::reader_state_from_json(text, program.lessons);
       found.presets.push_back(file);
     } catch (const viz::FileError& e) {
       found.broken.push_back({file, e.what()});

@@ -9,7 +9,7 @@
 #include "app/shell/terminal.h"
 #include "viz/formats/files.h"
 #include "viz/gl/offscreen.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/text/text.h"
 
 namespace isect::program {

@@ -195,7 +195,7 @@ Plotted touching_map() {
       const Point2 at = first.center * (1 - first.radius - radius);
       const Ball second = {at + Point2((i - cells_a_side / 2) * step, (j - cells_a_side / 2) * step), radius};
       const Relation truth = relate(first, second);
-      return yes_kind(sphere_sphere::squared_distance(first, second), truth != Relation::disjoint,
+      return yes_kind(sphere_sphere::squared_distance_naive(first, second), truth != Relation::disjoint,
                       truth == Relation::touching);
     }));
   const std::string percent = percentages(chart.maps);

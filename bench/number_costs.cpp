@@ -86,7 +86,7 @@ void measure() {
     return compensated([&]<class W>() { return told(orient::detail::volume6<W>(c.p[0], c.p[1], c.p[2], c.p[3])); });
   });
   row("Compensated", cases, 50, in<Compensated>);
-  row("Threefold", cases, 20, in<finer_than_t<Compensated>>);
+  row("TripleDouble", cases, 20, in<finer_than_t<Compensated>>);
   row("Bounded<DoubleDouble>", cases, 20, in<Bounded<DoubleDouble>>);
   row("ShortExact, integers", whole, 20, in<ShortExact>);
   row("MediumExact", cases, 10, in<MediumExact>);

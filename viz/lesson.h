@@ -77,7 +77,7 @@ struct Question {
   std::vector<std::string> choices;  ///< markup
   int answer = 0;                    ///< index into choices
   std::string because;               ///< markup, shown with the answer
-  std::optional<Scene> over = {};    ///< the scene while it is open; none: see viz/walk/asking.h
+  std::optional<Scene> over = {};    ///< the scene while it is open; none: see viz/walk/question_scene.h
   std::vector<Value> given = {};     ///< the numbers it needs, as before its step: shown while it is open
 };
 

@@ -63,7 +63,7 @@ namespace {
 constexpr int round_sides = 72;
 
 /// Returns a regular polygon around `middle`, across `axis`, counter-clockwise as seen from where the axis points.
-std::vector<Vec3> circle(const Vec3& middle, const Vec3& axis, double radius) {
+std::vector<Vec3> circle_around(const Vec3& middle, const Vec3& axis, double radius) {
   int least = 0;
   axis.cwiseAbs().minCoeff(&least);
   const Vec3 along = axis.stableNormalized(), u = along.cross(Vec3::Unit(least)).normalized(), v = along.cross(u);
@@ -85,9 +85,10 @@ std::vector<int> numbered(int first, int last) {
 }  // namespace
 
 Solid solid(const Cylinder<double>& x, Role role) {
-  Solid result = {
-      circle(x.p, x.q - x.p, x.radius), {numbered(0, round_sides), numbered(round_sides, 2 * round_sides)}, role};
-  std::ranges::copy(circle(x.q, x.q - x.p, x.radius), std::back_inserter(result.vertices));
+  Solid result = {circle_around(x.p, x.q - x.p, x.radius),
+                  {numbered(0, round_sides), numbered(round_sides, 2 * round_sides)},
+                  role};
+  std::ranges::copy(circle_around(x.q, x.q - x.p, x.radius), std::back_inserter(result.vertices));
   for (int i = 0; i < round_sides; ++i) {
     const int next = (i + 1) % round_sides;
     result.faces.push_back({i, next, round_sides + next, round_sides + i});
@@ -97,7 +98,7 @@ Solid solid(const Cylinder<double>& x, Role role) {
 }
 
 Solid solid(const Cone<double>& x, Role role) {
-  Solid result = {circle(x.base, x.apex - x.base, x.radius), {numbered(0, round_sides)}, role};
+  Solid result = {circle_around(x.base, x.apex - x.base, x.radius), {numbered(0, round_sides)}, role};
   result.vertices.push_back(x.apex);
   for (int i = 0; i < round_sides; ++i) result.faces.push_back({i, (i + 1) % round_sides, round_sides});
   result.round = {x.apex, x.base, x.radius, true};

@@ -7,16 +7,18 @@ set(viz_sources
   chart/chart_cases.cpp chart/chart_data.cpp chart/chart_maps.cpp chart/chart_markers.cpp chart/chart_mirrored.cpp
   chart/chart_parts.cpp chart/chart_plot.cpp
   compose/balls.cpp compose/canvas.cpp compose/compose.cpp compose/containers.cpp compose/figure.cpp compose/floor.cpp
-  compose/framing.cpp compose/grid.cpp compose/halos.cpp compose/labels.cpp compose/lines.cpp compose/marks.cpp
-  compose/objects.cpp compose/paper.cpp compose/raster.cpp compose/regions.cpp compose/solids.cpp compose/t_axis.cpp
-  compose/visibility.cpp
+  compose/framing.cpp compose/halos.cpp compose/item_names.cpp compose/labels.cpp compose/lines.cpp compose/marks.cpp
+  compose/paper.cpp compose/raster.cpp compose/regions.cpp compose/small_multiples.cpp compose/solids.cpp
+  compose/t_axis.cpp compose/visibility.cpp
   font/table.cpp
   formats/facet_layers.cpp formats/hatch.cpp formats/page_svg.cpp formats/svg_path.cpp
-  player/camera_rig.cpp player/lights.cpp player/map_beside.cpp player/motion.cpp player/moving.cpp player/pick.cpp
-  player/place.cpp player/player.cpp player/player_camera.cpp player/player_pair.cpp player/snap.cpp
-  snapshot/look.cpp snapshot/look_words.cpp snapshot/said.cpp snapshot/said_words.cpp snapshot/snapshot.cpp
+  player/camera_rig.cpp player/dragging.cpp player/lights.cpp player/map_beside.cpp player/pick.cpp player/player.cpp
+  player/player_camera.cpp player/player_pair.cpp player/reader_state.cpp player/snap.cpp player/transition.cpp
+  snapshot/drawing_changes.cpp snapshot/drawing_summary.cpp snapshot/snapshot.cpp snapshot/step_changes.cpp
+  snapshot/step_json.cpp
   text/names.cpp text/rich_text.cpp text/tex.cpp text/wrap.cpp
-  walk/alt_text.cpp walk/asking.cpp walk/branch.cpp walk/closing.cpp walk/geometry.cpp walk/parting.cpp)
+  walk/alt_text.cpp walk/branch.cpp walk/closing.cpp walk/question_scene.cpp walk/scene_in_words.cpp
+  walk/walk_difference.cpp)
 # Files, fonts and formats: cairo, Pango, libpng.
 set(viz_file_sources
   compose/crop.cpp compose/strip.cpp

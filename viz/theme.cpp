@@ -26,33 +26,33 @@ constexpr Palette grey_palette = {
     {0x111111, 0x5A5A5A, 0x000000, 0x111111, 0x6E6E6E, 0xE2E2E2, 0x111111, 0x555555, 0xDDDDDD}, 0xFFFFFF, 0xF4F4F4};
 
 /// Sizes in points, for a figure of 227 x 142: 8 cm wide on paper.
-constexpr Sizes paper = {.outline = 0.75,
-                         .ray = 0.85,
-                         .shared = 1.7,
-                         .highlight = 2.3,
-                         .hidden = 0.4,
-                         .construction = 0.5,
-                         .hairline = 0.4,
-                         .hidden_dash = {1.3, 1.2},
-                         .construction_dash = {1.5, 1.1},
-                         .disc = 1.5,
-                         .ring = 1.3,
-                         .marker_line = 0.7,
-                         .halo = 0.6,
-                         .arrow = 3.6,
-                         .handle = 1.5,
-                         .handle_ring = 3.2,
-                         .title = 6.8,
-                         .label = 6.6,
-                         .axis = 6.3,
-                         .label_offset = 5,
-                         .label_clear = 1.4,
-                         .label_halo = 0.7,
-                         .leader = 0.4,
-                         .margin = 2,
-                         .gutter = 4,
-                         .hatch_gap = 2,
-                         .hatch_line = 0.2};
+constexpr Sizes paper_sizes = {.outline = 0.75,
+                               .ray = 0.85,
+                               .shared = 1.7,
+                               .highlight = 2.3,
+                               .hidden = 0.4,
+                               .construction = 0.5,
+                               .hairline = 0.4,
+                               .hidden_dash = {1.3, 1.2},
+                               .construction_dash = {1.5, 1.1},
+                               .disc = 1.5,
+                               .ring = 1.3,
+                               .marker_line = 0.7,
+                               .halo = 0.6,
+                               .arrow = 3.6,
+                               .handle = 1.5,
+                               .handle_ring = 3.2,
+                               .title = 6.8,
+                               .label = 6.6,
+                               .axis = 6.3,
+                               .label_offset = 5,
+                               .label_clear = 1.4,
+                               .label_halo = 0.7,
+                               .leader = 0.4,
+                               .margin = 2,
+                               .gutter = 4,
+                               .hatch_gap = 2,
+                               .hatch_line = 0.2};
 
 /// Sizes in pixels at 1x, for a picture of 960 x 600.
 constexpr Sizes in_pixels = {.outline = 2,
@@ -154,13 +154,13 @@ Colour Theme::tint(Role role) const {
 
 Theme theme(ThemeName name, double width, double height) {
   if (name == ThemeName::print || name == ThemeName::grey)
-    return theme_with(name, scaled(paper, std::min(width / 227, height / 142)));
+    return theme_with(name, scaled(paper_sizes, std::min(width / 227, height / 142)));
   return theme_with(name, scaled(in_pixels, std::min(width / 960, height / 600)));
 }
 
 Theme paper_theme(ThemeName name, double text_size) {
-  Sizes sizes = scaled(paper, text_size / usual_text_size);  // lines are as thin as they were designed
-  const Sizes texts = scaled(paper, text_size / paper.label);
+  Sizes sizes = scaled(paper_sizes, text_size / usual_text_size);  // lines are as thin as they were designed
+  const Sizes texts = scaled(paper_sizes, text_size / paper_sizes.label);
   sizes.title = sizes.label = sizes.axis = text_size;
   sizes.label_offset = texts.label_offset, sizes.label_clear = texts.label_clear, sizes.label_halo = texts.label_halo;
   return theme_with(name, sizes);

@@ -1,7 +1,7 @@
 #pragma once
 // Reads the readers' own scenes, for a session.
 
-#include "web/session.h"
+#include "web/browser_session.h"
 
 namespace isect::web {
 

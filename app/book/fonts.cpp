@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "app/book/page.h"
+#include "app/book/page_shell.h"
 #include "viz/font/subset.h"
 #include "viz/formats/svg_path.h"
 #include "viz/text/utf8.h"

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include "app/book/picture_size.h"
+#include "app/figures/figure_maker.h"
 #include "app/figures/ownership.h"
-#include "app/figures/studio.h"
 #include "viz/compose/paper.h"
 #include "viz/walk/alt_text.h"
-#include "viz/walk/asking.h"
+#include "viz/walk/question_scene.h"
 
 namespace isect::program::book {
 

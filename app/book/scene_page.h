@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/book/page.h"
+#include "app/book/page_shell.h"
 #include "viz/formats/page_svg.h"
 
 namespace isect::program::book {

@@ -6,13 +6,13 @@
 #include <algorithm>
 
 #include "app/book/lit_text.h"
-#include "app/figures/told_values.h"
+#include "app/figures/value_words.h"
 #include "app/pages/html.h"
 #include "viz/formats/svg_path.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/alt_text.h"
-#include "viz/walk/asking.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/question_scene.h"
 
 namespace isect::program::book {
 
@@ -71,7 +71,7 @@ std::string WalkSection::algorithm() const {
     out += fmt::format("<li{}>{}</li>\n", in > 0 ? fmt::format(" style=\"--in: {}ch\"", in) : "", code(line));
   }
   out += "</ol>\n";
-  for (const std::string& erratum : told_errata(lesson_, walk_, &viz::Preset::title))
+  for (const std::string& erratum : errata_text(lesson_, walk_, &viz::Preset::title))
     out += fmt::format("<p class=\"erratum\">{}</p>\n", xml_escaped(erratum));
   return out + "</div>\n";
 }

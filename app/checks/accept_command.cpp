@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/checks/report.h"
+#include "app/checks/check_report.h"
 
 namespace isect::program {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 
-#include "app/checks/leftovers.h"
-#include "app/figures/studio.h"
+#include "app/checks/failure_pictures.h"
+#include "app/figures/figure_maker.h"
 #include "viz/compose/compose.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/walk/closing.h"
 
 namespace isect::program {
@@ -233,13 +233,13 @@ void Baselines::check_picture(const Excerpt& e, int index, const viz::Drawing& d
   std::string png;
   if (replaced || shown) png = viz::png(now, metadata_of(e, index));
   if (replaced) viz::write_file(baseline, png);
-  if (!f || replaced) remove_leftovers(baseline, folder);
+  if (!f || replaced) remove_failure_pictures(baseline, folder);
   if (!f) return;
 
   f->fresh_png = std::move(png);
   if (shown && f->kind == Kind::picture)
     f->difference_png = viz::png(viz::difference_picture(viz::read_png(f->accepted_png), now), metadata_of(e, index));
-  if (beside) write_leftovers(*f, folder);
+  if (beside) write_failure_pictures(*f, folder);
   if (!keep_pictures_) f->accepted_png.clear(), f->fresh_png.clear(), f->difference_png.clear();
   found.push_back(about(e, index, *f));
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "app/checks/baselines.h"
-#include "app/checks/leftovers.h"
-#include "viz/player/place.h"
+#include "app/checks/failure_pictures.h"
+#include "viz/player/reader_state.h"
 #include "viz/snapshot/snapshot.h"
 
 namespace isect::program {
@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_baseline(const fs::path& file) {
-  return file.filename() == "trace.json" || (file.extension() == ".png" && !is_leftover(file));
+  return file.filename() == "trace.json" || (file.extension() == ".png" && !is_failure_picture(file));
 }
 
 std::vector<fs::path> sorted_children(const fs::path& folder) {
@@ -135,7 +135,7 @@ void Baselines::orphans_in(const std::string& lesson, const std::string& preset,
     f.baseline = file;
     f.accepted = accepts(f.kind);
     if (f.accepted) {
-      if (file.extension() == ".png") remove_leftovers(file, folder);
+      if (file.extension() == ".png") remove_failure_pictures(file, folder);
       removed |= fs::remove(file);
     }
     found.push_back(f);

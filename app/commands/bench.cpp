@@ -7,11 +7,11 @@
 #include <charconv>
 #include <filesystem>
 
-#include "app/duties.h"
 #include "app/figures/ownership.h"
+#include "app/performance.h"
 #include "app/program.h"
-#include "app/shell/child.h"
 #include "app/shell/options.h"
+#include "app/shell/subprocess.h"
 #include "app/shell/terminal.h"
 #include "bench/compare_reports.h"
 #include "bench/machine.h"
@@ -72,9 +72,10 @@ void build_measurements(const std::vector<std::string>& missing, Progress& progr
     command.push_back("measure_" + suite);
   }
   std::string last;
-  const Child child = run_child(command, [&](const std::string& line) { progress.done(last = line); });
-  if (child.status != 0)
-    throw std::runtime_error(fmt::format("the measurements were not built ({}): {}", child.status, last));
+  const CompletedProcess process =
+      run_subprocess(command, [&](const std::string& line) { progress.done(last = line); });
+  if (process.status != 0)
+    throw std::runtime_error(fmt::format("the measurements were not built ({}): {}", process.status, last));
 }
 
 void require_built(const std::string& build, const std::vector<std::string>& suites) {
@@ -98,10 +99,11 @@ bench::Report measured_by(const std::string& build, const std::string& suite, co
   std::vector<std::string> command = {program_of(build, suite), "--seed", std::to_string(wanted.seed)};
   if (wanted.quick) command.emplace_back("--quick");
   std::string last;
-  const Child child = run_child(command, [&](const std::string& line) { progress.done(last = line); });
-  if (child.status != 0)
-    throw std::runtime_error(fmt::format("{}/{} failed ({}): {}", build, suite, child.status, last));
-  return bench::report_of(child.output);
+  const CompletedProcess process =
+      run_subprocess(command, [&](const std::string& line) { progress.done(last = line); });
+  if (process.status != 0)
+    throw std::runtime_error(fmt::format("{}/{} failed ({}): {}", build, suite, process.status, last));
+  return bench::report_of(process.output);
 }
 
 /// Measures a suite. A thorough run with more noise than a report may have is repeated, up to five times, and the
@@ -146,7 +148,7 @@ bench::Report measured(const Program& program, const Wanted& wanted) {
   const auto told = [&](const std::string& next) { progress.done(next); };
   std::vector<bench::Duty> starts;  // measured first, while this program is small
   if (wanted.tests.empty() || std::ranges::find(wanted.tests, starting) != wanted.tests.end())
-    starts = duties(program, wanted.quick, told);
+    starts = performance(program, wanted.quick, told);
   bench::Report report = measured_by("measure", wanted, progress);
   report.duties = std::move(starts);
   return report;
@@ -190,9 +192,10 @@ void require_publishable(const Wanted& wanted, const std::vector<std::string>& b
   for (const std::string& build : builds) {
     bench::Report all;
     for (const std::string& suite : suites(wanted)) {
-      const Child child = run_child({program_of(build, suite), "--commit"}, [](const std::string&) {});
+      const CompletedProcess process =
+          run_subprocess({program_of(build, suite), "--commit"}, [](const std::string&) {});
       bench::Report one;
-      one.machine.commit = child.output.substr(0, child.output.find('\n'));
+      one.machine.commit = process.output.substr(0, process.output.find('\n'));
       all.add(one);
     }
     all.machine.build = build == "measure" ? "portable" : build.substr(build.find('_') + 1);

@@ -15,12 +15,12 @@
 #include "app/figures/digest.h"
 #include "app/figures/ownership.h"
 #include "app/pages/pages.h"
+#include "app/shell/environment.h"
 #include "app/shell/options.h"
-#include "app/shell/surroundings.h"
 #include "app/shell/terminal.h"
 #include "lessons/course.h"
 #include "viz/formats/files.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 
 namespace isect::program {
 
@@ -136,7 +136,7 @@ int single(const Program& program, const BookOptions& options) {
   const std::string file = book::file_of(lesson);
   const std::string live = live_code(options.live);
   Shelf shelf(options.out, program, {file});
-  need_surroundings(program);
+  need_environment(program);
   viz::PageColours colours;
   const book::Page page =
       book::lesson_page(lesson, all_presets(program, lesson), program.lessons, {nullptr, nullptr, true}, colours);
@@ -152,7 +152,7 @@ int whole(const Program& program, const BookOptions& options) {
   if (!live_scenes.empty()) files.insert(files.end(), {book::live_scenes_file, book::scene_file});
   for (const viz::Lesson* lesson : program.lessons) files.push_back(book::file_of(*lesson));
   Shelf shelf(options.out, program, files);
-  need_surroundings(program);
+  need_environment(program);
 
   const std::vector<const viz::Lesson*>& course = program.lessons;
   viz::PageColours colours;

@@ -10,10 +10,10 @@
 #include <memory>
 
 #include "app/checks/baselines.h"
-#include "app/checks/report.h"
+#include "app/checks/check_report.h"
 #include "app/figures/ownership.h"
 #include "app/preset_folder.h"
-#include "app/shell/surroundings.h"
+#include "app/shell/environment.h"
 #include "app/shell/terminal.h"
 #include "viz/formats/writable.h"
 
@@ -202,7 +202,7 @@ int check(const Program& program, const CheckOptions& options) {
   if (report.nothing_there && !pages) {
     all_is_missing(chosen, report);
   } else if (!chosen.empty()) {
-    need_surroundings(program);
+    need_environment(program);
     viz::Offscreen offscreen(backend);
     Baselines baselines(report.folder, update, !options.report.empty(), offscreen);
     compare(chosen, reach, baselines, report);

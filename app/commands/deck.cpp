@@ -7,15 +7,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/figures/asked.h"
-#include "app/figures/gallery.h"
+#include "app/figures/figure_folder.h"
+#include "app/figures/figure_maker.h"
 #include "app/figures/ownership.h"
-#include "app/figures/studio.h"
+#include "app/figures/question_figure.h"
 #include "app/pages/html.h"
 #include "app/pages/latex.h"
 #include "app/pages/pages.h"
 #include "app/pages/slides.h"
-#include "app/shell/surroundings.h"
+#include "app/shell/environment.h"
 #include "app/shell/terminal.h"
 #include "viz/formats/files.h"
 #include "viz/walk/closing.h"
@@ -104,36 +104,36 @@ int deck(const Program& program, const PageOptions& options) {
   const std::string folder = folder_of_pages(options.out, e);
   const PageFile tex = {"deck.tex", latex_mark("deck")}, page = {"deck.html", html_mark("deck")};
   need_own(folder, {tex, page});
-  need_surroundings(program);
-  Gallery gallery(options.out, program);
+  need_environment(program);
+  FigureFolder figures(options.out, program);
   const viz::Format &tikz = viz::format_named("tikz"), &svg = viz::format_named("svg");
   for (const int step : e.steps) {
-    gallery.need_ours(piece_of(e, step), tikz);
-    if (e.walk.steps[step].question) gallery.need_ours(piece_of_question(e, step), tikz);
+    figures.need_ours(info_of(e, step), tikz);
+    if (e.walk.steps[step].question) figures.need_ours(info_of_question(e, step), tikz);
   }
 
-  Studio small(beside, "auto"), large(alone, "auto");
+  FigureMaker small(beside, "auto"), large(alone, "auto");
   const Picture picture = [&](int step, bool asks) {
     const viz::Step& s = e.walk.steps[step];
-    Studio& studio = asks || (s.line >= 0 && !s.scene.chart) ? small : large;
-    const Piece piece = asks ? piece_of_question(e, step) : piece_of(e, step);
+    FigureMaker& maker = asks || (s.line >= 0 && !s.scene.chart) ? small : large;
+    const FigureInfo info = asks ? info_of_question(e, step) : info_of(e, step);
     const Excerpt asked = asks ? asking(e, step) : Excerpt();
-    const viz::Drawing drawing = asks ? studio.draw(asked, asked.steps.front()) : studio.draw(e, step);
-    gallery.add(e, piece, tikz.name, studio.write(piece, drawing, tikz),
+    const viz::Drawing drawing = asks ? maker.draw(asked, asked.steps.front()) : maker.draw(e, step);
+    figures.add(e, info, tikz.name, maker.write(info, drawing, tikz),
                 {{"theme", options.theme},
                  {"width_pt", drawing.width},
                  {"height_pt", drawing.height},
                  {"text_pt", beside.paper->text_size}});
-    Image shown = image_of(piece);
-    shown.svg = studio.write(piece, drawing, svg);
+    Image shown = image_of(info);
+    shown.svg = maker.write(info, drawing, svg);
     shown.fits = true;
     return shown;
   };
   const std::vector<Slide> slides = Slides(e, picture).made();
-  print(gallery.add_page(folder_of(e) + "/" + tex.name, beamer(tex.mark, e.lesson->title, slides)));
-  print(gallery.add_page(folder_of(e) + "/" + page.name, html_slides(page.mark, e.lesson->title, slides)));
-  gallery.list();
-  gallery.say_left_alone();
+  print(figures.add_page(folder_of(e) + "/" + tex.name, beamer(tex.mark, e.lesson->title, slides)));
+  print(figures.add_page(folder_of(e) + "/" + page.name, html_slides(page.mark, e.lesson->title, slides)));
+  figures.list();
+  figures.say_left_alone();
   return done;
 }
 

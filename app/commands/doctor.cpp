@@ -7,12 +7,12 @@
 #include <memory>
 
 #include "app/program.h"
-#include "app/shell/surroundings.h"
+#include "app/shell/environment.h"
 #include "app/shell/terminal.h"
 #include "app/versions.h"
 #include "viz/formats/formats.h"
 #include "viz/gl/offscreen.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/text/text.h"
 
 namespace isect::program {

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "app/figures/told.h"
+#include "app/figures/lesson_text.h"
 #include "app/shell/terminal.h"
 
 namespace isect::program {
@@ -19,7 +19,7 @@ void add_explain(CLI::App& app, Program& program) {
            "card. If\nnot given, that of the preset's file, or all");
   add_scene_file(sub, program, *asked);
   add_set(sub, *asked);
-  const auto how = std::make_shared<Telling>();
+  const auto how = std::make_shared<TextOptions>();
   const auto exercises = std::make_shared<bool>(false);
   sub.add_flag("--brief", how->brief, "one line a step: what it decides");
   sub.add_flag("--answers", how->answers, "each answer right after its question, not at the end");
@@ -29,7 +29,7 @@ void add_explain(CLI::App& app, Program& program) {
     program.chosen = [&program, asked, how, exercises] {
       how->columns = columns();
       const Excerpt e = excerpt(program, *asked);
-      print(*exercises ? told_exercises(*e.lesson, *how) : told(e, *how));
+      print(*exercises ? exercises_text(*e.lesson, *how) : lesson_text(e, *how));
       return done;
     };
   });

@@ -10,14 +10,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/figures/asked.h"
-#include "app/figures/gallery.h"
+#include "app/figures/figure_folder.h"
+#include "app/figures/figure_maker.h"
 #include "app/figures/ownership.h"
-#include "app/figures/studio.h"
+#include "app/figures/question_figure.h"
 #include "app/pages/html.h"
 #include "app/pages/latex.h"
 #include "app/pages/pages.h"
-#include "app/shell/surroundings.h"
+#include "app/shell/environment.h"
 #include "app/shell/terminal.h"
 #include "viz/formats/files.h"
 #include "viz/text/tex.h"
@@ -49,13 +49,13 @@ Blocks contents(const Excerpt& e, const std::set<int>& drawn) {
     const viz::Step& step = e.walk.steps[index];
     if (step.question) {
       const std::string head = fmt::format("Question {}.", number_of_question(e.walk, index));
-      if (drawn.contains(index)) all.push_back(image_of(piece_of_question(e, index)));
+      if (drawn.contains(index)) all.push_back(image_of(info_of_question(e, index)));
       all.push_back(Prose{prompt(e.walk, index), head});
       all.push_back(Choices{step.question->choices});
       answers.push_back(Prose{answer(*step.question), head});
     }
     all.push_back(Heading{fmt::format("{}. {}", index + 1, step.title)});  // a title may tell the answer
-    all.push_back(image_of(piece_of(e, index)));
+    all.push_back(image_of(info_of(e, index)));
     all.push_back(Prose{step.caption});
     if (step.slug != viz::closing_slug) continue;
     int exercises = 0;
@@ -70,10 +70,10 @@ Blocks contents(const Excerpt& e, const std::set<int>& drawn) {
 }
 
 /// Draws a step's picture without words, to compare with that of its question.
-viz::Drawing bare(Studio& studio, Excerpt e, int step) {
+viz::Drawing bare(FigureMaker& maker, Excerpt e, int step) {
   viz::Step& s = e.walk.steps[step];
   s.formula.clear(), s.verdict = {};
-  return studio.draw(e, step);
+  return maker.draw(e, step);
 }
 
 int handout(const Program& program, const PageOptions& options) {
@@ -85,17 +85,17 @@ int handout(const Program& program, const PageOptions& options) {
   const std::string folder = folder_of_pages(options.out, e);
   const PageFile tex = {"handout.tex", latex_mark("handout")}, page = {"handout.html", html_mark("handout")};
   need_own(folder, {tex, page});
-  need_surroundings(program);
-  Gallery gallery(options.out, program);
+  need_environment(program);
+  FigureFolder figures(options.out, program);
   for (const int step : e.steps)
     for (const viz::Format* format : style.formats) {
-      gallery.need_ours(piece_of(e, step), *format);
-      if (e.walk.steps[step].question) gallery.need_ours(piece_of_question(e, step), *format);
+      figures.need_ours(info_of(e, step), *format);
+      if (e.walk.steps[step].question) figures.need_ours(info_of_question(e, step), *format);
     }
-  Studio studio(style, "auto");
-  const auto add = [&](const Piece& piece, const viz::Drawing& drawing) {
+  FigureMaker maker(style, "auto");
+  const auto add = [&](const FigureInfo& info, const viz::Drawing& drawing) {
     for (const viz::Format* format : style.formats)
-      gallery.add(e, piece, format->name, studio.write(piece, drawing, *format),
+      figures.add(e, info, format->name, maker.write(info, drawing, *format),
                   {{"theme", viz::name_of(style.theme)},
                    {"width_pt", drawing.width},
                    {"height_pt", drawing.height},
@@ -105,21 +105,21 @@ int handout(const Program& program, const PageOptions& options) {
   for (const int step : e.steps) {
     if (e.walk.steps[step].question && has_picture(e.walk, step)) {
       const Excerpt asked = asking(e, step);
-      const Piece piece = piece_of_question(e, step);
-      const viz::Drawing drawing = studio.draw(asked, asked.steps.front());
-      const auto text = [&](const viz::Drawing& d) { return studio.write(piece, d, *style.formats.back()); };
-      if (step == 0 || text(drawing) != text(bare(studio, e, step - 1))) drawn.insert(step), add(piece, drawing);
+      const FigureInfo info = info_of_question(e, step);
+      const viz::Drawing drawing = maker.draw(asked, asked.steps.front());
+      const auto text = [&](const viz::Drawing& d) { return maker.write(info, d, *style.formats.back()); };
+      if (step == 0 || text(drawing) != text(bare(maker, e, step - 1))) drawn.insert(step), add(info, drawing);
     }
-    add(piece_of(e, step), studio.draw(e, step));
+    add(info_of(e, step), maker.draw(e, step));
   }
   const Blocks blocks = contents(e, drawn);
-  print(gallery.add_page(folder_of(e) + "/" + tex.name, tex.mark + fmt::format(latex_head, viz::tex(e.lesson->title)) +
+  print(figures.add_page(folder_of(e) + "/" + tex.name, tex.mark + fmt::format(latex_head, viz::tex(e.lesson->title)) +
                                                             latex(blocks) + "\\end{document}\n"));
-  print(gallery.add_page(folder_of(e) + "/" + page.name,
+  print(figures.add_page(folder_of(e) + "/" + page.name,
                          html_page(page.mark, e.lesson->title, html_style,
                                    fmt::format("<h1>{}</h1>\n", html_text(e.lesson->title)) + html(blocks))));
-  gallery.list();
-  gallery.say_left_alone();
+  figures.list();
+  figures.say_left_alone();
   return done;
 }
 

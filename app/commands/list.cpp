@@ -13,7 +13,7 @@
 #include "app/shell/terminal.h"
 #include "lessons/glossary.h"
 #include "lessons/lessons.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/utf8.h"
 #include "viz/walk/closing.h"

@@ -10,13 +10,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/figures/gallery.h"
+#include "app/figures/figure_folder.h"
+#include "app/figures/figure_info.h"
+#include "app/figures/figure_maker.h"
 #include "app/figures/ownership.h"
-#include "app/figures/piece.h"
-#include "app/figures/studio.h"
 #include "app/preset_folder.h"
+#include "app/shell/environment.h"
 #include "app/shell/options.h"
-#include "app/shell/surroundings.h"
 #include "app/shell/terminal.h"
 #include "viz/chart/chart.h"
 #include "viz/formats/files.h"
@@ -52,10 +52,10 @@ Json made_with(const Style& style, const viz::Format& format, const viz::Drawing
   return made;
 }
 
-/// The studios for the excerpts: with the options asked for, or those of the figure from which an excerpt comes.
-class Studios {
+/// The figure makers of the excerpts: with the options asked for, or those of the figure from which an excerpt comes.
+class FigureMakers {
  public:
-  Studios(const std::vector<Excerpt>& all, const RenderOptions& options) : backend_(options.backend) {
+  FigureMakers(const std::vector<Excerpt>& all, const RenderOptions& options) : backend_(options.backend) {
     for (const Excerpt& e : all) {
       if (made_.contains(e.style)) continue;
       StyleOptions own = options.style;
@@ -68,20 +68,20 @@ class Studios {
     }
   }
   const Style& style(const Excerpt& e) const { return made_.at(e.style).style; }
-  Studio& of(const Excerpt& e) {
+  FigureMaker& of(const Excerpt& e) {
     Made& made = made_.at(e.style);
-    if (!made.studio) made.studio = std::make_unique<Studio>(made.style, backend_);
-    return *made.studio;
+    if (!made.maker) made.maker = std::make_unique<FigureMaker>(made.style, backend_);
+    return *made.maker;
   }
   void say_widened() const {
     for (const auto& [words, made] : made_)
-      if (made.studio) program::say_widened(*made.studio);
+      if (made.maker) program::say_widened(*made.maker);
   }
 
  private:
   struct Made {
     Style style;
-    std::unique_ptr<Studio> studio;
+    std::unique_ptr<FigureMaker> maker;
   };
   std::string backend_, font_;
   std::map<std::string, Made> made_;  ///< by the words of a figure, "" for all others
@@ -90,18 +90,18 @@ class Studios {
 /// A file of the run: a step, or all steps of an excerpt in one animation.
 struct Job {
   const Excerpt& e;
-  Piece piece;
+  FigureInfo info;
   std::vector<const viz::Format*> formats;
 };
 
-std::vector<Job> jobs_of(const std::vector<Excerpt>& chosen, const Studios& studios) {
+std::vector<Job> jobs_of(const std::vector<Excerpt>& chosen, const FigureMakers& makers) {
   std::vector<Job> jobs;
   for (const Excerpt& e : chosen) {
     std::vector<const viz::Format*> still, moving;
-    for (const viz::Format* format : studios.style(e).formats) (format->film ? moving : still).push_back(format);
+    for (const viz::Format* format : makers.style(e).formats) (format->film ? moving : still).push_back(format);
     for (const int step : e.steps)
-      if (!still.empty()) jobs.push_back({e, piece_of(e, step), still});
-    if (!moving.empty() && !e.steps.empty()) jobs.push_back({e, piece_of(e, "steps"), moving});
+      if (!still.empty()) jobs.push_back({e, info_of(e, step), still});
+    if (!moving.empty() && !e.steps.empty()) jobs.push_back({e, info_of(e, "steps"), moving});
   }
   return jobs;
 }
@@ -111,45 +111,45 @@ std::vector<viz::Drawing> time_to_read(const std::vector<viz::Drawing>& drawings
   constexpr int as_long = 4;
   std::vector<viz::Drawing> frames;
   for (std::size_t i = 0; i < drawings.size(); ++i)
-    frames.insert(frames.end(), viz::is_card(job.e.walk.steps[job.piece.steps[i]].scene) ? as_long : 1, drawings[i]);
+    frames.insert(frames.end(), viz::is_card(job.e.walk.steps[job.info.steps[i]].scene) ? as_long : 1, drawings[i]);
   return frames;
 }
 
 /// Makes each format of a job, and passes it to `take`.
 template <class Take>
-void make(const Job& job, const RenderOptions& options, Studios& studios, const Take& take) {
-  const Style& style = studios.style(job.e);
-  Studio& studio = studios.of(job.e);
-  const std::vector<viz::Drawing> drawings = studio.draw(job.e, job.piece.steps);
+void make(const Job& job, const RenderOptions& options, FigureMakers& makers, const Take& take) {
+  const Style& style = makers.style(job.e);
+  FigureMaker& maker = makers.of(job.e);
+  const std::vector<viz::Drawing> drawings = maker.draw(job.e, job.info.steps);
   const std::vector<viz::Drawing> frames = time_to_read(drawings, job);
   for (const viz::Format* format : job.formats) {
-    Json about = made_with(style, *format, drawings.front(), studio.renderer(*format));
+    Json about = made_with(style, *format, drawings.front(), maker.renderer(*format));
     if (format->film) about["seconds"] = options.seconds;
     take(*format,
-         format->film ? studio.film(job.piece, frames, options.seconds, *format)
-                      : studio.write(job.piece, drawings.front(), *format),
+         format->film ? maker.film(job.info, frames, options.seconds, *format)
+                      : maker.write(job.info, drawings.front(), *format),
          about);
   }
 }
 
-int to_stdout(const std::vector<Job>& jobs, const RenderOptions& options, Studios& studios) {
+int to_stdout(const std::vector<Job>& jobs, const RenderOptions& options, FigureMakers& makers) {
   if (jobs.size() != 1 || jobs.front().formats.size() != 1)
     throw viz::BadInput("out: \"-\" takes exactly one figure in one format; give --step N, and one preset and format");
-  make(jobs.front(), options, studios, [](const viz::Format&, const std::string& bytes, const Json&) { print(bytes); });
-  studios.say_widened();
+  make(jobs.front(), options, makers, [](const viz::Format&, const std::string& bytes, const Json&) { print(bytes); });
+  makers.say_widened();
   return done;
 }
 
-void draw_all(const std::vector<Job>& jobs, const RenderOptions& options, Studios& studios, Gallery& gallery) {
+void draw_all(const std::vector<Job>& jobs, const RenderOptions& options, FigureMakers& makers, FigureFolder& figures) {
   Progress progress(jobs.size());
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const Job& job = jobs[i];
-    make(job, options, studios, [&](const viz::Format& format, const std::string& bytes, const Json& about) {
-      print(gallery.add(job.e, job.piece, format.name, bytes, about));
+    make(job, options, makers, [&](const viz::Format& format, const std::string& bytes, const Json& about) {
+      print(figures.add(job.e, job.info, format.name, bytes, about));
     });
-    progress.done(job.piece.stem);
+    progress.done(job.info.stem);
     if (i + 1 < jobs.size() && &jobs[i + 1].e == &job.e) continue;  // more of this excerpt follow
-    if (const std::size_t gone = gallery.remove_stale(job.e); gone > 0)
+    if (const std::size_t gone = figures.remove_stale(job.e); gone > 0)
       say(fmt::format("removed {} figure{} of steps that {} no longer has", gone, gone == 1 ? "" : "s",
                       folder_of(job.e)));
   }
@@ -189,18 +189,18 @@ int render(const Program& program, RenderOptions options) {
   if (!whole && options.asked.files.empty()) return bad_input;
   std::vector<Excerpt> chosen = excerpts(program, options.asked);
   if (!options.camera.empty()) turn(chosen, options.camera);
-  Studios studios(chosen, options);  // sets the font before any is used
-  need_surroundings(program);
-  const std::vector<Job> jobs = jobs_of(chosen, studios);
-  if (options.out == "-") return to_stdout(jobs, options, studios);
+  FigureMakers makers(chosen, options);  // sets the font before any is used
+  need_environment(program);
+  const std::vector<Job> jobs = jobs_of(chosen, makers);
+  if (options.out == "-") return to_stdout(jobs, options, makers);
 
-  Gallery gallery(options.out, program);
+  FigureFolder figures(options.out, program);
   for (const Job& job : jobs)
-    for (const viz::Format* format : job.formats) gallery.need_ours(job.piece, *format);
-  draw_all(jobs, options, studios, gallery);
-  gallery.list();
-  studios.say_widened();
-  gallery.say_left_alone();
+    for (const viz::Format* format : job.formats) figures.need_ours(job.info, *format);
+  draw_all(jobs, options, makers, figures);
+  figures.list();
+  makers.say_widened();
+  figures.say_left_alone();
   return whole ? done : bad_input;
 }
 

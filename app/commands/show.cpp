@@ -11,13 +11,13 @@
 #include "app/figures/figure_place.h"
 #include "app/scene/lesson.h"
 #include "app/scene/save.h"
+#include "app/shell/environment.h"
 #include "app/shell/options.h"
-#include "app/shell/surroundings.h"
 #include "app/shell/terminal.h"
 #include "lessons/course.h"
 #include "viz/formats/files.h"
 #include "viz/formats/formats.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/window/window.h"
 
 namespace isect::program {
@@ -27,10 +27,11 @@ namespace {
 using Lessons = std::vector<const viz::Lesson*>;
 
 /// Returns where to begin. `file` becomes the scene's, if that can be written to.
-viz::Place place_of(const Program& program, Selection asked, Lessons& lessons, std::optional<scene::KeptFile>& file) {
+viz::ReaderState state_of(const Program& program, Selection asked, Lessons& lessons,
+                          std::optional<scene::KeptFile>& file) {
   const std::string first = asked.lessons.empty() ? std::string() : asked.lessons.front();
   if (const viz::Format* format = viz::format_of(first); format && asked.step.empty() && asked.changes.empty())
-    return place_in_figure(program, first, *format, lessons).place;
+    return place_in_figure(program, first, *format, lessons).state;
   const bool anywhere = asked.lessons.empty() && asked.preset.empty() && asked.changes.empty() && asked.step.empty() &&
                         asked.scene.empty();
   if (anywhere && program.only == nullptr) return {};  // where the reader stopped last time, or the first lesson
@@ -43,29 +44,29 @@ viz::Place place_of(const Program& program, Selection asked, Lessons& lessons, s
     lessons.push_back(e.lesson);
     if (std::error_code absent; std::filesystem::is_regular_file(e.path, absent)) file.emplace(e.path);
   }
-  viz::Place place;
-  place.lesson = e.lesson->id;
-  place.preset = e.preset;
-  place.step = e.steps.front();
-  place.parameters = e.parameters;
-  place.camera = e.camera;
-  return place;
+  viz::ReaderState state;
+  state.lesson = e.lesson->id;
+  state.preset = e.preset;
+  state.step = e.steps.front();
+  state.parameters = e.parameters;
+  state.camera = e.camera;
+  return state;
 }
 
 int show(const Program& program, const Selection& asked) {
   Lessons lessons = program.lessons;
   std::optional<scene::KeptFile> file;
-  const viz::Place place = place_of(program, asked, lessons, file);
+  const viz::ReaderState state = state_of(program, asked, lessons, file);
   std::function<void(const viz::Parameters&)> save;
   if (file)
     save = [&](const viz::Parameters& p) {
       file->save(p);
       scene::keep(*lessons.back(), file->folder(), p);
     };
-  need_surroundings(program);
+  need_environment(program);
   try {
     viz::show(
-        lessons, lessons::course(), place,
+        lessons, lessons::course(), state,
         [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); }, save);
   } catch (const viz::NoDisplay& e) {
     say(fmt::format("{}: {}", program.name, e.what()));
@@ -74,11 +75,11 @@ int show(const Program& program, const Selection& asked) {
                                            : std::string(" FILE.json, of the scene in it,")
                               : program.only
                                   ? ""
-                                  : " " + (place.lesson.empty() ? program.lessons.front()->id : place.lesson);
+                                  : " " + (state.lesson.empty() ? program.lessons.front()->id : state.lesson);
     const std::string method = asked.preset.empty() ? "" : " --preset " + asked.preset;
     const std::string preset = !asked.scene.empty()            ? " --scene " + asked.scene + method
-                               : scene || place.preset.empty() ? ""
-                                                               : " --preset " + place.preset;
+                               : scene || state.preset.empty() ? ""
+                                                               : " --preset " + state.preset;
     say(fmt::format(
         "Without a display, `{0} render{1}{2}` writes the figures, and `{0} explain{1}{2}` tells them as text.",
         program.name, which, preset));

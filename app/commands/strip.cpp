@@ -6,9 +6,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/figures/gallery.h"
-#include "app/figures/studio.h"
-#include "app/shell/surroundings.h"
+#include "app/figures/figure_folder.h"
+#include "app/figures/figure_maker.h"
+#include "app/shell/environment.h"
 #include "app/shell/terminal.h"
 #include "viz/formats/files.h"
 
@@ -57,28 +57,28 @@ int strip(const Program& program, StripOptions options) {
         fmt::format("step: a strip has 2 to {} steps, and here are {}; choose some with --step, such "
                     "as --step 3-6",
                     most_steps, e.steps.size()));
-  need_surroundings(program);
+  need_environment(program);
 
-  const Piece piece = piece_of(e, "strip");
-  Studio studio(style, "auto");
-  const auto draw = [&] { return studio.draw_strip(e, columns, fewer, options.style.captions); };
+  const FigureInfo info = info_of(e, "strip");
+  FigureMaker maker(style, "auto");
+  const auto draw = [&] { return maker.draw_strip(e, columns, fewer, options.style.captions); };
   if (options.out == "-") {
     if (style.formats.size() != 1) throw viz::BadInput("out: \"-\" takes exactly one format");
-    print(studio.write(piece, draw(), *style.formats.front()));
+    print(maker.write(info, draw(), *style.formats.front()));
     return done;
   }
-  Gallery gallery(options.out, program);
-  for (const viz::Format* format : style.formats) gallery.need_ours(piece, *format);
+  FigureFolder figures(options.out, program);
+  for (const viz::Format* format : style.formats) figures.need_ours(info, *format);
   const viz::Drawing drawing = draw();
   for (const viz::Format* format : style.formats)
-    print(gallery.add(e, piece, format->name, studio.write(piece, drawing, *format),
+    print(figures.add(e, info, format->name, maker.write(info, drawing, *format),
                       {{"theme", viz::name_of(style.theme)},
                        {"width_pt", drawing.width},
                        {"height_pt", drawing.height},
                        {"text_pt", style.paper->text_size}}));
-  gallery.list();
-  say_widened(studio);
-  gallery.say_left_alone();
+  figures.list();
+  say_widened(maker);
+  figures.say_left_alone();
   return done;
 }
 

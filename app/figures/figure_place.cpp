@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/figures/piece.h"
+#include "app/figures/figure_info.h"
 #include "app/scene/lesson.h"
 #include "app/shell/named_file.h"
 #include "viz/formats/files.h"
@@ -39,9 +39,9 @@ FigurePlace place_in_figure(const Program& program, const std::string& path, con
                       "Name its place instead: {}--preset P --step N",
                       program.only ? "" : "LESSON "));
     if (data.contains("scene")) to.push_back(&scene::kept_lesson_of(data.at("scene"), ""));
-    viz::Place place = viz::place_from_metadata(data, to);
-    const std::string folder = folder_in(data, place.lesson);
-    return {std::move(place), steps_of(data), folder, data.contains("style") ? data.at("style") : ""};
+    viz::ReaderState state = viz::reader_state_from_metadata(data, to);
+    const std::string folder = folder_in(data, state.lesson);
+    return {std::move(state), steps_of(data), folder, data.contains("style") ? data.at("style") : ""};
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", path, e.what()));
   } catch (const viz::FileError& e) {

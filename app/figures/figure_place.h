@@ -6,12 +6,12 @@
 
 #include "app/program.h"
 #include "viz/formats/formats.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 
 namespace isect::program {
 
 struct FigurePlace {
-  viz::Place place;
+  viz::ReaderState state;
   std::string steps = {};   ///< for a strip or an animation all steps, "2-4"; else empty
   std::string folder = {};  ///< as Excerpt::folder; empty if the figure does not say
   std::string style = {};   ///< how it was asked for (see app/figures/style.h); empty if the figure does not say

@@ -8,7 +8,7 @@
 
 #include "app/shell/terminal.h"
 #include "viz/formats/formats.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/snapshot/snapshot.h"
 
 namespace isect::program {

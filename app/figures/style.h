@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/shell/values.h"
+#include "app/shell/option_values.h"
 #include "viz/compose/compose.h"
 #include "viz/formats/formats.h"
 #include "viz/theme.h"

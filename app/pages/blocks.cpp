@@ -7,12 +7,12 @@
 #include <map>
 #include <set>
 
-#include "app/figures/told_values.h"
+#include "app/figures/value_words.h"
 #include "viz/text/names.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/alt_text.h"
-#include "viz/walk/asking.h"
-#include "viz/walk/geometry.h"
+#include "viz/walk/question_scene.h"
+#include "viz/walk/scene_in_words.h"
 
 namespace isect::program {
 
@@ -48,7 +48,7 @@ std::string given(const viz::Lesson& lesson, const viz::Parameters& parameters, 
   if (rounded) out += " Some numbers are rounded.";
   const viz::Scene& scene = walk.steps.front().scene;
   if (!scene.chart)
-    for (const std::string& object : viz::geometry(scene, parameters, lesson.flat))
+    for (const std::string& object : viz::scene_in_words(scene, parameters, lesson.flat))
       out += " " + viz::as_markup(viz::with_minus_signs(object.ends_with(".") ? object : object + "."));
   return out;
 }

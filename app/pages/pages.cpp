@@ -25,7 +25,7 @@ void need_own(const std::string& folder, const std::vector<PageFile>& files) {
                       folder + name));
 }
 
-Image image_of(const Piece& piece) { return {fs::path(piece.stem).filename(), {}, piece.alt}; }
+Image image_of(const FigureInfo& info) { return {fs::path(info.stem).filename(), {}, info.alt}; }
 
 std::string theme_of_pages(const PageOptions& options) {
   if (viz::theme_named(options.theme) == viz::ThemeName::dark)

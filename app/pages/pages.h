@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/figures/piece.h"
+#include "app/figures/figure_info.h"
 #include "app/figures/style.h"
 #include "app/pages/blocks.h"
 #include "app/shell/options.h"
@@ -21,7 +21,7 @@ std::string folder_of_pages(const std::string& out, const Excerpt&);
 void need_own(const std::string& folder, const std::vector<PageFile>&);
 
 /// Returns the image, beside the page to which it belongs.
-Image image_of(const Piece&);
+Image image_of(const FigureInfo&);
 
 /// The options of handouts and decks, as written on the command line.
 struct PageOptions {

@@ -135,7 +135,7 @@ Json event(const E& e) {
 }
 
 /// Writes the events as they come, if they are wanted. An ignoring listener would mean compiling each call twice.
-struct Teller {
+struct EventWriter {
   Job& job;
 
   template <class E>
@@ -154,7 +154,7 @@ struct Teller {
 /// Runs call(trace). `Event` is the test's own variant of possible events.
 template <class Event, class Call>
 auto run(Job& job, const Call& call) {
-  return call(Teller{job});
+  return call(EventWriter{job});
 }
 
 template <>

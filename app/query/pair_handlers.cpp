@@ -83,8 +83,8 @@ Json sphere_sphere(Job& job) {
     const Sphere<S, N> a = sphere<S, N>(job.fields, "c1", "r1"), b = sphere<S, N>(job.fields, "c2", "r2");
     if (job.variant == "squared_distance") {
       using Event = std::variant<sphere_sphere::Compared<S>>;
-      return {
-          {"intersects", run<Event>(job, [&](auto&& trace) { return sphere_sphere::squared_distance(a, b, trace); })}};
+      return {{"intersects",
+               run<Event>(job, [&](auto&& trace) { return sphere_sphere::squared_distance_naive(a, b, trace); })}};
     }
     const Relation r = run<sphere_sphere::Event>(job, [&](auto&& trace) { return relate(a, b, trace); });
     return two_balls(r, touch_within(r, a, b), a, b);
@@ -98,7 +98,8 @@ Json sphere_box(Job& job) {
     const Aabb<S, N> b = box<S, N>(job.fields);
     using Event = sphere_aabb::Event<S>;
     if (job.variant == "accumulate")
-      return {{"intersects", run<Event>(job, [&](auto&& trace) { return sphere_aabb::accumulate(ball, b, trace); })}};
+      return {
+          {"intersects", run<Event>(job, [&](auto&& trace) { return sphere_aabb::accumulate_naive(ball, b, trace); })}};
 
     return related(run<Event>(job, [&](auto&& trace) { return relate(ball, b, trace); }), "sphere", "box", b);
   });

@@ -14,13 +14,13 @@ namespace {
 const std::vector<std::string> common = {"id", "kind", "scalar", "variant", "trace"};
 
 /// A kind, and all fields that its case may have.
-struct Known {
+struct KnownKind {
   const Handler* handler;
   std::vector<std::string> fields;
 };
 
-std::vector<Known> known_kinds() {
-  std::vector<Known> all;
+std::vector<KnownKind> known_kinds() {
+  std::vector<KnownKind> all;
   for (const auto* table :
        {&point_handlers(), &pair_handlers(), &ray_handlers(), &round_handlers(), &polygon_handlers()})
     for (const Handler& handler : *table) {
@@ -37,29 +37,29 @@ std::vector<Known> known_kinds() {
   return all;
 }
 
-const std::vector<Known>& known() {
-  static const std::vector<Known> all = known_kinds();
+const std::vector<KnownKind>& known() {
+  static const std::vector<KnownKind> all = known_kinds();
   return all;
 }
 
 /// Throws for a missing "kind"; it may be misspelt.
 [[noreturn]] void complain_of_no_kind(const Field& fields) {
   std::vector<std::string> all;
-  for (const Known& kind : known()) all.insert(all.end(), kind.fields.begin(), kind.fields.end());
+  for (const KnownKind& kind : known()) all.insert(all.end(), kind.fields.begin(), kind.fields.end());
   std::ranges::sort(all);
   all.erase(std::unique(all.begin(), all.end()), all.end());
   fields.only(all);
   throw BadCase("field \"kind\" is missing");
 }
 
-const Known& kind_of(const Field& fields) {
+const KnownKind& kind_of(const Field& fields) {
   const auto given = fields.find("kind");
   if (!given) complain_of_no_kind(fields);
   const std::string kind = given->text();
-  const auto found = std::ranges::find_if(known(), [&](const Known& k) { return k.handler->kind == kind; });
+  const auto found = std::ranges::find_if(known(), [&](const KnownKind& k) { return k.handler->kind == kind; });
   if (found != known().end()) return *found;
   std::vector<std::string> names;
-  for (const Known& k : known()) names.push_back(k.handler->kind);
+  for (const KnownKind& k : known()) names.push_back(k.handler->kind);
   given->refuse(described_text(kind) + " is not known" + spelling::instead(kind, names, "allowed: " + listed(names)));
 }
 
@@ -75,7 +75,7 @@ std::string chosen(const Field& fields, const char* key, const std::vector<std::
 
 /// Returns the reply behind its id.
 std::string solved(const Field& fields) {
-  const Known& kind = kind_of(fields);
+  const KnownKind& kind = kind_of(fields);
   fields.only(kind.fields);
   const Handler& handler = *kind.handler;
   const bool f32 = chosen(fields, "scalar", {"f64", "f32"}, "") == "f32";
@@ -140,7 +140,7 @@ const std::vector<std::string>& notes() {
 
 std::vector<Kind> kinds() {
   std::vector<Kind> all;
-  for (const Known& k : known()) all.push_back({k.handler->kind, k.handler->inputs, k.handler->variants});
+  for (const KnownKind& k : known()) all.push_back({k.handler->kind, k.handler->inputs, k.handler->variants});
   return all;
 }
 

@@ -141,7 +141,8 @@ Json ray_box(Job& job) {
     const Aabb<S, N> b = box<S, N>(job.fields);
     if (job.variant == "conservative") return {{"hit", may_intersect(r, b)}};
     if (job.variant == "slabs")
-      return stretch(run<ray_aabb::SlabsEvent<S>>(job, [&](auto&& trace) { return ray_aabb::slabs(r, b, trace); }));
+      return stretch(
+          run<ray_aabb::SlabsEvent<S>>(job, [&](auto&& trace) { return ray_aabb::slabs_naive(r, b, trace); }));
     return stretch(run<ray_aabb::Event>(job, [&](auto&& trace) { return intersect(r, b, trace); }));
   });
 }
@@ -195,7 +196,7 @@ Json segment_segment(Job& job) {
   const Segment<S, 2> a = segment<S, 2>(job.fields["a"]), b = segment<S, 2>(job.fields["b"]);
   if (job.variant == "parametric") {
     const auto point = run<segment_segment::ParametricEvent<S>>(
-        job, [&](auto&& trace) { return segment_segment::parametric(a, b, trace); });
+        job, [&](auto&& trace) { return segment_segment::parametric_naive(a, b, trace); });
     return {{"point", point ? numbers<S, 2>(*point) : nullptr}};
   }
   return two_segments(run<segment_segment::Event>(job, [&](auto&& trace) { return intersect(a, b, trace); }));

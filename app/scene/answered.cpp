@@ -135,7 +135,7 @@ Answered answered(const Context& c, const PairAsked& asked) {
     if (c.object(i).type == Type::frustum)
       out.caption += "\nThe planes of " + c.name(i) + " are those of its angle, rounded.";
   out.formula = told.formula, out.values = told.values, out.items = std::move(told.marks);
-  if (out.items.empty()) out.items = contact(c.setting, a, b, told.answer);
+  if (out.items.empty()) out.items = contact(c.numbers, a, b, told.answer);
   out.lit = {asked.a, asked.b};
   out.json = {{"ask", {a.name, b.name}}, {"verdict", viz::plain(told.verdict.text)}};
   if (!told.query.is_null()) out.json["query"] = std::move(told.query);
@@ -173,7 +173,7 @@ Answered all_that_meet(const Context& c, const WalkAsked& asked) {
   std::vector<Aabb<double, 2>> boxes;
   Json names = Json::array(), found = Json::array();
   for (const std::size_t i : asked.many) {
-    boxes.push_back(made<Aabb<double, 2>>(c.setting, c.object(i)));
+    boxes.push_back(made<Aabb<double, 2>>(c.numbers, c.object(i)));
     names.push_back(c.object(i).name);
   }
   std::string told;
@@ -210,7 +210,7 @@ Answered of_hierarchy(const Context& c, const WalkAsked& asked) {
   } else {
     std::vector<const Object*> all;
     for (const std::size_t i : asked.many) all.push_back(&c.object(i));
-    out.verdict = walk(*walk_of_many(asked.lesson, asked.method), c.setting, all).steps.back().verdict;
+    out.verdict = walk(*walk_of_many(asked.lesson, asked.method), c.numbers, all).steps.back().verdict;
     result["hierarchy"] = viz::plain(out.verdict.text);
   }
   out.json = {{"walk", names}, {"lesson", asked.lesson}};
@@ -226,7 +226,7 @@ Answered answered(const Context& c, const WalkAsked& asked) {
   if (!asked.many.empty()) return asked.lesson == "hierarchy" ? of_hierarchy(c, asked) : all_that_meet(c, asked);
   const Object &a = c.object(asked.a), &b = c.object(asked.b);
   if (asked.a == asked.b) {
-    const Ring<double, 2> hull = convex_hull(points_of<2>(c.setting.points(a)));
+    const Ring<double, 2> hull = convex_hull(points_of<2>(c.numbers.points(a)));
     Answered out;
     out.verdict = {viz::Verdict::Kind::yes, fmt::format("the hull of {} has {} corner{}", c.name(asked.a), hull.size(),
                                                         hull.size() == 1 ? "" : "s")};

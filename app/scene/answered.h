@@ -13,12 +13,12 @@ namespace isect::program::scene {
 /// A scene's objects with their current numbers.
 struct Context {
   const File& file;
-  Setting setting;
+  NamedValues numbers;
   Room room;
   mutable std::map<std::size_t, Shaped> shapes = {};  ///< of the objects asked about so far
 
   const Object& object(std::size_t i) const { return file.objects[i]; }
-  const Shaped& shaped(std::size_t i) const { return shapes.try_emplace(i, setting, object(i)).first->second; }
+  const Shaped& shaped(std::size_t i) const { return shapes.try_emplace(i, numbers, object(i)).first->second; }
   std::string name(std::size_t i) const;  ///< as markup
 };
 

@@ -33,7 +33,7 @@ Rounded around_segment(const Vec3& p, const Vec3& q, double radius) {
           radius};
 }
 
-std::optional<Rounded> rounded(const Setting& s, const Object& o) {
+std::optional<Rounded> rounded(const NamedValues& s, const Object& o) {
   switch (o.type) {
     case Type::point:
       return around_point(s.point(o, "at"), 0);
@@ -71,7 +71,7 @@ Vec3 common_point(const Rounded& a, const Rounded& b) {
 }
 
 /// Returns what two boxes share, if that is flat.
-std::vector<viz::Item> shared(const Setting& s, const Object& a, const Object& b) {
+std::vector<viz::Item> shared(const NamedValues& s, const Object& a, const Object& b) {
   const Vec3 lo = s.point(a, "lo").cwiseMax(s.point(b, "lo")), hi = s.point(a, "hi").cwiseMin(s.point(b, "hi"));
   std::vector<int> wide;
   for (int i = 0; i < 3; ++i)
@@ -86,7 +86,7 @@ std::vector<viz::Item> shared(const Setting& s, const Object& a, const Object& b
 
 }  // namespace
 
-std::vector<viz::Item> contact(const Setting& s, const Object& a, const Object& b, const Answer& answer) {
+std::vector<viz::Item> contact(const NamedValues& s, const Object& a, const Object& b, const Answer& answer) {
   if (!answer.relation || (answer.relation != Relation::touching && !answer.tangent)) return {};
   if (a.type == Type::box && b.type == Type::box) return shared(s, a, b);
   const std::optional<Rounded> one = rounded(s, a), other = rounded(s, b);

@@ -105,7 +105,7 @@ void Drawing::solid(viz::Solid shape) {
   items.push_back(std::move(shape));
 }
 
-Room room(const Setting& s, const std::vector<Object>& objects) {
+Room room(const NamedValues& s, const std::vector<Object>& objects) {
   Vec3 lo = Vec3::Constant(INFINITY), hi = -lo;
   for (const Object& o : objects)
     for (const Vec3& p : s.extent(o)) lo = lo.cwiseMin(p), hi = hi.cwiseMax(p);
@@ -114,7 +114,7 @@ Room room(const Setting& s, const std::vector<Object>& objects) {
   return {(lo + hi) / 2, reach > 0 ? reach : 1};
 }
 
-std::vector<viz::Item> drawn(const Setting& s, const Object& o, const Room& room, Role role) {
+std::vector<viz::Item> drawn(const NamedValues& s, const Object& o, const Room& room, Role role) {
   Drawing drawing = {s, o, room, role};
   spec(o.type).draw(drawing);
   for (viz::Item& item : drawing.items)
@@ -126,7 +126,7 @@ std::vector<viz::Item> drawn(const Setting& s, const Object& o, const Room& room
   return std::move(drawing.items);
 }
 
-std::vector<viz::Handle> handles(const Setting& s, const Object& o, Role role) {
+std::vector<viz::Handle> handles(const NamedValues& s, const Object& o, Role role) {
   std::vector<viz::Handle> all;
   const auto add = [&](const std::string& field, viz::Handle::Kind kind, const Vec3& at, const Vec3& anchor) {
     all.push_back({o.name + "." + field, kind, at, anchor, role});

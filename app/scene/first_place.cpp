@@ -44,7 +44,7 @@ std::optional<Place> place_of(const Line& line, const Shaped& o) {
     case Type::cone:
       return first(std::get<Cone<double>>(o.shape<3>()));
     case Type::point:
-      return first(o.setting.point(o.object, "at"));
+      return first(o.numbers.point(o.object, "at"));
     case Type::cloud:
       return first_of_all(line, o.points());
     case Type::ray:

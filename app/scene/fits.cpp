@@ -165,7 +165,7 @@ bool can_fit(Type t) {
 Answered answered(const Context& c, const FitAsked& asked) {
   const Object& o = c.object(asked.object);
   const bool flat = c.file.flat;
-  const std::vector<Vec3> points = c.setting.extent(o);
+  const std::vector<Vec3> points = c.numbers.extent(o);
   const std::string size = flat ? "area" : "volume";
   Answered out = {"fit-" + slug_of(o.name), "", "", {}};
   out.lit = {asked.object};

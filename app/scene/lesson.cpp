@@ -172,7 +172,7 @@ class Walker {
   /// Passes each answer on as JSON, without a step.
   void each_answer(const std::function<void(Json)>& take) {
     for (const Object& o : context_.file.objects)  // what can't be drawn is refused
-      static_cast<void>(drawn(context_.setting, o, context_.room, Role::first));
+      static_cast<void>(drawn(context_.numbers, o, context_.room, Role::first));
     for (const Asked& asked : context_.file.asked) {
       viz::Walk unseen;
       if (const WalkAsked* const walked = std::get_if<WalkAsked>(&asked)) add(*walked, unseen);
@@ -224,8 +224,8 @@ class Walker {
         role = Role::muted;
       }
       if (lit.size() == 2 && at != lit.end()) role = at == lit.begin() ? Role::first : Role::second;
-      std::ranges::move(drawn(context_.setting, o, context_.room, role), std::back_inserter(scene.items));
-      std::ranges::move(handles(context_.setting, o, role), std::back_inserter(scene.handles));
+      std::ranges::move(drawn(context_.numbers, o, context_.room, role), std::back_inserter(scene.items));
+      std::ranges::move(handles(context_.numbers, o, role), std::back_inserter(scene.handles));
     }
     const bool too_many = context_.file.objects.size() > most_in_all_pictures;
     if (too_many && lit.empty())
@@ -273,7 +273,7 @@ class Walker {
                      answered(context_, asked).verdict.text, false});
     if (!asked.many.empty()) return add_of_many(asked, to);
     const LessonWalk& pair = *walk_of(a.type, b.type, context_.file.flat, one, asked.lesson);
-    viz::Walk walk = naming_question(asked, [&] { return scene::walk(pair, context_.setting, a, b); });
+    viz::Walk walk = naming_question(asked, [&] { return scene::walk(pair, context_.numbers, a, b); });
     const bool first = to.pseudocode.empty();
     if (first) to.pseudocode = walk.pseudocode;
     for (viz::Step& s : walk.steps) {
@@ -312,9 +312,9 @@ class Walker {
       const bool ray = asked.with_ray && all.size() == asked.many.size();
       who += fmt::format("{}{} is {}", all.size() == 1 ? "" : ", ", context_.name(i),
                          ray ? "the ray" : std::to_string(all.size() - 1));
-      std::ranges::move(scene::handles(context_.setting, *all.back(), Role::second), std::back_inserter(handles));
+      std::ranges::move(scene::handles(context_.numbers, *all.back(), Role::second), std::back_inserter(handles));
     }
-    viz::Walk walk = naming_question(asked, [&] { return scene::walk(way, context_.setting, all); });
+    viz::Walk walk = naming_question(asked, [&] { return scene::walk(way, context_.numbers, all); });
     const bool first = to.pseudocode.empty();
     if (first) to.pseudocode = walk.pseudocode;
     walk.steps.front().caption = fmt::format("Step by step: here {}. {}", who, walk.steps.front().caption);
@@ -334,9 +334,9 @@ class Walker {
   }
 
   std::vector<viz::Handle> handles_of(const Object& a, const Object& b) const {
-    std::vector<viz::Handle> all = handles(context_.setting, a, Role::first);
+    std::vector<viz::Handle> all = handles(context_.numbers, a, Role::first);
     if (&a == &b) return all;
-    std::ranges::move(handles(context_.setting, b, Role::second), std::back_inserter(all));
+    std::ranges::move(handles(context_.numbers, b, Role::second), std::back_inserter(all));
     return all;
   }
 
@@ -465,7 +465,7 @@ namespace {
 
 /// Returns what the lesson can walk through, in the order of the file, as questions.
 Json walks_through(const viz::Lesson& lesson, const std::string& method, const File& file) {
-  const Setting setting = {file.parameters, file.flat};
+  const NamedValues numbers = {file.parameters, file.flat};
   Json asked = Json::array();
   std::string refused;
   if (const LessonWalk* const way = walk_of_many(lesson.id, method); way && way->flat == file.flat)
@@ -478,7 +478,7 @@ Json walks_through(const viz::Lesson& lesson, const std::string& method, const F
     const LessonWalk* const found = walk_of(a.type, b.type, file.flat, i == j, lesson.id);
     if (!found) return;
     try {
-      static_cast<void>(walk(*found, setting, a, b));
+      static_cast<void>(walk(*found, numbers, a, b));
       const Json names = i == j ? Json(a.name) : Json{a.name, b.name};
       asked.push_back({{"walk", names}, {"lesson", lesson.id}});
     } catch (const viz::BadInput& e) {

@@ -26,13 +26,15 @@ const TypeSpec& spec(Type type) { return types()[static_cast<std::size_t>(type)]
 
 std::string other_name(const TypeSpec& type) { return type.in_plane == type.words ? "" : type.in_plane; }
 
-Vec3 Setting::point(const Object& o, const std::string& field) const {
+Vec3 NamedValues::point(const Object& o, const std::string& field) const {
   return std::get<Vec3>(parameters.at(o.name + "." + field));
 }
-double Setting::number(const Object& o, const std::string& field) const {
+double NamedValues::number(const Object& o, const std::string& field) const {
   return std::get<double>(parameters.at(o.name + "." + field));
 }
-bool Setting::has(const Object& o, const std::string& field) const { return parameters.contains(o.name + "." + field); }
+bool NamedValues::has(const Object& o, const std::string& field) const {
+  return parameters.contains(o.name + "." + field);
+}
 
 std::string in_words(Type t, bool flat) { return flat ? spec(t).in_plane : spec(t).words; }
 std::string with_article(Type t) {
@@ -42,7 +44,7 @@ std::string with_article(Type t) {
 
 bool runs_along_a_line(Type t) { return t == Type::ray || t == Type::line || t == Type::segment; }
 
-std::vector<Vec3> Setting::points(const Object& o) const {
+std::vector<Vec3> NamedValues::points(const Object& o) const {
   if (!o.fixed.points.empty()) return o.fixed.points;
   std::vector<Vec3> all;
   for (const int size : o.rings)
@@ -50,7 +52,7 @@ std::vector<Vec3> Setting::points(const Object& o) const {
   return all;
 }
 
-std::vector<std::vector<Vec3>> Setting::rings(const Object& o) const {
+std::vector<std::vector<Vec3>> NamedValues::rings(const Object& o) const {
   const std::vector<Vec3> all = points(o);
   std::vector<std::vector<Vec3>> rings;
   auto from = all.begin();
@@ -58,11 +60,11 @@ std::vector<std::vector<Vec3>> Setting::rings(const Object& o) const {
   return rings;
 }
 
-std::vector<Vec3> Setting::extent(const Object& o) const {
+std::vector<Vec3> NamedValues::extent(const Object& o) const {
   return spec(o.type).extent ? spec(o.type).extent(*this, o) : points(o);
 }
 
-Json Setting::list(const Vec3& p) const {
+Json NamedValues::list(const Vec3& p) const {
   Json all = {p.x(), p.y()};
   if (!flat) all.push_back(p.z());
   return all;

@@ -62,7 +62,7 @@ std::string with_article(Type);
 std::string in_words(Type, bool flat);
 
 /// Objects with their numbers, in a plane or in space.
-struct Setting {
+struct NamedValues {
   const viz::Parameters& parameters;
   bool flat = false;
 
@@ -85,12 +85,12 @@ struct Room {
   viz::Vec3 middle = viz::Vec3::Zero();
   double reach = 1;
 };
-Room room(const Setting&, const std::vector<Object>&);
+Room room(const NamedValues&, const std::vector<Object>&);
 
 /// Returns the object and its name. Throws viz::BadInput if its numbers are no shape for the core.
-std::vector<viz::Item> drawn(const Setting&, const Object&, const Room&, viz::Role);
+std::vector<viz::Item> drawn(const NamedValues&, const Object&, const Room&, viz::Role);
 /// Returns the points that can be dragged.
-std::vector<viz::Handle> handles(const Setting&, const Object&, viz::Role);
+std::vector<viz::Handle> handles(const NamedValues&, const Object&, viz::Role);
 /// Returns its name as markup: "r1" as bold r with index 1.
 std::string shown_name(const std::string& name);
 

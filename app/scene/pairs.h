@@ -23,7 +23,7 @@ struct Pair {
 /// Returns the pairs that a query can ask, too.
 std::vector<Pair> pairs_of_queries();
 /// Returns pairs of meshes, clouds, frusta and k-DOPs that report more than how they lie.
-std::vector<Pair> pairs_of_many_numbers();
+std::vector<Pair> pairs_of_sets();
 /// Returns pairs of outlines, lines and segments in the plane; of points and corners beside a line or a plane.
 std::vector<Pair> pairs_in_plane();
 /// Returns pairs of convex solids with what they are asked about; of lines in space.
@@ -61,6 +61,6 @@ void tell(const Shaped& a, const Shaped& b, Told&);
 Json query_of(const char* kind, const Shaped& a, const Shaped& b);
 
 /// Returns the direction of a ray, line or segment for its lesson. Throws NotDecided for a segment that is no ray.
-viz::Vec3 direction_of(const Setting&, const Object& a);
+viz::Vec3 direction_of(const NamedValues&, const Object& a);
 
 }  // namespace isect::program::scene

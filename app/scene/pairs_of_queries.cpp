@@ -69,7 +69,7 @@ void same_point(const Shaped& a, const Shaped& b, Told& out) {
 }
 
 void point_in_outline(const Shaped& a, const Shaped& b, Told& out) {
-  const Winding w = winding(point_of<2>(a.setting.point(a.object, "at")), b.outline());
+  const Winding w = winding(point_of<2>(a.numbers.point(a.object, "at")), b.outline());
   out.answer = answer(w.even_odd);
   out.result = query::wound(w);
   if (w.even_odd != w.nonzero) out.formula = "by the even-odd rule";

@@ -14,7 +14,7 @@ namespace {
 
 /// Asks a ball or capsule and each facet of a hull. Without a radius it is a segment, which is a solid.
 void round_and_hull(const Shaped& a, const Shaped& b, Told& out) {
-  const Capsule<double, 3> capsule = capsule_in_space(a.setting, a.object);
+  const Capsule<double, 3> capsule = capsule_in_space(a.numbers, a.object);
   if (a.flat() || capsule.radius == 0) return relate(a, b, out);
   const auto end_in = [&](const viz::Vec3& end) {
     return sphere_half_spaces::detail::contained(end, capsule.radius, b.faces(), NoTrace());

@@ -43,7 +43,7 @@ std::optional<Interval<double>> part_of_line(const Shaped& line, const Shaped& t
 }
 
 /// Whether no more than a point is left of the line, given that some is: rounded, both its ends may be one number.
-bool leaves_one_point(const Setting& s, const Object& o, const Object& to) {
+bool leaves_one_point(const NamedValues& s, const Object& o, const Object& to) {
   const bool segment = o.type == Type::segment;
   const Vec3 from = s.point(o, segment ? "from" : "origin");
   Ratio<Exact> first = {Exact(0.0), Exact(0.0)}, last = first;  // den 0: none yet
@@ -82,13 +82,13 @@ bool leaves_one_point(const Setting& s, const Object& o, const Object& to) {
 }
 
 template <int N>
-Ring<double, N> part_of_ring(const Ring<double, N>& ring, const Setting& s, const Object& to) {
+Ring<double, N> part_of_ring(const Ring<double, N>& ring, const NamedValues& s, const Object& to) {
   return to.type == Type::plane ? clip(ring, made<Plane<double, N>>(s, to)) : clip(ring, made<Aabb<double, N>>(s, to));
 }
 
 /// Returns what is left of each outline; nothing of one with holes that has no point there.
 template <int N>
-std::vector<std::vector<Vec3>> part_of_outline(const Setting& s, const Object& o, const Object& to) {
+std::vector<std::vector<Vec3>> part_of_outline(const NamedValues& s, const Object& o, const Object& to) {
   const std::vector<std::vector<Vec3>> rings =
       o.type == Type::hull ? std::vector<std::vector<Vec3>>{outline_of(s, o)} : s.rings(o);
   std::vector<std::vector<Vec3>> all;
@@ -123,7 +123,7 @@ std::string part_in_words(const Interval<double>& part, const Object& to) {
 }
 
 void tell_line(const Context& c, const ClipAsked& asked, Answered& out) {
-  const Setting& s = c.setting;
+  const NamedValues& s = c.numbers;
   const Object &o = c.object(asked.what), &to = c.object(asked.to);
   const Shaped &line = c.shaped(asked.what), &other = c.shaped(asked.to);
   const auto part = s.flat ? part_of_line<2>(line, other) : part_of_line<3>(line, other);
@@ -153,15 +153,15 @@ void tell_line(const Context& c, const ClipAsked& asked, Answered& out) {
 void tell_outline(const Context& c, const ClipAsked& asked, Answered& out) {
   const Object &o = c.object(asked.what), &to = c.object(asked.to);
   const std::vector<std::vector<Vec3>> kept =
-      c.file.flat ? part_of_outline<2>(c.setting, o, to) : part_of_outline<3>(c.setting, o, to);
+      c.file.flat ? part_of_outline<2>(c.numbers, o, to) : part_of_outline<3>(c.numbers, o, to);
   Json rings = Json::array();
   std::vector<std::size_t> corners;
   for (const std::vector<Vec3>& ring : kept) {
     rings.push_back(Json::array());
-    for (const Vec3& p : ring) rings.back().push_back(c.setting.list(p));
+    for (const Vec3& p : ring) rings.back().push_back(c.numbers.list(p));
     corners.push_back(ring.size());
   }
-  const bool holes = o.type == Type::polygon && c.setting.rings(o).size() > 1;
+  const bool holes = o.type == Type::polygon && c.numbers.rings(o).size() > 1;
   out.json[holes ? "rings" : "vertices"] = holes ? rings : kept.empty() ? Json::array() : rings[0];
   if (kept.empty()) {
     out.verdict = {Verdict::Kind::no, fmt::format("nothing of {} lies {}", c.name(asked.what), where(c, asked))};
@@ -183,7 +183,7 @@ void tell_outline(const Context& c, const ClipAsked& asked, Answered& out) {
 // Hierarchies.
 
 /// Returns the box of an object, no smaller than the object.
-Aabb<double, 3> box_around(const Setting& s, const Object& o) {
+Aabb<double, 3> box_around(const NamedValues& s, const Object& o) {
   Aabb<double, 3> box = fit_aabb(s.extent(o));
   constexpr Type rounded[] = {Type::sphere, Type::obb, Type::capsule, Type::cylinder, Type::cone};
   if (std::ranges::find(rounded, o.type) == std::end(rounded)) return box;
@@ -241,7 +241,7 @@ Answered answered(const Context& c, const HierarchyAsked& asked) {
   std::vector<std::string> names;
   if (of_mesh) all = boxes(mesh_of(c.object(asked.objects[0])));
   for (const std::size_t i : asked.objects) {
-    if (!of_mesh) all.push_back(box_around(c.setting, c.object(i)));
+    if (!of_mesh) all.push_back(box_around(c.numbers, c.object(i)));
     names.push_back(c.object(i).name);
   }
   const Bvh<double, 3> bvh = build_bvh(all, {.largest_leaf = of_mesh ? 4 : 1});

@@ -9,7 +9,7 @@ namespace isect::program::scene {
 
 namespace {
 
-Json rings_of(const Setting& s, const Object& o) {
+Json rings_of(const NamedValues& s, const Object& o) {
   Json rings = Json::array();
   for (const auto& ring : s.rings(o)) {
     rings.push_back(Json::array());
@@ -18,7 +18,7 @@ Json rings_of(const Setting& s, const Object& o) {
   return rings;
 }
 
-Json ray_fields(const Setting& s, const Object& o) {
+Json ray_fields(const NamedValues& s, const Object& o) {
   if (o.type == Type::segment)
     return {
         {"origin", s.list(o, "from")}, {"dir", s.list(viz::Vec3(s.point(o, "to") - s.point(o, "from")))}, {"tmax", 1}};
@@ -30,7 +30,7 @@ Json ray_fields(const Setting& s, const Object& o) {
 }
 
 /// Returns the fields of an object beside one of another type.
-Json fields_of(const Setting& s, const Object& o) {
+Json fields_of(const NamedValues& s, const Object& o) {
   switch (o.type) {
     case Type::point:
       return {{"point", s.list(o, "at")}};
@@ -56,7 +56,7 @@ Json fields_of(const Setting& s, const Object& o) {
 
 /// Returns the fields of an outline, and of what it is asked about with.
 Json with_outline(const Shaped& a, const Shaped& b) {
-  const Setting& s = a.setting;
+  const NamedValues& s = a.numbers;
   Json fields;
   if (a.type() == Type::point) {
     fields = {{"rings", rings_of(s, b.object)}};
@@ -71,7 +71,7 @@ Json with_outline(const Shaped& a, const Shaped& b) {
   return fields;
 }
 
-Json of_one_type(const Setting& s, const Object& a, const Object& b) {
+Json of_one_type(const NamedValues& s, const Object& a, const Object& b) {
   switch (a.type) {
     case Type::sphere:
       return {{"c1", s.list(a, "center")},
@@ -95,12 +95,12 @@ Json query_of(const char* kind, const Shaped& a, const Shaped& b) {
   const auto is_outline = [](const Shaped& x) { return x.type() == Type::triangle || x.type() == Type::polygon; };
   Json fields;
   if (a.type() == b.type()) {
-    fields = of_one_type(a.setting, a.object, b.object);
+    fields = of_one_type(a.numbers, a.object, b.object);
   } else if (is_outline(a) || is_outline(b)) {
     fields = with_outline(a, b);
   } else {
-    fields = fields_of(a.setting, a.object);
-    fields.update(fields_of(b.setting, b.object));
+    fields = fields_of(a.numbers, a.object);
+    fields.update(fields_of(b.numbers, b.object));
   }
   Json query = {{"kind", kind}};
   query.update(fields);

@@ -16,7 +16,7 @@ namespace isect::program::scene {
 using viz::Vec3;
 using viz::Verdict;
 
-Vec3 direction_of(const Setting& s, const Object& o) {
+Vec3 direction_of(const NamedValues& s, const Object& o) {
   if (const auto ray = ray_in_space(s, o)) return ray->direction;
   throw NotDecided("from one end of " + o.name +
                    " to the other is no vector of floating-point numbers, so the test would be of another segment");
@@ -32,7 +32,7 @@ const std::vector<Pair>& pairs() {
   static const std::vector<Pair> all = [] {
     std::vector<Pair> table;
     for (const auto& some :
-         {pairs_of_queries(), pairs_of_many_numbers(), pairs_in_plane(), pairs_of_solids(), pairs_of_polygons()})
+         {pairs_of_queries(), pairs_of_sets(), pairs_in_plane(), pairs_of_solids(), pairs_of_polygons()})
       std::ranges::copy(some, std::back_inserter(table));
     return table;
   }();

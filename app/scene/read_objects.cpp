@@ -84,7 +84,7 @@ class ObjectReader {
   void require_shape(const Object& o, const Path& path) const {
     if (o.type != Type::frustum && o.type != Type::kdop) return;
     try {
-      static_cast<void>(Setting{out_.parameters, source_.flat()}.extent(o));
+      static_cast<void>(NamedValues{out_.parameters, source_.flat()}.extent(o));
     } catch (const viz::BadInput& e) {
       source_.refuse(path, e.what());
     }

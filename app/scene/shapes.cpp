@@ -23,7 +23,7 @@ using viz::Vec3;
   throw viz::BadInput(fmt::format("{}: {}", o.name, what));
 }
 
-HalfSpaces hull_faces(const Setting& s, const Object& o) {
+HalfSpaces hull_faces(const NamedValues& s, const Object& o) {
   if (!s.flat) {
     static_cast<void>(solid_of(s, o));  // this refuses one without a volume
     return half_spaces_of(hull_of(s, o));
@@ -39,7 +39,7 @@ HalfSpaces hull_faces(const Setting& s, const Object& o) {
 }
 
 template <int N>
-HalfSpaces faces(const Setting& s, const Object& o) {
+HalfSpaces faces(const NamedValues& s, const Object& o) {
   if (o.type == Type::box) return half_spaces_of(made<Aabb<double, N>>(s, o));
   if (o.type == Type::obb) return half_spaces_of(made<Obb<double, N>>(s, o));
   if (o.type == Type::kdop) return half_spaces_of(kdop_of<N>(s, o));
@@ -55,7 +55,7 @@ std::vector<Vec3> in_space(const std::vector<Point<double, 2>>& points) {
   return all;
 }
 
-Frustum<double> frustum_of(const Setting& s, const Object& o) {
+Frustum<double> frustum_of(const NamedValues& s, const Object& o) {
   const Vec3 eye = s.point(o, "eye"), f = s.point(o, "forward").stableNormalized();
   const Vec3 right = f.cross(s.point(o, "up")).stableNormalized(), up = right.cross(f);
   if (!(right.squaredNorm() > 0.5)) has_none(o, "forward and up are along one line");
@@ -69,23 +69,23 @@ Frustum<double> frustum_of(const Setting& s, const Object& o) {
            Plane<double, 3>{-f, f.dot(eye) + far}}};
 }
 
-Hull3<double> hull_of(const Setting& s, const Object& o) { return convex_hull(s.points(o)); }
+Hull3<double> hull_of(const NamedValues& s, const Object& o) { return convex_hull(s.points(o)); }
 
 TriangleMesh<double> mesh_of(const Object& o) { return {o.fixed.points, o.fixed.triangles}; }
 
-Triangle<double, 3> triangle_of(const Setting& s, const Object& o) {
+Triangle<double, 3> triangle_of(const NamedValues& s, const Object& o) {
   const std::vector<Vec3> p = s.rings(o).front();
   return {{p[0], p[1], p[2]}};
 }
 
-Capsule<double, 3> capsule_in_space(const Setting& s, const Object& o) {
+Capsule<double, 3> capsule_in_space(const NamedValues& s, const Object& o) {
   if (o.type == Type::sphere) return {s.point(o, "center"), s.point(o, "center"), s.number(o, "radius")};
   return made<Capsule<double, 3>>(s, o);
 }
 
-HalfSpaces faces_of(const Setting& s, const Object& o) { return s.flat ? faces<2>(s, o) : faces<3>(s, o); }
+HalfSpaces faces_of(const NamedValues& s, const Object& o) { return s.flat ? faces<2>(s, o) : faces<3>(s, o); }
 
-viz::Solid solid_of(const Setting& s, const Object& o) {
+viz::Solid solid_of(const NamedValues& s, const Object& o) {
   if (o.type == Type::hull) {
     const Hull3<double> hull = hull_of(s, o);
     if (hull.dimension < 3) has_none(o, "its points lie in one plane, so their hull has no volume");
@@ -100,7 +100,7 @@ viz::Solid solid_of(const Setting& s, const Object& o) {
   }
 }
 
-std::vector<Vec3> outline_of(const Setting& s, const Object& o) {
+std::vector<Vec3> outline_of(const NamedValues& s, const Object& o) {
   if (o.type == Type::hull) return in_space(convex_hull(points_of<2>(s.points(o))));
   try {
     const std::vector<Vec3> corners = in_space(polytope(kdop_of<2>(s, o)).vertices);
@@ -111,7 +111,7 @@ std::vector<Vec3> outline_of(const Setting& s, const Object& o) {
   }
 }
 
-std::optional<Ray<double, 3>> ray_in_space(const Setting& s, const Object& o) {
+std::optional<Ray<double, 3>> ray_in_space(const NamedValues& s, const Object& o) {
   if (o.type == Type::segment) {
     const Vec3 from = s.point(o, "from"), to = s.point(o, "to"), dir = to - from;
     for (int i = 0; i < 3; ++i) {
@@ -129,7 +129,7 @@ namespace {
 
 template <int N>
 AnyShape<double, N> shape_of(const Shaped& x) {
-  const Setting& s = x.setting;
+  const NamedValues& s = x.numbers;
   const Object& o = x.object;
   switch (o.type) {
     case Type::point:
@@ -181,7 +181,7 @@ AnyShape<double, N> shape_of(const Shaped& x) {
   throw std::logic_error("the core has no such shape");
 }
 
-Polygon<double, 2> outline_in_plane(const Setting& s, const Object& o) {
+Polygon<double, 2> outline_in_plane(const NamedValues& s, const Object& o) {
   if (o.type == Type::segment) return {{{point_of<2>(s.point(o, "from")), point_of<2>(s.point(o, "to"))}}};
   if (o.type == Type::hull) return {{convex_hull(points_of<2>(s.points(o)))}};
   if (o.type == Type::box) {
@@ -225,16 +225,16 @@ const AnyShape<double, 3>& Shaped::shape<3>() const {
   return kept(&Made::in_space, [&] { return shape_of<3>(*this); });
 }
 const HalfSpaces& Shaped::faces() const {
-  return kept(&Made::faces, [&] { return faces_of(setting, object); });
+  return kept(&Made::faces, [&] { return faces_of(numbers, object); });
 }
 const Hull3<double>& Shaped::hull() const {
-  return kept(&Made::hull, [&] { return hull_of(setting, object); });
+  return kept(&Made::hull, [&] { return hull_of(numbers, object); });
 }
 const Polygon<double, 2>& Shaped::outline() const {
-  return kept(&Made::outline, [&] { return outline_in_plane(setting, object); });
+  return kept(&Made::outline, [&] { return outline_in_plane(numbers, object); });
 }
 const Ring<double, 3>& Shaped::ring() const {
-  return kept(&Made::ring, [&] { return points_of<3>(setting.rings(object).front()); });
+  return kept(&Made::ring, [&] { return points_of<3>(numbers.rings(object).front()); });
 }
 const TriangulatedPolygon<double>& Shaped::polygon() const {
   if (ring().size() > most_corners)
@@ -247,10 +247,10 @@ double Shaped::off_plane() const {
   return kept(&Made::off_plane, [&] { return type() == Type::polygon ? isect::off_plane(ring()) : 0.0; });
 }
 const std::optional<Ray<double, 3>>& Shaped::ray() const {
-  return kept(&Made::ray, [&] { return ray_in_space(setting, object); });
+  return kept(&Made::ray, [&] { return ray_in_space(numbers, object); });
 }
 const std::vector<Vec3>& Shaped::points() const {
-  return kept(&Made::points, [&] { return setting.points(object); });
+  return kept(&Made::points, [&] { return numbers.points(object); });
 }
 const Shaped::Mesh& Shaped::mesh() const {
   return kept(&Made::mesh, [&] {

@@ -31,7 +31,7 @@ std::vector<viz::Vec3> in_space(const std::vector<Point<double, 2>>&);
 
 /// Returns the shape whose fields the object has (isect/described.h).
 template <class X>
-X made(const Setting& s, const Object& o) {
+X made(const NamedValues& s, const Object& o) {
   X x = {};
   if constexpr (requires { x.axes; }) x.axes.setIdentity();  // in the plane there is no w
   each_field(x, [&](const auto& field, auto&& value) {
@@ -45,7 +45,7 @@ X made(const Setting& s, const Object& o) {
   return x;
 }
 template <int N>
-Kdop<double, N> kdop_of(const Setting& s, const Object& o) {
+Kdop<double, N> kdop_of(const NamedValues& s, const Object& o) {
   Kdop<double, N> kdop;
   for (std::size_t i = 0; i < o.fixed.normals.size(); ++i) {
     const std::string slab = std::to_string(i + 1);
@@ -55,34 +55,34 @@ Kdop<double, N> kdop_of(const Setting& s, const Object& o) {
   return kdop;
 }
 /// Returns a frustum of rounded planes: statements about it are exact for these.
-Frustum<double> frustum_of(const Setting&, const Object&);
-Hull3<double> hull_of(const Setting&, const Object&);
+Frustum<double> frustum_of(const NamedValues&, const Object&);
+Hull3<double> hull_of(const NamedValues&, const Object&);
 TriangleMesh<double> mesh_of(const Object&);
-Triangle<double, 3> triangle_of(const Setting&, const Object&);
+Triangle<double, 3> triangle_of(const NamedValues&, const Object&);
 /// Returns a capsule; a ball is one whose ends coincide.
-Capsule<double, 3> capsule_in_space(const Setting&, const Object&);
+Capsule<double, 3> capsule_in_space(const NamedValues&, const Object&);
 /// Returns the faces of a box, an OBB, a k-DOP, a frustum, or a hull. Throws viz::BadInput for a hull without volume,
 /// in the plane without area.
-HalfSpaces faces_of(const Setting&, const Object&);
+HalfSpaces faces_of(const NamedValues&, const Object&);
 
 /// Returns a k-DOP or a hull in space. Throws viz::BadInput if it has no volume to be drawn.
-viz::Solid solid_of(const Setting&, const Object&);
+viz::Solid solid_of(const NamedValues&, const Object&);
 /// Returns it in the plane: its corners, counter-clockwise.
-std::vector<viz::Vec3> outline_of(const Setting&, const Object&);
+std::vector<viz::Vec3> outline_of(const NamedValues&, const Object&);
 
 /// Returns a ray or a line, or a segment as a ray: none if the difference of its ends is no vector of floating-point
 /// numbers, as the ray would be another segment.
-std::optional<Ray<double, 3>> ray_in_space(const Setting&, const Object&);
+std::optional<Ray<double, 3>> ray_in_space(const NamedValues&, const Object&);
 
 /// An object as shapes of the core, each made when it is first needed, and then kept.
 class Shaped {
  public:
-  Shaped(const Setting& s, const Object& o) : setting(s), object(o) {}
+  Shaped(const NamedValues& s, const Object& o) : numbers(s), object(o) {}
 
-  Setting setting;
+  NamedValues numbers;
   const Object& object;
   Type type() const { return object.type; }
-  bool flat() const { return setting.flat; }
+  bool flat() const { return numbers.flat; }
 
   /// Returns the shape in N dimensions. k-DOPs, frusta and hulls are half-spaces, segments have both ends as given.
   /// Objects made of several outlines or of points have no such shape.

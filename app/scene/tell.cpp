@@ -16,7 +16,7 @@ using viz::Verdict;
 namespace {
 
 /// Two objects, by name, with their answer.
-struct Teller {
+struct VerdictWriter {
   using Kind = Verdict::Kind;
 
   const Shaped &a, &b;
@@ -109,7 +109,7 @@ struct Teller {
 
   void hit(const char* name, double t, viz::Mark mark) const {
     if (std::isinf(t)) return;
-    const Setting& s = a.setting;
+    const NamedValues& s = a.numbers;
     const bool segment = a.type() == Type::segment;
     const Vec3 from = s.point(a.object, segment ? "from" : "origin"),
                along = segment ? Vec3(s.point(a.object, "to") - from) : s.point(a.object, "dir"), at = from + t * along;
@@ -165,7 +165,7 @@ struct Teller {
 
 void tell(const Shaped& a, const Shaped& b, Told& out) {
   if (!out.verdict.text.empty()) return;
-  const Teller told = {a, b, out};
+  const VerdictWriter told = {a, b, out};
   if (a.type() == Type::point) return told.point();
   if (a.type() == Type::plane) return told.plane();
   if (runs_along_a_line(a.type())) return told.line();

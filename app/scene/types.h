@@ -25,7 +25,7 @@ struct FieldSpec {
 struct ShapeRule {
   std::string field;    ///< the one to blame
   std::string allowed;  ///< "a tmax of at least tmin"
-  bool (*holds)(const Setting&, const Object&);
+  bool (*holds)(const NamedValues&, const Object&);
 };
 struct Drawing;
 
@@ -42,12 +42,12 @@ struct TypeSpec {
   std::vector<ShapeRule> rules = {};
 
   /// Returns the corners of its finite part: an end of a ray, opposite ends of a box. Null: its points.
-  std::vector<viz::Vec3> (*extent)(const Setting&, const Object&) = nullptr;
+  std::vector<viz::Vec3> (*extent)(const NamedValues&, const Object&) = nullptr;
   void (*draw)(Drawing&) = nullptr;
   /// The fields that are dragged as the tip of a vector, each with the field where the vector begins.
   std::vector<std::pair<std::string, std::string>> vectors = {};
   /// Returns where its radius begins, and in which direction, of length 1, it is dragged.
-  std::pair<viz::Vec3, viz::Vec3> (*radius_at)(const Setting&, const Object&) = nullptr;
+  std::pair<viz::Vec3, viz::Vec3> (*radius_at)(const NamedValues&, const Object&) = nullptr;
 };
 const std::vector<TypeSpec>& types();
 const TypeSpec& spec(Type);

@@ -22,7 +22,7 @@
 #include "lessons/lessons.h"
 #include "lessons/obb_obb/telling.h"
 #include "lessons/ray_polygon/telling.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 
 namespace isect::program::scene {
 
@@ -30,7 +30,7 @@ namespace {
 
 using viz::Parameters;
 using viz::Vec3;
-using Walk = viz::Walk (*)(const Setting&, const Object& a, const Object& b);
+using Walk = viz::Walk (*)(const NamedValues&, const Object& a, const Object& b);
 
 /// Walks through a lesson whose parameters define all of its objects.
 viz::Walk of_lesson(const char* id, const Parameters& parameters) {
@@ -41,32 +41,32 @@ viz::Walk of_lesson(const char* id, const Parameters& parameters) {
   return lesson.steps(all);
 }
 
-constexpr Walk two_points = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk two_points = [](const NamedValues& s, const Object& a, const Object& b) {
   return of_lesson("points", {{"question", "equal"}, {"p", s.point(a, "at")}, {"q", s.point(b, "at")}});
 };
 
-constexpr Walk balls = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk balls = [](const NamedValues& s, const Object& a, const Object& b) {
   return of_lesson("sphere-sphere", {{"a", s.point(a, "center")},
                                      {"r_a", s.number(a, "radius")},
                                      {"b", s.point(b, "center")},
                                      {"r_b", s.number(b, "radius")}});
 };
 
-constexpr Walk boxes = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk boxes = [](const NamedValues& s, const Object& a, const Object& b) {
   return of_lesson("aabb-aabb", {{"a_min", s.point(a, "lo")},
                                  {"a_max", s.point(a, "hi")},
                                  {"b_min", s.point(b, "lo")},
                                  {"b_max", s.point(b, "hi")}});
 };
 
-constexpr Walk ball_and_box = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk ball_and_box = [](const NamedValues& s, const Object& a, const Object& b) {
   return of_lesson("sphere-aabb", {{"c", s.point(a, "center")},
                                    {"r", s.number(a, "radius")},
                                    {"b_min", s.point(b, "lo")},
                                    {"b_max", s.point(b, "hi")}});
 };
 
-constexpr Walk capsules = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk capsules = [](const NamedValues& s, const Object& a, const Object& b) {
   return of_lesson("capsule-capsule", {{"p_a", s.point(a, "p")},
                                        {"q_a", s.point(a, "q")},
                                        {"r_a", s.number(a, "r")},
@@ -75,7 +75,7 @@ constexpr Walk capsules = [](const Setting& s, const Object& a, const Object& b)
                                        {"r_b", s.number(b, "r")}});
 };
 
-constexpr Walk ray_and_ball = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk ray_and_ball = [](const NamedValues& s, const Object& a, const Object& b) {
   if (s.has(a, "tmin") && s.number(a, "tmin") != 0) throw viz::BadInput("the lesson’s rays begin at t = 0");
   const bool segment = a.type == Type::segment, ends = segment || s.has(a, "tmax");
   const Vec3 origin = s.point(a, segment ? "from" : "origin");
@@ -92,7 +92,7 @@ constexpr Walk ray_and_ball = [](const Setting& s, const Object& a, const Object
 
 // Walks of lessons that take any shapes.
 
-constexpr Walk oriented_boxes = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk oriented_boxes = [](const NamedValues& s, const Object& a, const Object& b) {
   lessons::obb_obb_lesson::Setup setup;
   setup.a = made<Obb<double, 3>>(s, a), setup.b = made<Obb<double, 3>>(s, b);
   setup.a_u = s.point(a, "u"), setup.b_u = s.point(b, "u");
@@ -103,7 +103,7 @@ constexpr Walk oriented_boxes = [](const Setting& s, const Object& a, const Obje
   return walk;
 };
 
-constexpr Walk ray_and_polygon = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk ray_and_polygon = [](const NamedValues& s, const Object& a, const Object& b) {
   if (s.has(a, "tmin") || s.has(a, "tmax")) throw viz::BadInput("the lesson’s rays begin at t = 0 and have no end");
   lessons::ray_polygon_lesson::Setup setup;
   setup.ray = {s.point(a, "origin"), s.point(a, "dir")};
@@ -121,21 +121,21 @@ constexpr Walk ray_and_polygon = [](const Setting& s, const Object& a, const Obj
   return lessons::ray_polygon_lesson::tell(setup);
 };
 
-constexpr Walk clipped_segment = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk clipped_segment = [](const NamedValues& s, const Object& a, const Object& b) {
   const Segment<double, 2> segment = {point_of<2>(s.point(a, "from")), point_of<2>(s.point(a, "to"))};
   return lessons::clipping_lesson::clip_a_segment(segment, made<Aabb<double, 2>>(s, b));
 };
 
-constexpr Walk clipped_polygon = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk clipped_polygon = [](const NamedValues& s, const Object& a, const Object& b) {
   if (s.rings(a).size() > 1) throw viz::BadInput(a.name + " has holes, and the lesson clips one outline");
   return lessons::clipping_lesson::clip_a_polygon(points_of<2>(s.rings(a).front()), made<Aabb<double, 2>>(s, b));
 };
 
-constexpr Walk culled_box = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk culled_box = [](const NamedValues& s, const Object& a, const Object& b) {
   return lessons::culling_lesson::one_volume(frustum_of(s, a), s.point(a, "eye"), made<Aabb<double, 3>>(s, b));
 };
 
-constexpr Walk culled_ball = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk culled_ball = [](const NamedValues& s, const Object& a, const Object& b) {
   return lessons::culling_lesson::one_volume(frustum_of(s, a), s.point(a, "eye"), made<Sphere<double, 3>>(s, b));
 };
 
@@ -147,14 +147,14 @@ void need_few(const Object& o, const Points& points, std::size_t most = 100) {
                                     o.name, points.size(), most));
 }
 
-constexpr Walk point_by_crossings = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk point_by_crossings = [](const NamedValues& s, const Object& a, const Object& b) {
   need_few(b, s.points(b));
   Polygon<double, 2> polygon;
   for (const auto& ring : s.rings(b)) polygon.rings.push_back(points_of<2>(ring));
   return lessons::crossings_lesson::half_open({point_of<2>(s.point(a, "at")), polygon});
 };
 
-constexpr Walk point_in_convex_polygon = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk point_in_convex_polygon = [](const NamedValues& s, const Object& a, const Object& b) {
   Ring<double, 2> ring = points_of<2>(s.rings(b).front());
   const Ring<double, 2> hull = convex_hull(ring);
   for (int way = 0; way < 2; ++way) {
@@ -169,7 +169,7 @@ constexpr Walk point_in_convex_polygon = [](const Setting& s, const Object& a, c
 };
 
 /// Limits the corners, as what is stored for each corner is drawn beside the polygon.
-constexpr Walk point_in_concave_polygon = [](const Setting& s, const Object& a, const Object& b) {
+constexpr Walk point_in_concave_polygon = [](const NamedValues& s, const Object& a, const Object& b) {
   need_few(b, s.points(b), 24);
   Ring<double, 2> ring = points_of<2>(s.rings(b).front());
   if (s.rings(b).size() > 1) throw viz::BadInput(b.name + " has holes, and the lesson prepares one outline");
@@ -182,7 +182,7 @@ constexpr Walk point_in_concave_polygon = [](const Setting& s, const Object& a, 
 constexpr std::size_t most_boxes = 12;
 
 template <viz::Walk (*Way)(const lessons::collision_lesson::Boxes&, const lessons::collision_lesson::Frame&)>
-viz::Walk colliding(const Setting& s, const std::vector<const Object*>& all) {
+viz::Walk colliding(const NamedValues& s, const std::vector<const Object*>& all) {
   if (all.size() > most_boxes)
     throw viz::BadInput(fmt::format("they are {}, and the lesson tells of their pairs one by one: {} are the most",
                                     all.size(), most_boxes));
@@ -191,7 +191,7 @@ viz::Walk colliding(const Setting& s, const std::vector<const Object*>& all) {
   return Way(of_all, lessons::collision_lesson::frame_of(of_all));
 }
 
-lessons::hierarchy_lesson::Boxes for_hierarchy(const Setting& s, const std::vector<const Object*>& some) {
+lessons::hierarchy_lesson::Boxes for_hierarchy(const NamedValues& s, const std::vector<const Object*>& some) {
   if (some.size() > most_boxes)
     throw viz::BadInput(
         fmt::format("they are {}, and the lesson draws their tree: {} are the most", some.size(), most_boxes));
@@ -202,18 +202,18 @@ lessons::hierarchy_lesson::Boxes for_hierarchy(const Setting& s, const std::vect
   return all;
 }
 
-viz::Walk built(const Setting& s, const std::vector<const Object*>& all) {
+viz::Walk built(const NamedValues& s, const std::vector<const Object*>& all) {
   return lessons::hierarchy_lesson::build(for_hierarchy(s, all));
 }
 
-viz::Walk asked_by_ray(const Setting& s, const std::vector<const Object*>& all) {
+viz::Walk asked_by_ray(const NamedValues& s, const std::vector<const Object*>& all) {
   const Object& ray = *all.back();
   if (s.has(ray, "tmin") || s.has(ray, "tmax")) throw viz::BadInput("the lesson’s rays begin at t = 0 and have no end");
   return lessons::hierarchy_lesson::ray(for_hierarchy(s, {all.begin(), all.end() - 1}),
                                         {point_of<2>(s.point(ray, "origin")), point_of<2>(s.point(ray, "dir"))});
 }
 
-constexpr Walk hull_of_points = [](const Setting& s, const Object& a, const Object&) {
+constexpr Walk hull_of_points = [](const NamedValues& s, const Object& a, const Object&) {
   const std::vector<Vec3> points = s.points(a);
   need_few(a, points);
   return lessons::convex_hull_lesson::tell(points_of<2>(points));
@@ -296,7 +296,7 @@ std::vector<std::string> walking_lessons() {
   return all;
 }
 
-viz::Walk walk(const LessonWalk& pair, const Setting& s, const Object& a, const Object& b) {
+viz::Walk walk(const LessonWalk& pair, const NamedValues& s, const Object& a, const Object& b) {
   try {
     return pair.steps(s, a, b);
   } catch (const viz::BadInput& e) {
@@ -305,7 +305,7 @@ viz::Walk walk(const LessonWalk& pair, const Setting& s, const Object& a, const 
   }
 }
 
-viz::Walk walk(const LessonWalk& way, const Setting& s, const std::vector<const Object*>& all) {
+viz::Walk walk(const LessonWalk& way, const NamedValues& s, const std::vector<const Object*>& all) {
   try {
     return way.steps_of_many(s, all);
   } catch (const viz::BadInput& e) {

@@ -13,8 +13,8 @@ struct LessonWalk {
   Type a, b;                    ///< equal for a walk of one object
   bool flat;                    ///< in the plane, or in space
   const char *name_a, *name_b;  ///< their names in the lesson, as markup; for one object the second is null
-  viz::Walk (*steps)(const Setting&, const Object& a, const Object& b);
-  viz::Walk (*steps_of_many)(const Setting&, const std::vector<const Object*>&) = nullptr;
+  viz::Walk (*steps)(const NamedValues&, const Object& a, const Object& b);
+  viz::Walk (*steps_of_many)(const NamedValues&, const std::vector<const Object*>&) = nullptr;
   const char* method = "";  ///< one of the lesson's methods for many
   bool with_ray = false;    ///< the last of the many is a ray
 
@@ -39,7 +39,7 @@ std::vector<std::string> walks_in_words(bool flat);
 std::vector<std::string> walking_lessons();
 
 /// Return the steps of the lesson, on these numbers. Throw viz::BadInput if they are beyond what the lesson takes.
-viz::Walk walk(const LessonWalk&, const Setting&, const Object& a, const Object& b);
-viz::Walk walk(const LessonWalk&, const Setting&, const std::vector<const Object*>&);
+viz::Walk walk(const LessonWalk&, const NamedValues&, const Object& a, const Object& b);
+viz::Walk walk(const LessonWalk&, const NamedValues&, const std::vector<const Object*>&);
 
 }  // namespace isect::program::scene

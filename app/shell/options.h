@@ -8,7 +8,7 @@
 
 #include "app/excerpt.h"
 #include "app/program.h"
-#include "app/shell/values.h"
+#include "app/shell/option_values.h"
 #include "viz/lesson.h"
 
 namespace isect::program {

@@ -6,7 +6,7 @@
 #include <isect/methods/aabb_aabb.h>
 #include "bench/aabb_aabb/families.h"
 #include "bench/aabb_aabb/oracle.h"
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/session.h"
 #ifdef ISECT_PEERS
 #include "bench/aabb_aabb/peers.h"

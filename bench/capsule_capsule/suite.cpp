@@ -5,7 +5,7 @@
 #include <isect/methods/capsule_capsule.h>
 #include "bench/capsule_capsule/families.h"
 #include "bench/capsule_capsule/oracle.h"
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/session.h"
 #ifdef ISECT_PEERS
 #include "bench/capsule_capsule/peers.h"

@@ -5,7 +5,7 @@
 #include <isect/half_spaces.h>
 #include "bench/cylinder_half_spaces/families.h"
 #include "bench/cylinder_half_spaces/oracle.h"
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/session.h"
 
 namespace isect::bench::solid_and_kdop {

@@ -5,7 +5,7 @@
 #include <isect/methods/interval_interval.h>
 #include "bench/aabb_aabb/families.h"
 #include "bench/aabb_aabb/oracle.h"
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/session.h"
 
 namespace isect::bench::interval_interval_suite {

@@ -7,7 +7,7 @@
 #include <isect/fit.h>
 #include <isect/methods/kdop_kdop.h>
 #include "bench/kdop_kdop/families.h"
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/peer.h"
 #include "bench/session.h"
 

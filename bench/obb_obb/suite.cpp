@@ -6,7 +6,7 @@
 #include <isect/methods/obb_obb.h>
 #include "bench/obb_obb/families.h"
 #include "bench/obb_obb/oracle.h"
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/session.h"
 #ifdef ISECT_PEERS
 #include "bench/obb_obb/peers.h"

@@ -3,7 +3,7 @@
 #include <isect/plane_cone.h>
 
 #include <isect/methods/plane_cone.h>
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/plane_cylinder/families.h"
 #include "bench/plane_cylinder/oracle.h"
 #include "bench/session.h"

@@ -3,7 +3,7 @@
 #include <isect/point_cylinder.h>
 
 #include <isect/methods/point_cylinder.h>
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/point_cylinder/families.h"
 #include "bench/point_cylinder/oracle.h"
 #include "bench/session.h"

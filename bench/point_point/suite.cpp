@@ -3,7 +3,7 @@
 #include <isect/point_point.h>
 
 #include <isect/methods/point_point.h>
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/point_point/families.h"
 #include "bench/rational.h"
 #include "bench/session.h"

@@ -29,8 +29,8 @@ struct TheirCase {
 template <class S, class ToPoint, class ToRing>
 auto sharing_rings(const ToPoint& to_point, const ToRing& to_ring) {
   using TheirRing = std::decay_t<decltype(to_ring(Ring<S, 2>()))>;
-  using Known = std::map<const Ring<S, 2>*, std::shared_ptr<const TheirRing>>;
-  return [=, known = std::make_shared<Known>()](const PolygonCase<S>& c) {
+  using ConvertedRings = std::map<const Ring<S, 2>*, std::shared_ptr<const TheirRing>>;
+  return [=, known = std::make_shared<ConvertedRings>()](const PolygonCase<S>& c) {
     std::shared_ptr<const TheirRing>& ring = (*known)[c.ring];
     if (!ring) ring = std::make_shared<const TheirRing>(to_ring(*c.ring));
     return TheirCase<std::decay_t<decltype(to_point(c.point))>, TheirRing>{to_point(c.point), ring};

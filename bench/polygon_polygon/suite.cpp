@@ -39,7 +39,7 @@ bool by_edges(const Polygon<double, 2>& a, const Polygon<double, 2>& b) {
     for (std::size_t i = 0; i < r.size(); ++i)
       for (const Ring<double, 2>& s : b.rings)
         for (std::size_t k = 0; k < s.size(); ++k)
-          if (segment_segment::parametric(edge(r, i), edge(s, k))) return true;
+          if (segment_segment::parametric_naive(edge(r, i), edge(s, k))) return true;
   const auto holds = [](const Polygon<double, 2>& outer, const Polygon<double, 2>& inner) {
     return std::ranges::any_of(inner.rings, [&](const Ring<double, 2>& r) {
       bool inside = false;

@@ -4,7 +4,7 @@
 #include <isect/ray_aabb.h>
 
 #include <isect/methods/ray_aabb.h>
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/ray_aabb/families.h"
 #include "bench/ray_aabb/oracle.h"
 #include "bench/session.h"
@@ -40,7 +40,7 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
   Contest<S, Case<S>> contest(session, family_of<S, Case<S>>("ray-aabb", drawn, truth<S>));
   contest.enter("slabs, 1/d, min, max", [](const Case<S>& c) { return entry(methods::by_min_max(c.a, c.b)); })
       .standard();
-  contest.enter("slabs, /d", [](const Case<S>& c) { return entry(methods::slabs(c.a, c.b)); });
+  contest.enter("slabs, /d", [](const Case<S>& c) { return entry(methods::slabs_naive(c.a, c.b)); });
   contest.enter("slabs, 1/d, sign", [](const Case<S>& c) { return entry(methods::by_sign(c.a, c.b)); });
   contest.enter("slabs, 1/d, fmin, fmax", [](const Case<S>& c) { return entry(methods::by_fmin_fmax(c.a, c.b)); });
   contest.enter("conservative", [](const Case<S>& c) { return may_intersect(c.a, c.b); });

@@ -3,7 +3,7 @@
 #include <isect/ray_cone.h>
 
 #include <isect/methods/ray_cone.h>
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/ray_cylinder/families.h"
 #include "bench/ray_cylinder/oracle.h"
 #include "bench/session.h"

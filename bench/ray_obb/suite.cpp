@@ -3,7 +3,7 @@
 #include <isect/methods/ray_obb.h>
 #include <isect/ray_obb.h>
 
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/ray_obb/families.h"
 #include "bench/ray_obb/oracle.h"
 #include "bench/session.h"

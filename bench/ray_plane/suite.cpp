@@ -3,7 +3,7 @@
 #include <isect/ray_plane.h>
 
 #include <isect/methods/ray_plane.h>
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/ray_plane/families.h"
 #include "bench/ray_plane/oracle.h"
 #include "bench/session.h"

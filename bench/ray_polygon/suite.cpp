@@ -3,7 +3,7 @@
 #include <isect/ray_polygon.h>
 
 #include <isect/methods/ray_polygon.h>
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/ray_polygon/families.h"
 #include "bench/ray_polygon/oracle.h"
 #include "bench/session.h"

@@ -3,7 +3,7 @@
 #include <isect/ray_triangle.h>
 
 #include <isect/methods/ray_triangle.h>
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/ray_triangle/families.h"
 #include "bench/ray_triangle/oracle.h"
 #include "bench/session.h"

@@ -3,7 +3,7 @@
 #include <isect/sphere_aabb.h>
 
 #include <isect/methods/sphere_aabb.h>
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/session.h"
 #include "bench/sphere_aabb/families.h"
 #include "bench/sphere_aabb/oracle.h"
@@ -23,7 +23,7 @@ void compete(Session& session, const NamedDraw<Case<S>>& drawn) {
   Contest<S, Case<S>> contest(session, family_of<S, Case<S>>("sphere-aabb", drawn, [](const Case<S>& c) -> Truth {
                                 return {oracle::relation(c.a, c.b) != Relation::disjoint, {}};
                               }));
-  contest.enter("if, else (<)", [](const Case<S>& c) { return methods::accumulate(c.a, c.b); }).standard();
+  contest.enter("if, else (<)", [](const Case<S>& c) { return methods::accumulate_naive(c.a, c.b); }).standard();
   contest.enter("rejections", [](const Case<S>& c) { return methods::with_rejections(c.a, c.b); });
   contest.enter("clamp", [](const Case<S>& c) { return methods::clamped(c.a, c.b); });
   if constexpr (std::is_same_v<S, float>)

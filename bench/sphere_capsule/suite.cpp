@@ -3,7 +3,7 @@
 #include <isect/sphere_capsule.h>
 
 #include <isect/methods/sphere_capsule.h>
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/session.h"
 #include "bench/sphere_capsule/families.h"
 #include "bench/sphere_capsule/oracle.h"

@@ -3,7 +3,7 @@
 #include <isect/sphere_cylinder.h>
 
 #include <isect/methods/sphere_cylinder.h>
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/session.h"
 #include "bench/sphere_cylinder/families.h"
 #include "bench/sphere_cylinder/oracle.h"

@@ -3,7 +3,7 @@
 #include <isect/triangle_aabb.h>
 
 #include <isect/methods/triangle_aabb.h>
-#include "bench/pairs.h"
+#include "bench/pair_contest.h"
 #include "bench/session.h"
 #include "bench/triangle_aabb/families.h"
 #include "bench/triangle_aabb/oracle.h"

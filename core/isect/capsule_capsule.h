@@ -51,7 +51,7 @@ using Event = std::variant<Between, End, Contained, Fallback>;
 namespace detail {
 /// Whether the segments cross, strictly between their ends.
 template <class Trace>
-Between between(const Capsule<double, 2>& a, const Capsule<double, 2>& b, Trace&& trace) {
+Between between_ends(const Capsule<double, 2>& a, const Capsule<double, 2>& b, Trace&& trace) {
   const auto parted = [&](const Capsule<double, 2>& x, const Capsule<double, 2>& y) {
     return orient2d(x.p, x.q, y.p, trace) * orient2d(x.p, x.q, y.q, trace) < 0;
   };
@@ -60,7 +60,7 @@ Between between(const Capsule<double, 2>& a, const Capsule<double, 2>& b, Trace&
 }
 
 template <class Trace>
-Between between(const Capsule<double, 3>& a, const Capsule<double, 3>& b, Trace&& trace) {
+Between between_ends(const Capsule<double, 3>& a, const Capsule<double, 3>& b, Trace&& trace) {
   // The place of the nearest point on one line, times n.n, or what is left to the line's end
   const auto place = [&]<class W>(bool on_a, bool left) -> W {
     const Components<W, 3> u = difference<W, 3>(a.q, a.p), v = difference<W, 3>(b.q, b.p);
@@ -82,7 +82,7 @@ Between between(const Capsule<double, 3>& a, const Capsule<double, 3>& b, Trace&
 /// The sign of the segments' distance compared with r + s. Finite, not empty.
 template <int N, class Trace>
 int compare(const Capsule<double, N>& a, const Capsule<double, N>& b, Trace&& trace) {
-  const Between inner = between(a, b, trace);
+  const Between inner = between_ends(a, b, trace);
   trace(inner);
   if (inner.holds) return inner.sign;
 
@@ -103,7 +103,7 @@ int compare(const Capsule<double, N>& a, const Capsule<double, N>& b, Trace&& tr
 /// other: whether they cross between their ends, or an end of each lies on the other and these ends are two points.
 template <int N, class Trace>
 bool segments_overlap(const Capsule<double, N>& a, const Capsule<double, N>& b, Trace&& trace) {
-  if (between(a, b, trace).holds) return true;
+  if (between_ends(a, b, trace).holds) return true;
   const auto on = [&](const Point<double, N>& end, const Capsule<double, N>& other) {
     const Nearest nearest = point_segment::detail::nearest<N>(end, other.p, other.q, trace);
     return point_segment::detail::compare<N>(end, other.p, other.q, nearest, 0.0, 0.0, std::plus<>(), trace) == 0;

@@ -34,7 +34,7 @@ using Event = std::variant<Fallback>;
 namespace detail {
 
 /// How fast face i is approached, on the way from p to q.
-template <Filtered W, class Rows>
+template <PolynomialScalar W, class Rows>
 W speed(const Rows& rows, int i, const Capsule<double, 3>& capsule) {
   return dot(inequalities::detail::normal(rows.template operator()<W>(i)), difference<W>(capsule.q, capsule.p));
 }

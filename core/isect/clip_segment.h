@@ -26,14 +26,14 @@ struct Slabs {
   const Aabb<double, N>& box;
 
   // clang-format off
-  template <Filtered W> W rate(int i) const { return difference<W>(segment.q[i], segment.p[i]); }
-  template <Filtered W> W lo(int i) const { return difference<W>(box.lo[i], segment.p[i]); }
-  template <Filtered W> W hi(int i) const { return difference<W>(box.hi[i], segment.p[i]); }
+  template <PolynomialScalar W> W rate(int i) const { return difference<W>(segment.q[i], segment.p[i]); }
+  template <PolynomialScalar W> W lo(int i) const { return difference<W>(box.lo[i], segment.p[i]); }
+  template <PolynomialScalar W> W hi(int i) const { return difference<W>(box.hi[i], segment.p[i]); }
   // clang-format on
 };
 
 /// Where the plane lies on that line.
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 Ratio<W> parameter(const Segment<double, N>& segment, const Plane<double, N>& plane) {
   const Components<W, N> n = exactly<W>(plane.normal);
   return {-(dot(n, exactly<W>(segment.p)) + W(plane.d)), dot(n, difference<W>(segment.q, segment.p))};

@@ -25,7 +25,7 @@
 
 namespace isect {
 
-namespace first_place_detail {
+namespace detail::first_place {
 
 using Exact3 = Components<Exact, 3>;
 
@@ -213,7 +213,7 @@ std::optional<Place> first_in(const Straight<3, ends>& line, const Polygon<doubl
   return first_in(straight(flattened(as_given(line), axis)), flattened<double>(polygon.rings, axis));
 }
 
-}  // namespace first_place_detail
+}  // namespace detail::first_place
 
 /// The least t at which a ray, a line or a segment with both ends as given meets a shape: half-spaces, a ball, a
 /// capsule, a cylinder, a cone, a plane, a point, a triangle, a segment, another ray or line; in the plane a polygon,
@@ -225,12 +225,12 @@ std::optional<Place> first_in(const Straight<3, ends>& line, const Polygon<doubl
 template <int N, class Shape>
 std::optional<Place> first_place(const Ray<double, N>& ray, const Shape& shape) {
   if (!finite(ray)) return {};
-  return first_place_detail::first_in(straight(ray), shape);
+  return detail::first_place::first_in(straight(ray), shape);
 }
 template <int N, class Shape>
 std::optional<Place> first_place(const Segment<double, N>& segment, const Shape& shape) {
   if (!finite(segment)) return {};
-  return first_place_detail::first_in(straight(segment), shape);
+  return detail::first_place::first_in(straight(segment), shape);
 }
 
 }  // namespace isect

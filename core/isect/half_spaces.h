@@ -73,46 +73,46 @@ namespace half_spaces {
 
 namespace detail {
 
-template <Filtered W>
+template <PolynomialScalar W>
 inequalities::Row<W> row(const Level& plane) {
   return {W(plane.normal[0]), W(plane.normal[1]), W(plane.normal[2]), W(plane.d)};
 }
 /// h |D| - s n.(x - c) >= 0, with the normals and the volume of isect/point_obb.h
-template <Filtered W>
+template <PolynomialScalar W>
 inequalities::Row<W> row(const BoxFace& face) {
   const Components<W, 3> n = point_obb::detail::normal<W>(face.box.axes, face.i);
   const W side(face.side), reach = W(face.box.half[face.i]) * abs(point_obb::detail::volume<W>(face.box.axes, face.i));
   return {-(side * n[0]), -(side * n[1]), -(side * n[2]), side * dot(n, exactly<W>(face.box.center)) + reach};
 }
 /// The plane through p with this normal.
-template <Filtered W>
+template <PolynomialScalar W>
 inequalities::Row<W> through(const Point<double, 3>& p, const Components<W, 3>& n) {
   return {n[0], n[1], n[2], -dot(n, exactly<W>(p))};
 }
-template <Filtered W>
+template <PolynomialScalar W>
 Components<W, 3> normal(const Point<double, 3>& a, const Point<double, 3>& b, const Point<double, 3>& c) {
   return cross(difference<W>(b, a), difference<W>(c, a));
 }
-template <Filtered W>
+template <PolynomialScalar W>
 inequalities::Row<W> row(const Behind& face) {
   return through<W>(face.a, normal<W>(face.a, face.c, face.b));
 }
-template <Filtered W>
+template <PolynomialScalar W>
 inequalities::Row<W> row(const Beside& face) {
   return through<W>(face.a, cross(normal<W>(face.a, face.b, face.c), difference<W>(face.b, face.a)));
 }
 
-template <Filtered W>
+template <PolynomialScalar W>
 inequalities::Row<W> row(const Beyond& face) {
   return through<W>(face.a, difference<W>(face.b, face.a));
 }
-template <Filtered W>
+template <PolynomialScalar W>
 inequalities::Row<W> row(const Along& face) {
   const Vector<double, 3> axis = Vector<double, 3>::Unit(face.i);
   return through<W>(face.a, cross(difference<W>(face.b, face.a), exactly<W>(axis)));
 }
 
-template <Filtered W>
+template <PolynomialScalar W>
 inequalities::Row<W> row(const Face& face) {
   inequalities::Row<W> r = std::visit([](const auto& form) { return row<W>(form); }, face.form);
   if (face.turned)

@@ -47,7 +47,7 @@ struct Straight {
   Straight(const Ray<double, 3>& ray) : origin(ray.origin), direction(ray.direction), range(ray.range) {}
   Straight(const Segment<double, 3>& s) : origin(s.p), direction(s.q), range{0, 1}, segment(true) {}
 
-  template <Filtered W>
+  template <PolynomialScalar W>
   Components<W, 3> along() const {
     return segment ? difference<W>(direction, origin) : exactly<W>(direction);
   }

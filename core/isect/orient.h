@@ -15,13 +15,13 @@ namespace orient {
 namespace detail {
 
 /// Twice the signed area of a b c.
-template <Filtered W>
+template <PolynomialScalar W>
 ISECT_INLINE W area2(const Point<double, 2>& a, const Point<double, 2>& b, const Point<double, 2>& c) {
   return difference<W>(a[0], c[0]) * difference<W>(b[1], c[1]) - difference<W>(a[1], c[1]) * difference<W>(b[0], c[0]);
 }
 
 /// Six times the signed volume of a b c d.
-template <Filtered W>
+template <PolynomialScalar W>
 W volume6(const Point<double, 3>& a, const Point<double, 3>& b, const Point<double, 3>& c, const Point<double, 3>& d) {
   return dot(difference<W>(a, d), cross(difference<W>(b, d), difference<W>(c, d)));
 }

@@ -25,7 +25,7 @@ using Event = std::variant<Decision, Fallback>;
 namespace detail {
 
 /// n.c + d
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 W height(const Plane<double, N>& plane, const Point<double, N>& point) {
   return dot(exactly<W, N>(plane.normal), exactly<W, N>(point)) + W(plane.d);
 }

@@ -42,7 +42,7 @@ using Event = std::variant<Side, Along, Fallback>;
 namespace detail {
 
 /// Component `i` of d x (x - o): in the plane there is one.
-template <Filtered W, int N, bool ends>
+template <PolynomialScalar W, int N, bool ends>
 W turn(const Straight<N, ends>& line, const Point<double, N>& point, int i) {
   const Components<W, N> d = line.template along<W>(), f = difference<W, N>(point, line.origin);
   const auto x = static_cast<std::size_t>(N == 2 ? 0 : (i + 1) % 3),

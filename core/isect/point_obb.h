@@ -29,7 +29,7 @@ using Event = std::variant<Slab, Fallback>;
 namespace detail {
 
 /// n_i, up to its sign.
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 Components<W, N> normal(const Eigen::Matrix<double, N, N>& axes, int i) {
   const Vector<double, N> u = axes.col((i + 1) % N);
   if constexpr (N == 2) {
@@ -41,7 +41,7 @@ Components<W, N> normal(const Eigen::Matrix<double, N, N>& axes, int i) {
 }
 
 /// n_i.u_i: the determinant of the axes, up to its sign.
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 W volume(const Eigen::Matrix<double, N, N>& axes, int i) {
   const Vector<double, N> u = axes.col(i);
   return dot(normal<W>(axes, i), exactly<W>(u));
@@ -54,7 +54,7 @@ bool independent(const Eigen::Matrix<double, N, N>& axes, Trace&& trace = {}) {
 }
 
 /// |n_i.(x - c)| - e_i |D|
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 W beyond(const Point<double, N>& x, const Obb<double, N>& box, int i) {
   const W along = dot(normal<W>(box.axes, i), difference<W>(x, box.center));
   return abs(along) - W(box.half[i]) * abs(volume<W>(box.axes, i));

@@ -48,7 +48,7 @@ struct FineAreaVector {
 };
 
 /// Twice the area vector; 0 for fewer than three vertices.
-template <Filtered W, class S>
+template <PolynomialScalar W, class S>
 std::array<W, 3> newell(const Ring<S, 3>& ring) {
   std::array<W, 3> sum = {W(0.), W(0.), W(0.)};
   if (ring.empty()) return sum;
@@ -64,7 +64,7 @@ std::array<W, 3> newell(const Ring<S, 3>& ring) {
 }
 
 /// Twice the signed area in the plane.
-template <Filtered W, class S>
+template <PolynomialScalar W, class S>
 W area2(const Ring<S, 2>& ring) {
   W sum(0.);
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) {

@@ -55,7 +55,7 @@ struct LineOfSegment {
 
   int side(const Point2& x) const { return orient2d(origin, end, x); }
   int heading(int axis) const { return (end[axis] > origin[axis]) - (end[axis] < origin[axis]); }
-  template <Filtered W>
+  template <PolynomialScalar W>
   Components<W, 2> direction() const {
     return difference<W, 2>(end, origin);
   }
@@ -70,7 +70,7 @@ struct LineOfRay {
     });
   }
   int heading(int axis) const { return (along[axis] > 0) - (along[axis] < 0); }
-  template <Filtered W>
+  template <PolynomialScalar W>
   Components<W, 2> direction() const {
     return exactly<W, 2>(along);
   }
@@ -114,7 +114,7 @@ class Order {
   }
 
  private:
-  template <Filtered W>
+  template <PolynomialScalar W>
   Ratio<W> at(const Mark& m) const {
     if (m.kind == Mark::Kind::number) return {W(m.number), W(1.)};
     const Components<W, 2> d = line_.template direction<W>();

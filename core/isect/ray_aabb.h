@@ -57,9 +57,9 @@ struct Slabs {
   const Aabb<double, N>& box;
 
   // clang-format off
-  template <Filtered W> W rate(int i) const { return W(ray.direction[i]); }
-  template <Filtered W> W lo(int i) const { return difference<W>(box.lo[i], ray.origin[i]); }
-  template <Filtered W> W hi(int i) const { return difference<W>(box.hi[i], ray.origin[i]); }
+  template <PolynomialScalar W> W rate(int i) const { return W(ray.direction[i]); }
+  template <PolynomialScalar W> W lo(int i) const { return difference<W>(box.lo[i], ray.origin[i]); }
+  template <PolynomialScalar W> W hi(int i) const { return difference<W>(box.hi[i], ray.origin[i]); }
   // clang-format on
 };
 

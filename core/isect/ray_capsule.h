@@ -115,17 +115,17 @@ int compare(const Straight<N, ends>& line, double t, const Capsule<double, N>& c
       trace);
 }
 
-template <Filtered W>
+template <PolynomialScalar W>
 W cross(const Components<W, 2>& x, const Components<W, 2>& y) {
   return x[0] * y[1] - x[1] * y[0];
 }
 
 /// Where the lines come nearest, on the ray and on the axis: quotients of polynomials, with one denominator.
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 struct Places {
   W ray, axis, all;
 };
-template <Filtered W, int N, bool ends>
+template <PolynomialScalar W, int N, bool ends>
 Places<W, N> places(const Straight<N, ends>& line, const Capsule<double, N>& capsule) {
   const Components<W, N> d = line.template along<W>(), v = difference<W, N>(capsule.q, capsule.p),
                          w = difference<W, N>(capsule.p, line.origin);
@@ -143,7 +143,7 @@ int crossing(const Straight<N, ends>& line, const Capsule<double, N>& capsule, T
 }
 
 /// In space r^2 n.n - (w.n)^2; in the plane r^2 n.n, as w.n is 0.
-template <Filtered W, int N, bool ends>
+template <PolynomialScalar W, int N, bool ends>
 W room(const Straight<N, ends>& line, const Capsule<double, N>& capsule) {
   const Components<W, N> d = line.template along<W>(), v = difference<W, N>(capsule.q, capsule.p);
   const W rr = W(capsule.radius) * W(capsule.radius);
@@ -157,7 +157,7 @@ W room(const Straight<N, ends>& line, const Capsule<double, N>& capsule) {
 }
 
 template <int N, bool ends, class Trace>
-Between between(const Straight<N, ends>& line, const Capsule<double, N>& capsule, Trace&& trace) {
+Between between_ends(const Straight<N, ends>& line, const Capsule<double, N>& capsule, Trace&& trace) {
   const int all = crossing(line, capsule, trace);
   if (all == 0) return {};
   const auto after = [&](const auto& excess) {
@@ -190,7 +190,7 @@ bool meets(Straight<N, ends> line, const Capsule<double, N>& capsule, Trace&& tr
     trace(End{end, sign});
     if (sign <= 0) return true;
   }
-  const Between inner = between<N>(line, capsule, trace);
+  const Between inner = between_ends<N>(line, capsule, trace);
   trace(inner);
   return inner.holds && inner.sign <= 0;
 }
@@ -225,14 +225,14 @@ Piece passage(const Straight<N, ends>& line, const Capsule<double, N>& capsule, 
 }
 
 /// The polynomial of the ball around that end, with f = o - end and d.
-template <Filtered W, int N, bool ends>
+template <PolynomialScalar W, int N, bool ends>
 Quadratic<W> ball(const Straight<N, ends>& line, const Point<double, N>& end, double r) {
   const Components<W, N> f = difference<W, N>(line.origin, end), d = line.template along<W>();
   const W rr = W(r) * W(r), dd = dot(d, d);
   return {dd, dot(f, d), dot(f, f) - rr, rr * dd - point_segment::detail::cross_squared(f, d)};
 }
 /// The polynomial of the endless cylinder.
-template <Filtered W, int N, bool ends>
+template <PolynomialScalar W, int N, bool ends>
 Quadratic<W> cylinder(const Straight<N, ends>& line, const Capsule<double, N>& capsule) {
   const Components<W, N> d = line.template along<W>(), v = difference<W, N>(capsule.q, capsule.p),
                          f = difference<W, N>(line.origin, capsule.p);

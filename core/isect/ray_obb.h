@@ -13,7 +13,7 @@
 #include <optional>
 #include <variant>
 
-#include <isect/numbers/found_once.h>
+#include <isect/numbers/memo.h>
 #include <isect/parts/slabs.h>
 #include <isect/parts/unit_of_length.h>
 #include <isect/point_obb.h>
@@ -33,15 +33,15 @@ class Slabs {
  public:
   Slabs(const Ray<double, N>& ray, const Obb<double, N>& box, int sign) : ray_(ray), box_(box), sign_(sign) {}
 
-  template <Filtered W>
+  template <PolynomialScalar W>
   W rate(int i) const {
     return turned(i, dot(normal<W>(i), exactly<W>(ray_.direction)));
   }
-  template <Filtered W>
+  template <PolynomialScalar W>
   W lo(int i) const {
     return -reach<W>(i) - along<W>(i);
   }
-  template <Filtered W>
+  template <PolynomialScalar W>
   W hi(int i) const {
     return reach<W>(i) - along<W>(i);
   }
@@ -53,7 +53,7 @@ class Slabs {
     std::array<Components<W, N>, N> normals;
     W size;
   };
-  template <Filtered W>
+  template <PolynomialScalar W>
   const OfAxes<W>& of_axes() const {
     return of_axes_.template in<W>([&]() -> OfAxes<W> {
       OfAxes<W> found;
@@ -64,30 +64,30 @@ class Slabs {
   }
   template <class W>
   static constexpr bool kept = std::is_same_v<W, Bounded<double>> || std::is_same_v<W, Grid> || is_compensated<W>;
-  template <Filtered W>
+  template <PolynomialScalar W>
   std::conditional_t<kept<W>, const Components<W, N>&, Components<W, N>> normal(int i) const {
     if constexpr (!kept<W>)
       return point_obb::detail::normal<W>(box_.axes, i);
     else
       return of_axes<W>().normals[i];
   }
-  template <Filtered W>
+  template <PolynomialScalar W>
   std::conditional_t<kept<W>, const W&, W> size() const {
     if constexpr (!kept<W>)
       return abs(point_obb::detail::volume<W>(box_.axes, 0));
     else
       return of_axes<W>().size;
   }
-  template <Filtered W>
+  template <PolynomialScalar W>
   W reach(int i) const {
     return W(box_.half[i]) * size<W>();
   }
-  template <Filtered W>
+  template <PolynomialScalar W>
   W along(int i) const {
     return turned(i, dot(normal<W>(i), difference<W>(ray_.origin, box_.center)));
   }
   /// n.x for the n_i that has the way of u_i: in the plane n_1.u_1 is -D.
-  template <Filtered W>
+  template <PolynomialScalar W>
   W turned(int i, const W& along_normal) const {
     return (sign_ < 0) != (N == 2 && i == 1) ? -along_normal : along_normal;
   }
@@ -95,7 +95,7 @@ class Slabs {
   const Ray<double, N>& ray_;
   const Obb<double, N>& box_;
   int sign_;
-  FoundOnce<OfAxes> of_axes_;
+  Memo<OfAxes> of_axes_;
 };
 
 /// The slabs by the faces at -half_i and half_i, whichever comes first along n_i: so lo may be the larger. For a first
@@ -105,19 +105,19 @@ struct Faces {
   const Ray<double, N>& ray;
   const Obb<double, N>& box;
 
-  template <Filtered W>
+  template <PolynomialScalar W>
   W rate(int i) const {
     return dot(point_obb::detail::normal<W>(box.axes, i), exactly<W>(ray.direction));
   }
-  template <Filtered W>
+  template <PolynomialScalar W>
   W lo(int i) const {
     return -W(box.half[i]) * point_obb::detail::volume<W>(box.axes, i) - along<W>(i);
   }
-  template <Filtered W>
+  template <PolynomialScalar W>
   W hi(int i) const {
     return W(box.half[i]) * point_obb::detail::volume<W>(box.axes, i) - along<W>(i);
   }
-  template <Filtered W>
+  template <PolynomialScalar W>
   W along(int i) const {
     return dot(point_obb::detail::normal<W>(box.axes, i), difference<W>(ray.origin, box.center));
   }
@@ -160,7 +160,7 @@ std::optional<Interval<S>> meet(const Ray<S, N>& ray, const Obb<S, N>& box, Trac
   const Ray<double, N>& wide = in_doubles(ray);
   const Obb<double, N>& bounds = in_doubles(box);
 
-  if constexpr (first_try<Trace>) {
+  if constexpr (doubles_only<Trace>) {
     const slabs::detail::Estimate<N> seen = slabs::detail::estimate<S, N>(ray.range, QuickSlabs<N>(wide, bounds));
     trace.open |= seen.meets == 0;
     if (seen.meets <= 0) return {};

@@ -44,7 +44,7 @@ using Event = std::variant<Start, Nearer, point_polygon::Edge, Fallback>;
 
 namespace detail {
 
-template <Filtered W>
+template <PolynomialScalar W>
 W cross(const Components<W, 2>& x, const Components<W, 2>& y) {
   return x[0] * y[1] - x[1] * y[0];
 }
@@ -85,7 +85,7 @@ struct Met {
   Point<double, 2> a, b;
   int den;
 };
-template <Filtered W, bool ends>
+template <PolynomialScalar W, bool ends>
 Ratio<W> parameter(const Straight<2, ends>& line, const Met& met) {
   const Components<W, 2> d = line.template along<W>(), f = difference<W, 2>(met.a, line.origin);
   if (met.a == met.b) return {dot(f, d), dot(d, d)};

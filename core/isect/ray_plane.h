@@ -44,7 +44,7 @@ using Event = std::variant<Decision, Hit<S>, Fallback>;
 namespace detail {
 
 /// t on the whole line, as the numerator and the denominator.
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 ISECT_INLINE Ratio<W> parameter(const Ray<double, N>& ray, const Plane<double, N>& plane) {
   Ratio<W> t = ratio_of_dots<W, N>(plane.normal, ray.origin, ray.direction);
   t.num = -(t.num + W(plane.d));
@@ -54,7 +54,7 @@ ISECT_INLINE Ratio<W> parameter(const Ray<double, N>& ray, const Plane<double, N
 template <class S, int N, class Trace>
 RayPlane<S> meet(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace& trace) {
   RayPlane<S> result;
-  if constexpr (!first_try<Trace>)
+  if constexpr (!doubles_only<Trace>)
     if (!finite(ray) || !finite(plane) || plane.normal == Vector<S, N>::Zero()) return result;
   const Ray<double, N>& wide = in_doubles(ray);
   const Plane<double, N>& wall = in_doubles(plane);

@@ -21,7 +21,7 @@
 #include <utility>
 #include <variant>
 
-#include <isect/numbers/found_once.h>
+#include <isect/numbers/memo.h>
 #include <isect/parts/ray_range.h>
 #include <isect/point_polygon.h>
 
@@ -55,13 +55,13 @@ using Event = std::variant<Decision, point_polygon::Edge, Hit<S>, Fallback>;
 namespace detail {
 
 /// The normal, and P by num and den.
-template <Filtered W>
+template <PolynomialScalar W>
 struct PlanePoint {
   Components<W, 3> normal;
   W num, den;
 };
 
-template <Filtered W, class S>
+template <PolynomialScalar W, class S>
 PlanePoint<W> plane_point(const Ray<double, 3>& ray, const Ring<S, 3>& ring) {
   const auto vertex = [&](std::size_t i) -> Point<double, 3> { return ring[i].template cast<double>(); };
   PlanePoint<W> result = {};
@@ -88,26 +88,26 @@ class Crossing {
   Crossing(const Ray<double, 3>& ray, const Ring<S, 3>& ring)
       : ray_(ray), ring_(ring), quick_(plane_point<Bounded<double>>(ray, ring)) {}
 
-  template <Filtered W>
+  template <PolynomialScalar W>
   kept_t<W, PlanePoint<W>> point() const {
     if constexpr (std::is_same_v<W, Bounded<double>>)
       return quick_;
     else
       return others_.template in<W>([&] { return plane_point<W>(ray_, ring_); });
   }
-  template <Filtered W>
+  template <PolynomialScalar W>
   Ratio<W> parameter() const {
     const PlanePoint<W>& p = point<W>();
     return {p.num, p.den};
   }
   /// (a_i - P_i) den
-  template <Filtered W>
+  template <PolynomialScalar W>
   W offset(const Point<S, 3>& a, int i) const {
     const PlanePoint<W>& p = point<W>();
     return difference<W>(a[i], ray_.origin[i]) * p.den - p.num * W(ray_.direction[i]);
   }
   /// orient2d(a, b, P) den, on the axes x, y.
-  template <Filtered W>
+  template <PolynomialScalar W>
   W area2(const Point<S, 3>& a, const Point<S, 3>& b, int x, int y) const {
     const PlanePoint<W>& p = point<W>();
     const Point<double, 3>& o = ray_.origin;
@@ -121,7 +121,7 @@ class Crossing {
   const Ray<double, 3>& ray_;
   const Ring<S, 3>& ring_;
   PlanePoint<Bounded<double>> quick_;
-  FoundOnce<PlanePoint> others_;
+  Memo<PlanePoint> others_;
 };
 
 /// The axis of the largest |n_i|, the first of several.
@@ -129,7 +129,7 @@ template <class S, class Trace>
 int steepest(const Crossing<S>& crossing, Trace&& trace) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
-    const Keeping excess{[&]<class W>() -> W {
+    const NotRecorded excess{[&]<class W>() -> W {
       const PlanePoint<W>& p = crossing.template point<W>();
       return abs(p.normal[i]) - abs(p.normal[axis]);
     }};
@@ -144,12 +144,12 @@ Location locate(const Crossing<S>& crossing, int den, int axis, std::span<const 
                 Trace&& trace) {
   const int x = (axis + 1) % 3, y = (axis + 2) % 3;
   const auto along = [&](const Point<S, 3>& v, int i) -> int {
-    return den * sign_of(Keeping{[&]<class W>() -> W { return crossing.template offset<W>(v, i); }}, trace);
+    return den * sign_of(NotRecorded{[&]<class W>() -> W { return crossing.template offset<W>(v, i); }}, trace);
   };
   const auto abscissa = [&](const Point<S, 3>& v) -> int { return along(v, x); };
   const auto height = [&](const Point<S, 3>& v) -> int { return along(v, y); };
   const auto side = [&](const Point<S, 3>& a, const Point<S, 3>& b) -> int {
-    return den * sign_of(Keeping{[&]<class W>() -> W { return crossing.template area2<W>(a, b, x, y); }}, trace);
+    return den * sign_of(NotRecorded{[&]<class W>() -> W { return crossing.template area2<W>(a, b, x, y); }}, trace);
   };
 
   point_polygon::Crossings sum;
@@ -167,8 +167,8 @@ Location locate(const Crossing<S>& crossing, int den, int axis, std::span<const 
 template <class S, class Trace>
 RayPolygon<S> meet(const Ray<S, 3>& ray, std::span<const Ring<S, 3>> rings, FillRule rule, Trace& trace) {
   RayPolygon<S> result;
-  if (!first_try<Trace> && !finite(ray)) return result;
-  for (std::size_t i = first_try<Trace> ? 1 : 0; i < rings.size(); ++i)
+  if (!doubles_only<Trace> && !finite(ray)) return result;
+  for (std::size_t i = doubles_only<Trace> ? 1 : 0; i < rings.size(); ++i)
     if (!finite(rings[i])) return result;
   result.flat = rings.empty() || rings[0].empty();
   if (result.flat) return result;
@@ -177,11 +177,12 @@ RayPolygon<S> meet(const Ray<S, 3>& ray, std::span<const Ring<S, 3>> rings, Fill
   const Crossing<S> crossing(wide, rings[0]);
   const auto t = [&]<class W>() -> Ratio<W> { return crossing.template parameter<W>(); };
   const int axis = steepest(crossing, trace);
-  result.flat = sign_of(Keeping{[&]<class W>() -> W { return crossing.template point<W>().normal[axis]; }}, trace) == 0;
+  result.flat =
+      sign_of(NotRecorded{[&]<class W>() -> W { return crossing.template point<W>().normal[axis]; }}, trace) == 0;
   if (result.flat) return result;
 
-  const int heading = sign_of(Keeping{[&]<class W>() -> W { return t.template operator()<W>().den; }}, trace);
-  const int side = sign_of(Keeping{[&]<class W>() -> W { return t.template operator()<W>().num; }}, trace);
+  const int heading = sign_of(NotRecorded{[&]<class W>() -> W { return t.template operator()<W>().den; }}, trace);
+  const int side = sign_of(NotRecorded{[&]<class W>() -> W { return t.template operator()<W>().num; }}, trace);
   trace(Decision{axis, heading, side});
   result.coplanar = heading == 0 && side == 0;
   if (heading == 0) return result;

@@ -61,7 +61,7 @@ ISECT_INLINE RaySphere<S> intersect(const Ray<S, N>& ray, const Sphere<S, N>& sp
   if constexpr (!small_code && !heard<Trace>) {
     RaySphere<S> answer;
     if (!quick_answer(wide, ball, ray.range, answer)) [[unlikely]]
-      answer = settled_step_by_step(wide, ball, ray.range, trace);
+      answer = step_by_step_cold(wide, ball, ray.range, trace);
     return answer;
   } else {
     return step_by_step(wide, ball, ray.range, trace);

@@ -48,20 +48,20 @@ using Event = std::variant<Volumes, Hit<S>, Fallback>;
 namespace detail {
 
 /// d.((p - o) x (q - o)): on which side of the line the edge pq passes.
-template <Filtered W>
+template <PolynomialScalar W>
 ISECT_INLINE W volume(const Ray<double, 3>& ray, const Point<double, 3>& p, const Point<double, 3>& q) {
   return dot(exactly<W>(ray.direction), cross(difference<W>(p, ray.origin), difference<W>(q, ray.origin)));
 }
 
 /// (b - a) x (c - a)
-template <Filtered W>
+template <PolynomialScalar W>
 ISECT_INLINE Components<W, 3> normal(const Triangle<double, 3>& x) {
   const auto& [a, b, c] = x.vertices;
   return cross(difference<W>(b, a), difference<W>(c, a));
 }
 
 /// t on the whole line, as the numerator and the denominator.
-template <Filtered W>
+template <PolynomialScalar W>
 ISECT_INLINE Ratio<W> parameter(const Ray<double, 3>& ray, const Triangle<double, 3>& x) {
   const Components<W, 3> n = normal<W>(x);
   return ratio_of_dots<W, 3>(n, difference<W>(x.vertices[0], ray.origin), ray.direction);
@@ -85,7 +85,7 @@ Volumes volumes(const Ray<double, 3>& ray, const Triangle<double, 3>& x, Trace&&
 }
 
 /// t, u, v on the whole line, as numerators and denominator: w_b = -C.(d x A), w_c = B.(d x A).
-template <Filtered W>
+template <PolynomialScalar W>
 ISECT_INLINE ThreeRatios<W> coordinates(const Ray<double, 3>& ray, const Triangle<double, 3>& x) {
   const auto& [a, b, c] = x.vertices;
   const Ratio<W> t = parameter<W>(ray, x);
@@ -97,7 +97,7 @@ ISECT_INLINE ThreeRatios<W> coordinates(const Ray<double, 3>& ray, const Triangl
 template <class S, class Trace>
 RayTriangle<S> meet(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace& trace) {
   RayTriangle<S> result;
-  if constexpr (!first_try<Trace>)
+  if constexpr (!doubles_only<Trace>)
     if (!finite(ray) || !finite(triangle)) return result;
   const Ray<double, 3>& wide = in_doubles(ray);
   const Triangle<double, 3>& x = in_doubles(triangle);
@@ -127,7 +127,7 @@ RayTriangle<S> meet(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&
 
 template <class S, class Trace>
 bool met(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace& trace) {
-  if constexpr (!first_try<Trace>)
+  if constexpr (!doubles_only<Trace>)
     if (!finite(ray) || !finite(triangle)) return false;
   const Ray<double, 3>& wide = in_doubles(ray);
   const Triangle<double, 3>& x = in_doubles(triangle);

@@ -24,7 +24,7 @@ using Event = std::variant<point_polygon::Edge, Fallback>;
 namespace detail {
 
 /// Newell's normal, from the first vertex.
-template <Filtered W, class S>
+template <PolynomialScalar W, class S>
 Components<W, 3> normal(const Ring<S, 3>& ring) {
   const auto from_first = [&](std::size_t i) -> Components<W, 3> {
     return difference<W, 3>(ring[i].template cast<double>(), ring[0].template cast<double>());
@@ -43,7 +43,7 @@ class Plane {
  public:
   Plane(const Straight<3, true>& line, const Ring<S, 3>& ring) : line_(line), ring_(ring) {}
 
-  template <Filtered W>
+  template <PolynomialScalar W>
   kept_t<W, ray_polygon::detail::PlanePoint<W>> point() const {
     return found_.template in<W>([&]() -> ray_polygon::detail::PlanePoint<W> {
       const Components<W, 3> n = normal<W>(ring_);
@@ -55,7 +55,7 @@ class Plane {
  private:
   const Straight<3, true>& line_;
   const Ring<S, 3>& ring_;
-  FoundOnce<ray_polygon::detail::PlanePoint> found_;
+  Memo<ray_polygon::detail::PlanePoint> found_;
 };
 
 /// The axis of the largest |n_i|, the first of several.
@@ -63,7 +63,7 @@ template <class Normal, class Trace>
 int steepest(const Normal& n, Trace&& trace) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
-    const Keeping excess{
+    const NotRecorded excess{
         [&]<class W>() -> W { return abs(n.template operator()<W>(i)) - abs(n.template operator()<W>(axis)); }};
     if (sign_of(excess, trace) > 0) axis = i;
   }
@@ -82,11 +82,12 @@ RayPolygon<S> meet(const Straight<3, true>& line, std::span<const Ring<S, 3>> ri
     return plane.template point<W>().normal[static_cast<std::size_t>(i)];
   };
   const int axis = steepest(component, trace);
-  result.flat = sign_of(Keeping{[&]<class W>() -> W { return component.template operator()<W>(axis); }}, trace) == 0;
+  result.flat =
+      sign_of(NotRecorded{[&]<class W>() -> W { return component.template operator()<W>(axis); }}, trace) == 0;
   if (result.flat) return result;
 
-  const Keeping num{[&]<class W>() -> W { return plane.template point<W>().num; }};
-  const Keeping den{[&]<class W>() -> W { return plane.template point<W>().den; }};
+  const NotRecorded num{[&]<class W>() -> W { return plane.template point<W>().num; }};
+  const NotRecorded den{[&]<class W>() -> W { return plane.template point<W>().den; }};
   const int heading = sign_of(den, trace);
   result.coplanar = heading == 0 && sign_of(num, trace) == 0;
   if (heading == 0) return result;
@@ -104,12 +105,13 @@ RayPolygon<S> meet(const Straight<3, true>& line, std::span<const Ring<S, 3>> ri
     return difference<W>(v[i], line.origin[i]) * p.den - p.num * difference<W>(line.heading[i], line.origin[i]);
   };
   const auto along = [&](const Point<S, 3>& v, int i) {
-    return heading * sign_of(Keeping{[&]<class W>() -> W { return from_point.template operator()<W>(v, i); }}, trace);
+    return heading *
+           sign_of(NotRecorded{[&]<class W>() -> W { return from_point.template operator()<W>(v, i); }}, trace);
   };
   const auto abscissa = [&](const Point<S, 3>& v) { return along(v, x); };
   const auto height = [&](const Point<S, 3>& v) { return along(v, y); };
   const auto side = [&](const Point<S, 3>& a, const Point<S, 3>& b) {  // orient2d(a, b, P) den, without den's square
-    const Keeping area{[&]<class W>() -> W {
+    const NotRecorded area{[&]<class W>() -> W {
       const ray_polygon::detail::PlanePoint<W>& p = plane.template point<W>();
       const auto from = [&](const auto& end, const Point<double, 3>& start, int i) {
         return difference<W>(end[i], start[i]);

@@ -22,7 +22,7 @@ namespace isect {
 
 namespace sphere_aabb {
 
-/// accumulate: one axis; `gap` is 0 where the center lies between lo and hi, `distance2` the sum so far.
+/// The note's method: one axis; `gap` is 0 where the center lies between lo and hi, `distance2` the sum so far.
 template <class S>
 struct Axis {
   int axis;
@@ -30,7 +30,7 @@ struct Axis {
   Interval<S> interval;
   S gap, distance2;
 };
-/// accumulate: the comparison.
+/// The note's method: the comparison.
 template <class S>
 struct Compared {
   S distance2, radius2;

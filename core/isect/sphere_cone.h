@@ -44,23 +44,23 @@ using Event = std::variant<Reach, Contained, Fallback>;
 namespace detail {
 
 /// What the text above calls h, w^2, d.d and r.
-template <Filtered W>
+template <PolynomialScalar W>
 struct Profile {
   W h, w2, dd, r;
 };
-template <Filtered W>
+template <PolynomialScalar W>
 Profile<W> profile(const Point<double, 3>& c, const Cone<double>& cone) {
   const Components<W, 3> f = difference<W>(c, cone.apex), d = round_solid::axis<W>(cone);
   return {dot(f, d), point_segment::detail::cross_squared(f, d), dot(d, d), W(cone.radius)};
 }
 
 /// B
-template <Filtered W>
+template <PolynomialScalar W>
 W margin2(const Profile<W>& at, double s) {
   return W(s) * W(s) * at.dd * (at.dd + at.r * at.r);
 }
 /// g
-template <Filtered W>
+template <PolynomialScalar W>
 W beside(const Profile<W>& at) {
   return at.dd * at.w2 - at.r * at.r * at.h * at.h;
 }

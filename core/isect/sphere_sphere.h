@@ -28,7 +28,7 @@ using Event = std::variant<Decision, Fallback>;
 namespace detail {
 
 /// |a - b|^2 - (r +- s)^2
-template <Filtered W, int N, class Radii>
+template <PolynomialScalar W, int N, class Radii>
 W gap(const Sphere<double, N>& a, const Sphere<double, N>& b, const Radii& radii) {
   const Components<W, N> f = difference<W>(a.center, b.center);
   const W reach = radii(W(a.radius), W(b.radius));
@@ -38,14 +38,14 @@ W gap(const Sphere<double, N>& a, const Sphere<double, N>& b, const Radii& radii
 /// The sign of |a - b|^2 - (r + s)^2, computed as x - y; 1 for NaN and infinite coordinates, near which nothing lies.
 /// Not inlined: the machine code of the rare path stays out of the common one's.
 template <class S, int N, class Trace>
-[[gnu::noinline]] int settled_outer(const Sphere<S, N>& a, const Sphere<S, N>& b, S x, S y, Trace&& trace) {
+[[gnu::noinline]] int sign_of_outer_gap(const Sphere<S, N>& a, const Sphere<S, N>& b, S x, S y, Trace&& trace) {
   if (!(x + y <= std::numeric_limits<S>::max()) && (!finite(a) || !finite(b))) return 1;
   const auto text = [&]<class W>() -> W { return gap<W, N>(in_doubles(a), in_doubles(b), std::plus<W>()); };
   return settled_squares(text, x, y, trace);
 }
 /// The sign of |a - b|^2 - (r - s)^2, for finite balls.
 template <class S, int N, class Trace>
-[[gnu::noinline]] int settled_inner(const Sphere<S, N>& a, const Sphere<S, N>& b, S x, S y, Trace&& trace) {
+[[gnu::noinline]] int sign_of_inner_gap(const Sphere<S, N>& a, const Sphere<S, N>& b, S x, S y, Trace&& trace) {
   const auto text = [&]<class W>() -> W { return gap<W, N>(in_doubles(a), in_doubles(b), std::minus<W>()); };
   return settled_squares(text, x, y, trace);
 }
@@ -69,7 +69,7 @@ bool intersects(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}
   using namespace sphere_sphere::detail;
   const S d2 = distance2(a, b), sum2 = squared(a.radius + b.radius);
   if (!ordered(d2, sum2)) [[unlikely]]
-    return !empty(a) && !empty(b) && settled_outer(a, b, d2, sum2, trace) <= 0;
+    return !empty(a) && !empty(b) && sign_of_outer_gap(a, b, d2, sum2, trace) <= 0;
   return (d2 < sum2) & (std::min(a.radius, b.radius) >= 0);  // without a branch on the answer
 }
 
@@ -80,8 +80,9 @@ Relation relate(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}
   if (empty(a) || empty(b)) return Relation::disjoint;
 
   const S d2 = distance2(a, b), sum2 = squared(a.radius + b.radius), rest2 = squared(a.radius - b.radius);
-  const int outer = order_of_squares(d2, sum2, [&] { return settled_outer(a, b, d2, sum2, trace); });
-  const int inner = outer > 0 ? 1 : order_of_squares(d2, rest2, [&] { return settled_inner(a, b, d2, rest2, trace); });
+  const int outer = order_of_squares(d2, sum2, [&] { return sign_of_outer_gap(a, b, d2, sum2, trace); });
+  const int inner =
+      outer > 0 ? 1 : order_of_squares(d2, rest2, [&] { return sign_of_inner_gap(a, b, d2, rest2, trace); });
   if constexpr (heard<Trace>) trace(sphere_sphere::Decision{outer, inner});
 
   if (outer > 0) return Relation::disjoint;

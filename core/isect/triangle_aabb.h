@@ -65,7 +65,7 @@ constexpr auto all_axes() {
   return axes;
 }
 
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 Components<W, N> direction(const Triangle<double, N>& triangle, const Axis& axis) {
   Components<W, N> l;
   l.fill(W(0));

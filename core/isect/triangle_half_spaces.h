@@ -22,7 +22,7 @@ using Event = std::variant<Fallback>;
 namespace detail {
 
 /// Returns inequality i: the factors of s, of t and of nothing else, and the constant.
-template <Filtered W>
+template <PolynomialScalar W>
 inequalities::Row<W> row(const std::vector<half_spaces::Face>& faces, const Triangle<double, 3>& x, int i) {
   if (i == 0) return {W(1), W(0), W(0), W(0)};
   if (i == 1) return {W(0), W(1), W(0), W(0)};

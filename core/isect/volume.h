@@ -24,7 +24,7 @@
 
 namespace isect {
 
-namespace volume_detail {
+namespace detail::volume {
 
 /// Six times the signed volume within triangles, from the first vertex on.
 template <class W, class S>
@@ -123,7 +123,7 @@ std::vector<std::array<int, 3>> triangles(const Polytope<S, 3>& polytope) {
   return all;
 }
 
-}  // namespace volume_detail
+}  // namespace detail::volume
 
 /// The volume within a closed surface: triangles counter-clockwise seen from outside, two at every edge. Within 2 ulp
 /// of S of the true one; negative when it is turned inside out. NaN with a NaN or an infinity.
@@ -132,14 +132,14 @@ S volume(const std::vector<Point<S, 3>>& vertices, const std::vector<std::array<
   if (!finite(vertices)) return std::numeric_limits<S>::quiet_NaN();
   if (triangles.empty()) return S(0);
   return value_of<S>([&]<class W>() -> Ratio<W> {
-    return {volume_detail::volume6<W, S>(vertices, triangles), W(6.0)};
+    return {detail::volume::volume6<W, S>(vertices, triangles), W(6.0)};
   });
 }
 /// The area of all triangles, within 3 ulp of S over the whole range; infinite beyond the largest S, or 3 ulp below.
 template <class S>
 S surface_area(const std::vector<Point<S, 3>>& vertices, const std::vector<std::array<int, 3>>& triangles) {
   if (!finite(vertices)) return std::numeric_limits<S>::quiet_NaN();
-  return volume_detail::area(vertices, triangles);
+  return detail::volume::area(vertices, triangles);
 }
 
 // Volumes and surfaces of bounding volumes. Empty ones have 0, those with an infinite number NaN.
@@ -208,7 +208,7 @@ S surface_area(const Obb<S, N>& box) {
   if (empty(box)) return S(0);
   if (!finite(box)) return std::numeric_limits<S>::quiet_NaN();
   const Obb<double, N> wide = cast<double>(box);
-  std::vector<volume_detail::Size> faces;
+  std::vector<detail::volume::Size> faces;
   for (int i = 0; i < N; ++i) {
     const auto square = [&]<class W>(double) -> W {
       const Components<W, N> n = point_obb::detail::normal<W>(wide.axes, i);  // as long as the side across from axis i
@@ -217,10 +217,10 @@ S surface_area(const Obb<S, N>& box) {
         if (j != i) product = product * W(wide.half[j]) * W(wide.half[j]);
       return product;
     };
-    const volume_detail::Size face = volume_detail::root(square, N - 1, 0);
+    const detail::volume::Size face = detail::volume::root(square, N - 1, 0);
     faces.push_back({face.fraction, face.exponent + N});  // 4 or 8 quarters
   }
-  return volume_detail::sum<S>(faces);
+  return detail::volume::sum<S>(faces);
 }
 
 /// The area and the perimeter of its polygon of rounded vertices, as in space below: within 2 and 3 ulp of those.
@@ -239,22 +239,22 @@ S volume(const Kdop<S, 2>& kdop) {
 template <class S>
 S surface_area(const Kdop<S, 2>& kdop) {
   const std::vector<Point<S, 2>> ring = polytope(kdop).vertices;
-  std::vector<volume_detail::Size> sides;
+  std::vector<detail::volume::Size> sides;
   for (std::size_t i = 0; i < ring.size(); ++i)
-    sides.push_back(
-        volume_detail::length<2>(ring[i].template cast<double>(), ring[(i + 1) % ring.size()].template cast<double>()));
-  return volume_detail::sum<S>(sides);
+    sides.push_back(detail::volume::length<2>(ring[i].template cast<double>(),
+                                              ring[(i + 1) % ring.size()].template cast<double>()));
+  return detail::volume::sum<S>(sides);
 }
 
 /// Takes its vertices as they are; within 2 ulp.
 template <class S>
 S volume(const Polytope<S, 3>& solid) {
-  return volume(solid.vertices, volume_detail::triangles(solid));
+  return volume(solid.vertices, detail::volume::triangles(solid));
 }
 /// Within 3 ulp.
 template <class S>
 S surface_area(const Polytope<S, 3>& solid) {
-  return surface_area(solid.vertices, volume_detail::triangles(solid));
+  return surface_area(solid.vertices, detail::volume::triangles(solid));
 }
 
 /// Returns the volume of its polytope, whose vertices are within 2 ulp of the true ones; 0 where its slabs contradict

@@ -35,8 +35,8 @@ bool inside(const Aabb<C, 3>& inner, const Aabb<C, 3>& outer) {
 }
 
 /// The object tested against the box, and the operations that this took.
-struct Tested {
-  Tested(const Mesh3& mesh, const Box& window, const Vec3& middle)
+struct TestedObject {
+  TestedObject(const Mesh3& mesh, const Box& window, const Vec3& middle)
       : around(fit_aabb(mesh.vertices)), truth(relate(around, window)) {
     tally() = {};
     rejected = !aabb_aabb::by_axis(cast<C>(around), cast<C>(window));
@@ -196,7 +196,7 @@ class Teller {
 
   const Mesh3& mesh_;
   const Box window_;
-  const Tested test_;
+  const TestedObject test_;
   Script script_;
   std::vector<Handle> handles_;
 };

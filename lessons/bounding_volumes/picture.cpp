@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "viz/compose/compose.h"
-#include "viz/compose/grid.h"
+#include "viz/compose/small_multiples.h"
 
 namespace isect::lessons::bounding_volumes_lesson {
 

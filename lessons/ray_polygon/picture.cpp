@@ -11,7 +11,7 @@
 
 #include "lessons/shared/axis_names.h"
 #include "viz/compose/compose.h"
-#include "viz/compose/grid.h"
+#include "viz/compose/small_multiples.h"
 
 namespace isect::lessons::ray_polygon_lesson {
 
@@ -153,7 +153,7 @@ Scene projections(const Setup& s, const Vec3& point, const Vec3& normal, int cho
     insets.push_back(inset);
   }
   Scene scene;
-  scene.items = centred(in_grid(insets, 3, Camera{}), s);
+  scene.items = centred(small_multiples(insets, 3, Camera{}), s);
   return scene;
 }
 
@@ -177,7 +177,7 @@ Scene crossings(const Setup& s, const Flat& flat, const std::vector<Passing>& pa
                               axis_names[(flat.dropped + 1) % 3], axis_names[(flat.dropped + 2) % 3]);
   inset.note = fmt::format("{} on the right: {}", count, flat.inside ? "IN" : "OUT");
   Scene scene;
-  scene.items = centred(in_grid({inset}, 1, Camera{}), s);
+  scene.items = centred(small_multiples({inset}, 1, Camera{}), s);
   return scene;
 }
 

@@ -8,7 +8,7 @@
 #include "lessons/shared/relation.h"
 #include "lessons/shared/script.h"
 #include "viz/compose/compose.h"
-#include "viz/compose/grid.h"
+#include "viz/compose/small_multiples.h"
 
 namespace isect::lessons::relations_lesson {
 
@@ -29,7 +29,7 @@ constexpr double two_by_two = 0.625, two_rows = 0.375, four_rows = 0.21875;
 
 /// The insets in a grid, centred in the picture.
 std::vector<Item> centred(const std::vector<Inset>& insets, int columns) {
-  const std::vector<Item> items = in_grid(insets, columns, camera);
+  const std::vector<Item> items = small_multiples(insets, columns, camera);
   const Box2 box = extent(items, camera);
   const Vec2 middle = (box.lo + box.hi) / 2;
   return moved(items, in_plane(-middle.x() / axis_length, -middle.y() / axis_length));

@@ -125,7 +125,7 @@ Setting spheres(const Vec3& p) {
   const Sphere<S, 2> a = {{S(0), S(0)}, S(0.7)};
   const S r = S(0.3);
   s.answer = [=](int i, int j) {
-    return sphere_sphere::squared_distance(a, Sphere<S, 2>{neighbour<S>(p, i, j), r}) ? 1 : -1;
+    return sphere_sphere::squared_distance_naive(a, Sphere<S, 2>{neighbour<S>(p, i, j), r}) ? 1 : -1;
   };
   s.truth = [=](int i, int j) {
     const Relation relation = relate(a, Sphere<S, 2>{neighbour<S>(p, i, j), r});

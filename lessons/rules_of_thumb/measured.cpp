@@ -30,7 +30,7 @@ struct Method {
 /// The methods with their operations per call, averaged over ordinary cases like those that were timed.
 std::vector<Method> methods() {
   bool (*const all_of_them[])(const Sphere<C, 3>&, const Aabb<C, 3>&) = {
-      [](const Sphere<C, 3>& a, const Aabb<C, 3>& b) { return sphere_aabb::accumulate(a, b); },
+      [](const Sphere<C, 3>& a, const Aabb<C, 3>& b) { return sphere_aabb::accumulate_naive(a, b); },
       [](const Sphere<C, 3>& a, const Aabb<C, 3>& b) { return sphere_aabb::with_rejections(a, b); },
       [](const Sphere<C, 3>& a, const Aabb<C, 3>& b) { return sphere_aabb::clamped(a, b); }};
   const char* const names[] = {"if, else (<)", "rejections", "clamp"};

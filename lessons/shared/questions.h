@@ -8,7 +8,7 @@
 
 #include "viz/lesson.h"
 #include "viz/text/rich_text.h"
-#include "viz/walk/asking.h"
+#include "viz/walk/question_scene.h"
 
 namespace isect::lessons {
 

@@ -23,7 +23,7 @@ std::vector<Opinion> opinions(const Parameters& p) {
   const bool meets = s.truth != Relation::disjoint;
   Opinions all(in_words(s.truth));
   const auto add = [&](const char* method, bool overlap) { all.add(method, says_overlap(overlap), overlap == meets); };
-  add("if, else (<), the note's", sphere_aabb::accumulate(s.ball, s.box));
+  add("if, else (<), the note's", sphere_aabb::accumulate_naive(s.ball, s.box));
   add("rejections first", sphere_aabb::with_rejections(s.ball, s.box));
   add("clamp the centre", sphere_aabb::clamped(s.ball, s.box));
   add("centre in the box expanded by *r*", s.in_grown);

@@ -39,7 +39,7 @@ class Teller {
 
   Walk tell() {
     script_.tell<sphere_aabb::Event<C>>(
-        [&](auto& record) { sphere_aabb::accumulate(cast<C>(s_.ball), cast<C>(s_.box), record); },
+        [&](auto& record) { sphere_aabb::accumulate_naive(cast<C>(s_.ball), cast<C>(s_.box), record); },
         [&](const auto& event) { say(event); });
     if (s_.truth == Relation::disjoint && s_.in_grown) expanded();
     return std::move(script_.walk());

@@ -48,7 +48,7 @@ std::vector<Opinion> opinions(const Parameters& p) {
   const Setup s = setup(p);
   const Ball3 a = s.tested(s.a), b = s.tested(s.b);
   Opinions all(says_meet(s.truth != Relation::disjoint));
-  all.add("squares (<), the note's: *d*^2 < *R*^2", says_meet(sphere_sphere::squared_distance(a, b)));
+  all.add("squares (<), the note's: *d*^2 < *R*^2", says_meet(sphere_sphere::squared_distance_naive(a, b)));
   all.add("squares: *d*^2 ≤ *R*^2", says_meet(sphere_sphere::closed_squared_distance(a, b)));
   all.add("root: *d* ≤ *R*", says_meet(sphere_sphere::by_distance(a, b)));
   all.add("hypot: *d* ≤ *R*", says_meet(sphere_sphere::by_hypot(a, b)));

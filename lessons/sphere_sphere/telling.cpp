@@ -39,7 +39,7 @@ class Teller {
   Walk tell() {
     const Ball3 a = s_.tested(s_.a), b = s_.tested(s_.b);
     script_.tell<std::variant<sphere_sphere::Compared<C>>>(
-        [&](auto& record) { sphere_sphere::squared_distance(cast<C>(a), cast<C>(b), record); },
+        [&](auto& record) { sphere_sphere::squared_distance_naive(cast<C>(a), cast<C>(b), record); },
         [&](const sphere_sphere::Compared<C>& e) { measured(e.distance2.value, e.sum2.value); });
     compared();
     return std::move(script_.walk());

@@ -12,7 +12,7 @@
 #include "tests/catch.h"
 #include "viz/compose/compose.h"
 #include "viz/formats/files.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/snapshot/snapshot.h"
 
 namespace isect::test {

@@ -7,7 +7,7 @@
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
 #include "viz/compose/compose.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 
 namespace copied_test {
 namespace viz = isect::viz;
@@ -20,12 +20,12 @@ namespace {
 
 /// A window on a lesson, whose saved figures lie below `folder`.
 viz::WindowDriver window_on(const std::string& lesson, const std::string& format, const std::string& folder) {
-  viz::Place place;
-  place.lesson = lesson;
+  viz::ReaderState state;
+  state.lesson = lesson;
   viz::Settings settings;
   settings.save_format = format;
   settings.save_theme = viz::ThemeName::screen;
-  return {isect::lessons::all_lessons(), 1280, 800, place, settings, {.reduced_motion = true, .figures = folder}};
+  return {isect::lessons::all_lessons(), 1280, 800, state, settings, {.reduced_motion = true, .figures = folder}};
 }
 
 /// Turns, moves and draws the scene near, from a place beside all handles.
@@ -89,7 +89,7 @@ TEST_CASE("a figure shows from the middle to the top edge what the window showed
   const Shell shell;
   viz::WindowDriver window = window_on("sphere-aabb", "png", (shell.work() / "saved").string());
   look_elsewhere(window);
-  const viz::Camera camera = *window.player().place().camera;
+  const viz::Camera camera = *window.player().reader_state().camera;
   const viz::Rect rect = window.rect("scene");
   const viz::View scene(camera, rect.width(), rect.height());
   const viz::View picture = viz::figure(window.player().step(), camera, viz::ThemeName::screen, 960, 600).view;

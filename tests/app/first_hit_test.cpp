@@ -131,8 +131,8 @@ std::string name_of(const Json& object) { return object.begin().value().get<std:
 Answered first_hit(const Json& ray, std::vector<Json> objects) {
   objects.insert(objects.begin(), ray);
   const File file = read_scene(Json{{"objects", objects}}.dump(), ".");
-  const Setting setting = {file.parameters, file.flat};
-  return answered(Context{file, setting, room(setting, file.objects)}, FirstHitAsked{0});
+  const NamedValues numbers = {file.parameters, file.flat};
+  return answered(Context{file, numbers, room(numbers, file.objects)}, FirstHitAsked{0});
 }
 
 std::string told(const Answered& a) { return viz::plain(a.verdict.text); }

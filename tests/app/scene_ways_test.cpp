@@ -34,12 +34,12 @@ class Scene {
   explicit Scene(const Json& objects) : file_(read_scene(Json{{"objects", objects}}.dump(), ".")) {}
 
   const Object& object(const std::string& name) const { return file_.objects[index(name)]; }
-  Setting setting() const { return {file_.parameters, file_.flat}; }
-  Shaped shaped(const std::string& name) const { return {setting(), object(name)}; }
+  NamedValues numbers() const { return {file_.parameters, file_.flat}; }
+  Shaped shaped(const std::string& name) const { return {numbers(), object(name)}; }
   Told ask(const std::string& a, const std::string& b) const { return program::scene::ask(shaped(a), shaped(b)); }
   std::string told(const std::string& a, const std::string& b) const { return viz::plain(ask(a, b).verdict.text); }
   Answered first_hit(const std::string& ray) const {
-    return answered(Context{file_, setting(), room(setting(), file_.objects)}, FirstHitAsked{index(ray)});
+    return answered(Context{file_, numbers(), room(numbers(), file_.objects)}, FirstHitAsked{index(ray)});
   }
 
  private:
@@ -285,8 +285,8 @@ TEST_CASE("of a line one point lies in a box only where it is one, not where rou
     Json scene = {{"objects", {line, {{"box", "B"}, {"lo", lo}, {"hi", hi}}}}};
     scene["ask"] = Json::array({{{"clip", "g"}, {"to", "B"}}});
     const File file = read_scene(scene.dump(), ".");
-    const Setting setting{file.parameters, file.flat};
-    const Answered out = answered(Context{file, setting, room(setting, file.objects)}, ClipAsked{0, 1});
+    const NamedValues numbers{file.parameters, file.flat};
+    const Answered out = answered(Context{file, numbers, room(numbers, file.objects)}, ClipAsked{0, 1});
     return viz::plain(out.verdict.text);
   };
   const auto line = [](const char* type, const Json& origin, const Json& dir) {

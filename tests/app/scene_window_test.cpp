@@ -10,7 +10,7 @@
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
 #include "viz/formats/files.h"
-#include "viz/walk/asking.h"
+#include "viz/walk/question_scene.h"
 
 namespace scene_window_test {
 using namespace isect::viz;

@@ -6,12 +6,12 @@
 #include <numbers>
 #include <set>
 
-#include "app/shell/values.h"
+#include "app/shell/option_values.h"
 #include "lessons/lessons.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 #include "viz/formats/files.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 
 namespace select_test {
 namespace fs = std::filesystem;
@@ -196,10 +196,10 @@ TEST_CASE("the camera of a preset's file is the one that is drawn with", "[selec
   const std::string png = drawn("above.json", "png");
   CHECK_FALSE(viz::compare(viz::read_png(png), viz::read_png(drawn("plain.json", "png"))).passes());
   // The figure carries it on, so that `show FIGURE.png` sees the same.
-  const viz::Place place = viz::place_from_metadata(viz::png_metadata(png), isect::lessons::all_lessons());
-  REQUIRE(place.camera);
-  CHECK(place.camera->elevation == 70 * std::numbers::pi / 180);
-  CHECK(place.camera->half_height == 4);
+  const viz::ReaderState state = viz::reader_state_from_metadata(viz::png_metadata(png), isect::lessons::all_lessons());
+  REQUIRE(state.camera);
+  CHECK(state.camera->elevation == 70 * std::numbers::pi / 180);
+  CHECK(state.camera->half_height == 4);
 }
 
 TEST_CASE("a file from before angles were degrees is drawn to the pixel as it was", "[select]") {

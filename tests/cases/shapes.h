@@ -106,9 +106,9 @@ inline std::string note_of(Numbers numbers) {
 template <class Draw>
 void by_numbers(CaseFile& file, int count, const Draw& draw) {
   for (const Numbers numbers : bench::all_numbers) {
-    const auto in_doubles = [&](Random& r) { return draw.template operator()<double>(r, numbers); };
+    const auto drawn_in_doubles = [&](Random& r) { return draw.template operator()<double>(r, numbers); };
     const auto in_floats = [&](Random& r) { return draw.template operator()<float>(r, numbers); };
-    file.family(note_of(numbers), count, in_doubles);
+    file.family(note_of(numbers), count, drawn_in_doubles);
     file.family(note_of(numbers) + ", in floats", (count + 1) / 2, in_floats);
   }
 }

@@ -80,7 +80,7 @@ def all_text(folder, pattern):
 def public(source):
     """A header without comments and without what stands in its namespaces `detail`."""
     source = re.sub(r"//[^\n]*", "", source)
-    for found in re.finditer(r"namespace [\w:]*detail \{", source):
+    for found in re.finditer(r"namespace [\w:]*detail(?:::\w+)? \{", source):
         depth, at = 1, found.end()
         while depth and at < len(source):
             depth += {"{": 1, "}": -1}.get(source[at], 0)

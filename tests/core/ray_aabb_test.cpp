@@ -158,7 +158,7 @@ TEST_CASE("the slab method agrees on ordinary rays", "[ray_aabb]") {
   for (int i = 0; i < 2000; ++i) {
     const Ray<double, 3> ray = {random.in_box<3>(2), random.in_box<3>(1)};
     INFO("seed " << tests::seed() << ", case " << i);
-    const auto naive = ray_aabb::slabs(ray, cube<double, 3>()), exact = intersect(ray, cube<double, 3>());
+    const auto naive = ray_aabb::slabs_naive(ray, cube<double, 3>()), exact = intersect(ray, cube<double, 3>());
     REQUIRE(naive.has_value() == exact.has_value());
     if (!exact) continue;
     ++hits;
@@ -168,7 +168,7 @@ TEST_CASE("the slab method agrees on ordinary rays", "[ray_aabb]") {
   CHECK(hits > 200);
   using C = Counted<double>;
   tally() = {};
-  CHECK(ray_aabb::slabs<C, 2>({{C(-3), C(0)}, {C(1), C(1)}, {C(0), C(9)}}, {{C(-1), C(-9)}, {C(1), C(9)}}));
+  CHECK(ray_aabb::slabs_naive<C, 2>({{C(-3), C(0)}, {C(1), C(1)}, {C(0), C(9)}}, {{C(-1), C(-9)}, {C(1), C(9)}}));
   CHECK(tally().div == 4);
 }
 
@@ -220,7 +220,7 @@ TEMPLATE_TEST_CASE_SIG("the conservative test misses no ray that is aimed at an 
     INFO("seed " << tests::seed() << ", case " << i);
     const bool hit = intersects(ray, box), may = may_intersect(ray, box);
     if (hit) REQUIRE(may);
-    hits += hit, needless += may && !hit, naive += hit && !ray_aabb::slabs(ray, box);
+    hits += hit, needless += may && !hit, naive += hit && !ray_aabb::slabs_naive(ray, box);
   }
   CHECK(hits > count / 4);
   CHECK(needless > 0);

@@ -119,26 +119,26 @@ TEMPLATE_TEST_CASE_SIG("sphere and box: lengths of any size give the same verdic
 }
 
 TEST_CASE("the note's sum over the axes calls touching and NaN what they are not", "[sphere_aabb]") {
-  using sphere_aabb::accumulate;
+  using sphere_aabb::accumulate_naive;
   const Aabb<double, 3> box = {{-1, -1, -1}, {1, 1, 1}};
-  CHECK(accumulate<double, 3>({{2, 0, 0}, 1.5}, box));
-  CHECK_FALSE(accumulate<double, 3>({{4, 5, 0}, 4}, box));
-  CHECK_FALSE(accumulate<double, 3>({{3, 0, 0}, 2}, box));  // touching, and a strict <
-  CHECK(accumulate<double, 3>({{not_a_number, 0, 0}, 1}, box));
-  CHECK(accumulate<double, 3>({{0, 0, 0}, 3}, {{1, 1, 1}, {-1, -1, -1}}));  // inverted
+  CHECK(accumulate_naive<double, 3>({{2, 0, 0}, 1.5}, box));
+  CHECK_FALSE(accumulate_naive<double, 3>({{4, 5, 0}, 4}, box));
+  CHECK_FALSE(accumulate_naive<double, 3>({{3, 0, 0}, 2}, box));  // touching, and a strict <
+  CHECK(accumulate_naive<double, 3>({{not_a_number, 0, 0}, 1}, box));
+  CHECK(accumulate_naive<double, 3>({{0, 0, 0}, 3}, {{1, 1, 1}, {-1, -1, -1}}));  // inverted
 }
 
 TEST_CASE("the note's method needs seven multiplications at most, and no square root", "[sphere_aabb]") {
   using C = Counted<double>;
   tally() = {};
-  sphere_aabb::accumulate<C, 3>({{2., 2., 2.}, 1.}, {{-1., -1., -1.}, {1., 1., 1.}});
+  sphere_aabb::accumulate_naive<C, 3>({{2., 2., 2.}, 1.}, {{-1., -1., -1.}, {1., 1., 1.}});
   CHECK(tally() == Tally{.mul = 4, .add = 6, .compare = 7});
 }
 
 TEST_CASE("the events tell each axis, the comparison and the signs", "[sphere_aabb]") {
   Record<sphere_aabb::Event<double>> record;
   const Aabb<double, 2> box = {{-1, -1}, {1, 1}};
-  sphere_aabb::accumulate<double, 2>({{4, 5}, 5}, box, record);
+  sphere_aabb::accumulate_naive<double, 2>({{4, 5}, 5}, box, record);
   REQUIRE(record.events.size() == 3);
   const auto& last = std::get<sphere_aabb::Axis<double>>(record.events[1]);
   CHECK((last.axis == 1 && last.gap == 4 && last.distance2 == 25));

@@ -112,13 +112,14 @@ TEST_CASE("the published cases that naive code gets wrong are decided rightly", 
   const auto apart = [](float d, float r) {
     const Sphere<float, 3> a = {{0, 0, 0}, r}, b = {{d, 0, 0}, r};
     CHECK_FALSE(intersects(a, b));
-    return sphere_sphere::squared_distance(a, b);
+    return sphere_sphere::squared_distance_naive(a, b);
   };
   CHECK_FALSE(apart(1e-23f, 1e-24f));  // both squares vanish
   CHECK_FALSE(apart(3e19f, 1e19f));    // both squares are infinite
   const Sphere<float, 3> a = {{0, 0, 0}, .1f}, b = {{.3f, 0, 0}, .2f};
   CHECK(relate(a, b) == Relation::disjoint);  // .1f + .2f < .3f exactly, and rounds to it
-  CHECK_FALSE(sphere_sphere::squared_distance<float, 3>({{0, 0, 0}, 1}, {{2, 0, 0}, 1}));  // touching: the note's <
+  CHECK_FALSE(
+      sphere_sphere::squared_distance_naive<float, 3>({{0, 0, 0}, 1}, {{2, 0, 0}, 1}));  // touching: the note's <
   CHECK(intersects(Sphere<float, 3>{{0, 0, 0}, 1}, Sphere<float, 3>{{2, 0, 0}, 1}));
 }
 
@@ -126,7 +127,7 @@ TEST_CASE("the note's test needs no square root", "[sphere_sphere]") {
   using C = Counted<double>;
   const Sphere<C, 3> a = {{0., 0., 0.}, 1.}, b = {{1., 1., 1.}, 1.};
   tally() = {};
-  CHECK(sphere_sphere::squared_distance(a, b));
+  CHECK(sphere_sphere::squared_distance_naive(a, b));
   CHECK(tally().sqrt == 0);
   CHECK(tally().div == 0);
   CHECK(tally().compare == 1);
@@ -143,7 +144,7 @@ TEST_CASE("the events tell the signs, the note's numbers and each fallback", "[s
   relate(Ball{{0, 0, 0}, .1}, Ball{{.3, 0, 0}, .2}, record);
   CHECK(std::holds_alternative<Fallback>(record.events.front()));
   Record<sphere_sphere::Compared<double>> naive;
-  sphere_sphere::squared_distance<double, 3>({{0, 0, 0}, 1}, {{3, 0, 0}, 1}, naive);
+  sphere_sphere::squared_distance_naive<double, 3>({{0, 0, 0}, 1}, {{3, 0, 0}, 1}, naive);
   CHECK(naive.events.at(0).distance2 == 9);
   CHECK(naive.events.at(0).sum2 == 4);
 }

@@ -129,7 +129,7 @@ bool call_meets(const Box& a, const Box& b) { return intersects(a, b HEAR(aabb_a
 Relation call(const Ball& a, const Ball& b) { return relate(a, b HEAR(sphere_sphere::Event)); }
 bool call_meets(const Ball& a, const Ball& b) { return intersects(a, b HEAR(sphere_sphere::Event)); }
 Relation call(const Ball& a, const Box& b) { return relate(a, b HEAR(sphere_aabb::Event<double>)); }
-bool call_accumulate(const Ball& a, const Box& b) { return sphere_aabb::accumulate(a, b HEAR(sphere_aabb::Event<double>)); }
+bool call_accumulate(const Ball& a, const Box& b) { return sphere_aabb::accumulate_naive(a, b HEAR(sphere_aabb::Event<double>)); }
 bool call(const Kdop<double, 3>& a, const Kdop<double, 3>& b) { return may_intersect(a, b HEAR(kdop_kdop::Event<double>)); }
 Relation call(const Plane<double, 3>& a, const Box& b) { return relate(a, b HEAR(plane_aabb::Event<double, 3>)); }
 Relation call(const Plane<double, 3>& a, const Ball& b) { return relate(a, b HEAR(plane_sphere::Event)); }

@@ -145,9 +145,9 @@ std::string verdict(const Json& a, const Json& b, bool turned) {
     const Json whole = {{"objects", {a, b}}};
     scene::Source source(whole.dump());
     const scene::ReadObjects objects = scene::read_objects(source, "");
-    const scene::Setting setting = {objects.parameters, source.flat()};
-    const scene::Answer answer = turned ? scene::ask(setting, objects.all[1], objects.all[0])
-                                        : scene::ask(setting, objects.all[0], objects.all[1]);
+    const scene::NamedValues numbers = {objects.parameters, source.flat()};
+    const scene::Answer answer = turned ? scene::ask(numbers, objects.all[1], objects.all[0])
+                                        : scene::ask(numbers, objects.all[0], objects.all[1]);
     require(!answer.verdict.text.empty(), "a verdict in words", whole.dump());
     return answer.open ? "open" : answer.verdict.text;
   } catch (const isect::viz::BadInput& e) {

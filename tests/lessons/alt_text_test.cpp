@@ -10,7 +10,7 @@
 #include "tests/catch.h"
 #include "viz/chart/case_map.h"
 #include "viz/chart/chart.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
 

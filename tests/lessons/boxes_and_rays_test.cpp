@@ -11,7 +11,7 @@
 #include "lessons/ray_polygon/picture.h"
 #include "lessons/shared/relation.h"
 #include "tests/catch.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/walk/closing.h"
 
 namespace boxes_and_rays_test {

@@ -57,7 +57,7 @@ TEST_CASE("labels neither meet nor leave the picture, in any preset, step, theme
 
 TEST_CASE("a player shows all of what it draws, also while it asks", "[every lesson]") {
   for (const Lesson* lesson : those_asked_for()) {
-    Player player({lesson}, Place{}, true);
+    Player player({lesson}, ReaderState{}, true);
     for (const Preset& preset : lesson->presets)
       for (const double aspect : {1.2, 2.0}) {
         player.load(preset);

@@ -9,7 +9,7 @@
 #include "tests/lessons/words.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/alt_text.h"
-#include "viz/walk/geometry.h"
+#include "viz/walk/scene_in_words.h"
 
 namespace mended_words_test {
 using namespace isect;
@@ -128,7 +128,7 @@ TEST_CASE("a question of three tests says why they part in this very case", "[wo
 TEST_CASE("a line is not called after a point that lies half-way on it", "[words]") {
   const Preset& p = preset(lesson("robustness"), "orientation");
   const Walk walk = lesson("robustness").walk(p.parameters);
-  const std::vector<std::string> told = geometry(walk.steps.front().scene, p.parameters, true);
+  const std::vector<std::string> told = scene_in_words(walk.steps.front().scene, p.parameters, true);
   CHECK(told == std::vector<std::string>{"segment: (-0.25, -0.25) to (3.25, 3.25)"});
 }
 

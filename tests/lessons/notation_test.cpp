@@ -12,7 +12,7 @@
 #include "lessons/speed_against_error/results.h"
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/text/rich_text.h"
 
 namespace notation_test {

@@ -13,7 +13,7 @@
 #include "lessons/shared/relation.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/walk/closing.h"
 
 namespace pairs_test {

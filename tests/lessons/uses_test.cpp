@@ -17,7 +17,7 @@
 #include "tests/viz/pixels.h"
 #include "viz/compose/compose.h"
 #include "viz/player/pick.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/solids.h"
 #include "viz/walk/closing.h"
 

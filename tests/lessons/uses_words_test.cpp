@@ -11,7 +11,7 @@
 #include "tests/lessons/random_settings.h"
 #include "tests/lessons/words.h"
 #include "tests/settings.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/walk/closing.h"
 
 namespace uses_words_test {

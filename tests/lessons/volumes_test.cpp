@@ -23,7 +23,7 @@
 #include "tests/catch.h"
 #include "tests/lessons/words.h"
 #include "viz/chart/chart.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/walk/closing.h"
 
 namespace volumes_test {

@@ -16,7 +16,7 @@
 #include "tests/catch.h"
 #include "tests/lessons/random_settings.h"
 #include "tests/settings.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/walk/closing.h"
 
 namespace volumes_words_test {

@@ -63,13 +63,13 @@ class Judge {
   /// A scene file with its numbers, ready for questions.
   struct Opened {
     scene::File file;
-    scene::Setting setting;
+    scene::NamedValues numbers;
     std::vector<Thing> things;
   };
 
   static Json text_of(const Json& objects, const Json& ask) { return {{"objects", objects}, {"ask", ask}}; }
 
-  static Faces planes_of(const scene::Setting& s, const scene::Object& o) {
+  static Faces planes_of(const scene::NamedValues& s, const scene::Object& o) {
     Faces faces;
     if (o.type != scene::Type::frustum) return faces;
     for (const Plane<double, 3>& plane : scene::frustum_of(s, o).planes)
@@ -112,7 +112,7 @@ class Judge {
     const scene::Context context = {file, {file.parameters, file.flat}, {}};
     std::vector<Thing> things;
     for (std::size_t i = 0; i < n; ++i) {
-      things.push_back(Thing::read(drawn.objects[i], drawn.flat, planes_of(context.setting, file.objects[i])));
+      things.push_back(Thing::read(drawn.objects[i], drawn.flat, planes_of(context.numbers, file.objects[i])));
       if (things.back().kind == Thing::Kind::body &&
           things.back().points.empty())  // a frustum whose planes are rounded
         return static_cast<void>(++refused_["a scene with an empty " + things.back().type]);

@@ -5,7 +5,7 @@
 
 #include "bench/random.h"
 #include "tests/catch.h"
-#include "viz/compose/in_box_or_triangle.h"
+#include "viz/compose/locate_point.h"
 
 namespace facet_layers_test {
 using namespace isect::viz;

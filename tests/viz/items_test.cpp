@@ -6,7 +6,7 @@
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
 #include "viz/compose/compose.h"
-#include "viz/compose/grid.h"
+#include "viz/compose/small_multiples.h"
 #include "viz/solids.h"
 #include "viz/text/text.h"
 
@@ -231,7 +231,7 @@ TEST_CASE("a grid puts drawings of one scale in rows and columns, their headings
                                      {{Ball{{5, 5, 5}, 0.5}, Dot{{5, 5, 5}}}, "g", "second"},
                                      {{solid(box, Role::first)}, "third", ""}};
   Camera camera;
-  const std::vector<Item> items = in_grid(insets, 2, camera);
+  const std::vector<Item> items = small_multiples(insets, 2, camera);
   const Drawn d = drawn(items, ThemeName::print, camera);
   REQUIRE(d.composed.labels.size() == 5);
   const std::vector<Text> texts = d.all<Text>();

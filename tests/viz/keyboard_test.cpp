@@ -114,9 +114,9 @@ TEST_CASE("a refused number leaves the old one, and the reason stands below the 
 }
 
 TEST_CASE("a number out of range is refused in few words, of a vector that number alone", "[window]") {
-  Place place;
-  place.lesson = "ray-sphere";
-  WindowDriver window(lessons::all_lessons(), 1280, 1000, place, with_parameters());
+  ReaderState state;
+  state.lesson = "ray-sphere";
+  WindowDriver window(lessons::all_lessons(), 1280, 1000, state, with_parameters());
   window.frames(2);
   const Setting before = window.player().parameters().at("origin");
   type_into(window, "parameter origin.x", "1e308");
@@ -152,9 +152,9 @@ TEST_CASE("what changes nothing in this setting is pale, and says when it would"
 }
 
 TEST_CASE("a direction of 0, 0, 0 is refused", "[window]") {
-  Place place;
-  place.lesson = "ray-sphere";
-  WindowDriver window(lessons::all_lessons(), 1280, 1000, place, with_parameters());
+  ReaderState state;
+  state.lesson = "ray-sphere";
+  WindowDriver window(lessons::all_lessons(), 1280, 1000, state, with_parameters());
   window.frames(2);
   for (const char* field : {"parameter direction.x", "parameter direction.y", "parameter direction.z"}) {
     type_into(window, field, "0");
@@ -308,9 +308,9 @@ TEST_CASE("undo leaves the step where the reader has gone on, and redo does it a
 }
 
 TEST_CASE("presets beyond the ninth have keys", "[window]") {
-  Place place;
-  place.lesson = "intervals";
-  WindowDriver window(lessons::all_lessons(), 1280, 800, place);
+  ReaderState state;
+  state.lesson = "intervals";
+  WindowDriver window(lessons::all_lessons(), 1280, 800, state);
   const std::vector<const Preset*> group = window.player().group();
   REQUIRE(group.size() >= 10);
   window.type("0");

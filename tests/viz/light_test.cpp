@@ -18,10 +18,10 @@ namespace {
 std::vector<std::string> named(const std::string& markup) { return keys(names_in(markup)); }
 using Keys = std::vector<std::string>;
 
-Place haines() {
-  Place place;
-  place.lesson = "ray-sphere", place.preset = "two-roots";
-  return place;
+ReaderState haines() {
+  ReaderState state;
+  state.lesson = "ray-sphere", state.preset = "two-roots";
+  return state;
 }
 
 /// The number of places that are lit for a name.

@@ -14,10 +14,10 @@ using namespace isect::viz;
 
 namespace {
 
-Place at(const std::string& lesson) {
-  Place place;
-  place.lesson = lesson;
-  return place;
+ReaderState at(const std::string& lesson) {
+  ReaderState state;
+  state.lesson = lesson;
+  return state;
 }
 
 WindowOptions with_course() {

@@ -34,19 +34,19 @@ TEST_CASE("a player starts paused at the first step of the first lesson's first 
 }
 
 TEST_CASE("a place opens lesson, preset, step, parameters and camera", "[player]") {
-  Place place;
-  place.lesson = "point-ball";
-  place.step = 2;
-  place.parameters = sample::parameters("distance", {3, 0, 0}, {1, 0, 0}, 2.5);
-  place.camera = Camera{};
-  place.camera->half_height = 7;
-  const Player player(both, place);
+  ReaderState state;
+  state.lesson = "point-ball";
+  state.step = 2;
+  state.parameters = sample::parameters("distance", {3, 0, 0}, {1, 0, 0}, 2.5);
+  state.camera = Camera{};
+  state.camera->half_height = 7;
+  const Player player(both, state);
   CHECK(player.lesson().id == "point-ball");
   CHECK(player.preset_id().empty());
   CHECK(player.index() == 2);
   CHECK(player.method() == "distance");
   CHECK(player.camera().now().half_height == 7);
-  CHECK((*player.place().parameters == *place.parameters));
+  CHECK((*player.reader_state().parameters == *state.parameters));
 }
 
 TEST_CASE("a number that is typed or a handle that is dragged keeps the lesson's conditions", "[player]") {
@@ -62,19 +62,19 @@ TEST_CASE("a number that is typed or a handle that is dragged keeps the lesson's
 }
 
 TEST_CASE("a place that is none is refused and nothing changes", "[player]") {
-  Place place;
-  place.lesson = "point-dis";
-  CHECK_THROWS_AS(Player(both, place), BadInput);
+  ReaderState state;
+  state.lesson = "point-dis";
+  CHECK_THROWS_AS(Player(both, state), BadInput);
 
   Player player(both);
   player.go_to(1);
-  CHECK_THROWS_AS(player.go(place), BadInput);
-  place.lesson = "point-ball";
-  place.preset = "nowhere";
-  CHECK_THROWS_AS(player.go(place), BadInput);
-  place.preset.clear();
-  place.parameters = sample::parameters("squared", {0, 0, 0}, {0, 0, 0}, -1);
-  CHECK_THROWS_AS(player.go(place), BadInput);
+  CHECK_THROWS_AS(player.go(state), BadInput);
+  state.lesson = "point-ball";
+  state.preset = "nowhere";
+  CHECK_THROWS_AS(player.go(state), BadInput);
+  state.preset.clear();
+  state.parameters = sample::parameters("squared", {0, 0, 0}, {0, 0, 0}, -1);
+  CHECK_THROWS_AS(player.go(state), BadInput);
   CHECK(player.lesson().id == "point-disc");
   CHECK(player.index() == 1);
   CHECK_FALSE(player.undo());
@@ -228,7 +228,7 @@ TEST_CASE("parameters changed by hand are no preset, until they are one again", 
   Player player(both);
   player.edit("r", 1.0);
   CHECK(player.preset_id().empty());
-  CHECK(player.place().preset.empty());
+  CHECK(player.reader_state().preset.empty());
   player.edit("r", 1.5);
   CHECK(player.preset_id() == "squared-inside");
   CHECK_THROWS_AS(player.edit("r", -1.0), BadInput);

@@ -8,8 +8,8 @@
 #include "tests/catch.h"
 #include "tests/viz/sample_lesson.h"
 #include "tests/viz/scarce_memory.h"
-#include "viz/player/place.h"
 #include "viz/player/player.h"
+#include "viz/player/reader_state.h"
 
 namespace player_throws_test {
 using namespace isect::viz;
@@ -62,7 +62,7 @@ struct Seen {
 };
 
 Seen seen(Player player) {
-  Seen s = {to_json(player.place()),
+  Seen s = {to_json(player.reader_state()),
             player.revision(),
             player.playing(),
             player.asked() != nullptr,
@@ -72,7 +72,7 @@ Seen seen(Player player) {
             {}};
   for (const Method& m : player.methods()) s.methods.push_back(m.title);
   for (const Opinion& o : player.opinions()) s.opinions.push_back(o.method + o.says);
-  while (player.undo()) s.behind.push_back(to_json(player.place()));
+  while (player.undo()) s.behind.push_back(to_json(player.reader_state()));
   return s;
 }
 
@@ -111,11 +111,11 @@ const std::vector<Action> actions = {
      }},
     {"go to a place",
      [](Player& p) {
-       Place place;
-       place.lesson = "point-ball";
-       place.step = 2;
-       place.camera = Camera{};
-       p.go(place);
+       ReaderState state;
+       state.lesson = "point-ball";
+       state.step = 2;
+       state.camera = Camera{};
+       p.go(state);
      }},
     {"another aspect", [](Player& p) { p.set_aspect(2); }},
     {"frame all", [](Player& p) { p.frame_all(); }},

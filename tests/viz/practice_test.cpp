@@ -4,7 +4,7 @@
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
 #include "viz/chart/case_map.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/walk/closing.h"
 
 namespace practice_test {
@@ -15,10 +15,10 @@ namespace {
 
 const Lesson& spheres() { return lesson_named(lessons::all_lessons(), "sphere-sphere"); }
 
-Place at(const std::string& preset) {
-  Place place;
-  place.lesson = "sphere-sphere", place.preset = preset;
-  return place;
+ReaderState at(const std::string& preset) {
+  ReaderState state;
+  state.lesson = "sphere-sphere", state.preset = preset;
+  return state;
 }
 
 /// The least distance from a point to a segment.
@@ -67,9 +67,9 @@ void find_it(Player& player) {
 
 TEST_CASE("an outcome stays the outcome, whatever setting is dragged", "[player]") {
   for (const Lesson* lesson : lessons::all_lessons()) {
-    Place place;
-    place.lesson = lesson->id;
-    Player player({lesson}, place);
+    ReaderState state;
+    state.lesson = lesson->id;
+    Player player({lesson}, state);
     player.go_to(outcome(player.walk()));
     for (const Preset& p : lesson->presets) {
       INFO(lesson->id << " " << p.id);
@@ -200,9 +200,9 @@ TEST_CASE("only what was done is counted, and from the step that did it", "[wind
 }
 
 TEST_CASE("the current line says no as soon as its condition is found false", "[window]") {
-  Place place;
-  place.lesson = "ray-sphere", place.preset = "two-roots", place.step = 3;
-  WindowDriver window(lessons::all_lessons(), 1280, 800, place);
+  ReaderState state;
+  state.lesson = "ray-sphere", state.preset = "two-roots", state.step = 3;
+  WindowDriver window(lessons::all_lessons(), 1280, 800, state);
   REQUIRE(window.player().step().slug == "early-reject");
   REQUIRE_FALSE(window.player().step().comparison->holds);
   CHECK(window.has("no 4"));

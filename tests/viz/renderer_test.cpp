@@ -7,7 +7,7 @@
 
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
-#include "viz/gl/batch.h"
+#include "viz/gl/triangle_batch.h"
 
 namespace renderer_test {
 using namespace isect::viz;
@@ -106,7 +106,7 @@ TEST_CASE("a translucent straight stroke is one sheet of ink, and many of them a
   CHECK(darkest(false, {15, 5}) == Approx(0.4).margin(0.003));
   CHECK(darkest(true, {15, 5}) == Approx(0.4).margin(0.003));  // each cap reaches into the next dash
 
-  Batch grid(1);
+  TriangleBatch grid(1);
   for (int i = 0; i < 50; ++i) grid.add(Stroke{polyline({{2.0 * i, 0}, {2.0 * i, 90}}), black, 0.5});
   CHECK(grid.calls().size() == 1);
 }

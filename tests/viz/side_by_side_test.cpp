@@ -10,7 +10,7 @@
 #include "tests/viz/window_driver.h"
 #include "viz/chart/case_map.h"
 #include "viz/chart/chart.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/walk/closing.h"
 #include "viz/window/palette.h"
 
@@ -87,7 +87,7 @@ TEST_CASE("the alarm shows where methods differ, and keeps the setting as a pres
   const std::filesystem::path kept = folder / "sphere-sphere" / "disagreement-1.json";
   REQUIRE(std::filesystem::exists(kept));
   CHECK(std::filesystem::exists(folder / "sphere-sphere" / "disagreement-2.json"));
-  const Place loaded = place_from_json(read(kept), lessons::all_lessons());
+  const ReaderState loaded = reader_state_from_json(read(kept), lessons::all_lessons());
   CHECK(loaded.lesson == "sphere-sphere");
   CHECK((*loaded.parameters == window.player().parameters()));
   std::filesystem::remove_all(folder);

@@ -392,7 +392,7 @@ TEST_CASE("a search goes around settings that the lesson refuses, whether they a
 }
 
 TEST_CASE("a drag into what the lesson refuses is refused in words, with Shift as without", "[window]") {
-  Place start = place_at("refusing", "more");
+  ReaderState start = place_at("refusing", "more");
   WindowDriver window({&refusing()}, 1280, 800, start);
   const Rect r = window.rect("handle x");
   const float away = 4 * (r.middle_x() - window.rect("scene").middle_x());  // from 0.5 to 2 or more

@@ -5,7 +5,7 @@
 #include "tests/catch.h"
 #include "tests/viz/toy_lesson.h"
 #include "viz/compose/compose.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 
 namespace snapshot_test {
 using namespace isect::viz;

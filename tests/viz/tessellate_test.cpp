@@ -7,7 +7,7 @@
 #include <random>
 
 #include "tests/catch.h"
-#include "viz/gl/batch.h"
+#include "viz/gl/triangle_batch.h"
 
 namespace tessellate_test {
 using namespace isect::viz;
@@ -279,7 +279,7 @@ TEST_CASE("a line is thinned of the points that no one could tell apart", "[tess
 TEST_CASE("an outline of thousands of corners is drawn by those that can be told apart", "[tessellate]") {
   const Path outline = polyline(star(10'000, 1), true);
   for (const double scale : {100.0, 1e6}) {  // 16 and far under one corner a pixel
-    Batch batch(scale);
+    TriangleBatch batch(scale);
     batch.add(Fill{outline, {}, 0, 0, {}});
     batch.add(Stroke{outline, {}, 2 / scale, {0, 0}, true});
     CHECK((batch.vertices().size() < 3'000) == (scale == 100));

@@ -8,7 +8,7 @@
 #include "tests/viz/sample_lesson.h"
 #include "tests/viz/window_driver.h"
 #include "viz/walk/closing.h"
-#include "viz/walk/parting.h"
+#include "viz/walk/walk_difference.h"
 
 namespace two_panes_test {
 using namespace isect;
@@ -78,7 +78,7 @@ TEST_CASE("two panes are copied with the state and come back when it is pasted",
   window.key(key::c, true);
   const std::string copied = ImGui::GetClipboardText();
   CHECK_THAT(copied, isect::test::Contains("\"beside\": {\"method\":\"distance\"}"));
-  CHECK((place_from_json(copied, both).beside == OtherSide{"distance", ""}));
+  CHECK((reader_state_from_json(copied, both).beside == OtherSide{"distance", ""}));
   window.type("v");
   REQUIRE_FALSE(window.has("other scene"));
   window.key(key::v, true);
@@ -86,7 +86,7 @@ TEST_CASE("two panes are copied with the state and come back when it is pasted",
   CHECK(window.has("other scene"));
   CHECK((window.ui.settings().beside == Beside{"point-disc", "distance", ""}));
 
-  WindowDriver again(both, 1280, 800, place_from_json(copied, both));
+  WindowDriver again(both, 1280, 800, reader_state_from_json(copied, both));
   CHECK(again.has("other scene"));
   again.type("v");
   again.key(key::c, true);
@@ -99,7 +99,7 @@ TEST_CASE("two panes are copied with the state and come back when it is pasted",
 TEST_CASE("beside what stands in a copied state is a method or a preset of its lesson", "[window]") {
   const auto refused = [&](const std::string& beside) {
     try {
-      place_from_json(R"({"lesson": "point-disc", "beside": )" + beside + "}", both);
+      reader_state_from_json(R"({"lesson": "point-disc", "beside": )" + beside + "}", both);
     } catch (const BadInput& why) {
       return std::string(why.what());
     }
@@ -228,9 +228,9 @@ TEST_CASE("a preset beside this one stays as it is", "[window]") {
 }
 
 TEST_CASE("a lesson without other methods sets the next preset beside this one, or the one it came from", "[window]") {
-  Place place;
-  place.lesson = "sphere-sphere";
-  WindowDriver window(lessons::all_lessons(), 1280, 800, place);
+  ReaderState state;
+  state.lesson = "sphere-sphere";
+  WindowDriver window(lessons::all_lessons(), 1280, 800, state);
   const auto group = window.player().group();
   window.type("v");
   CHECK(window.ui.settings().beside->preset == group[1]->id);
@@ -244,20 +244,20 @@ TEST_CASE("two panes are kept between runs, and what is no pane is not", "[windo
   const std::string file = isect::test::scratch("isect-two-panes.json").string();
   Settings settings;
   settings.beside = Beside{"point-disc", "distance", ""};
-  Place place;
-  place.lesson = "point-disc";
-  settings.place = place;
-  settings.place->parameters = disc.presets.front().parameters;
-  settings.place->step = 0;
+  ReaderState state;
+  state.lesson = "point-disc";
+  settings.reader_state = state;
+  settings.reader_state->parameters = disc.presets.front().parameters;
+  settings.reader_state->step = 0;
   write_settings(file, settings);
   const Settings kept = read_settings(file, both);
   CHECK((kept.beside == settings.beside));
-  WindowDriver window(both, 1280, 800, *kept.place, kept);
+  WindowDriver window(both, 1280, 800, *kept.reader_state, kept);
   CHECK(window.has("other scene"));
 
   Settings wrong = settings;
   wrong.beside->method = "guessing";
-  WindowDriver other(both, 1280, 800, *kept.place, wrong);
+  WindowDriver other(both, 1280, 800, *kept.reader_state, wrong);
   CHECK_FALSE(other.has("other scene"));
   CHECK_FALSE(other.ui.message().empty());
   write_file(file, R"({"beside": {"lesson": "point-disc", "method": "", "preset": 3}})");
@@ -265,17 +265,17 @@ TEST_CASE("two panes are kept between runs, and what is no pane is not", "[windo
   std::filesystem::remove(file);
 }
 
-TEST_CASE("where walks part is told up to the steps shown, and no further", "[parting]") {
+TEST_CASE("where walks part is told up to the steps shown, and no further", "[walk_difference]") {
   const auto walk = [](const Vec3& p) { return sample::walk(sample::parameters("squared", p, Vec3::Zero(), 1.5)); };
   const Walk in = walk({0.5, 0.5, 0}), out = walk({2.5, 1, 0});
-  CHECK((parting(in, 2, in, 2) == Parting{}));
-  CHECK(parting(in, 2, out, 2).line_a == -1);
-  CHECK(parting(in, 3, out, 3).line_a == 4);
-  CHECK(parting(in, 3, out, 3).line_b == 3);
-  CHECK(parting(in, 1, out, 1).value_a == 0);
-  CHECK(parting(in, 0, out, 0).value_a == -1);
-  CHECK(parting(in, 0, in, 1).value_b == 0);  // only the second has come to a value
-  CHECK(parting(in, 0, in, 1).value_a == -1);
+  CHECK((walk_difference(in, 2, in, 2) == WalkDifference{}));
+  CHECK(walk_difference(in, 2, out, 2).line_a == -1);
+  CHECK(walk_difference(in, 3, out, 3).line_a == 4);
+  CHECK(walk_difference(in, 3, out, 3).line_b == 3);
+  CHECK(walk_difference(in, 1, out, 1).value_a == 0);
+  CHECK(walk_difference(in, 0, out, 0).value_a == -1);
+  CHECK(walk_difference(in, 0, in, 1).value_b == 0);  // only the second has come to a value
+  CHECK(walk_difference(in, 0, in, 1).value_a == -1);
 }
 
 }  // namespace two_panes_test

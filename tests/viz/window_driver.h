@@ -18,10 +18,10 @@
 namespace isect::viz {
 
 /// A lesson's preset.
-inline Place place_at(const std::string& lesson, const std::string& preset) {
-  Place place;
-  place.lesson = lesson, place.preset = preset;
-  return place;
+inline ReaderState place_at(const std::string& lesson, const std::string& preset) {
+  ReaderState state;
+  state.lesson = lesson, state.preset = preset;
+  return state;
 }
 
 /// Options for tests of the layout: drawing the scene takes most of a frame, and placing its names much of the rest.
@@ -30,8 +30,9 @@ inline const WindowOptions names_only = {.reduced_motion = true, .draw_scene = f
 
 class WindowDriver {
  public:
-  WindowDriver(const std::vector<const Lesson*>& lessons, float width = 1280, float height = 800, const Place& at = {},
-               const Settings& settings = {}, const WindowOptions& options = {.reduced_motion = true})
+  WindowDriver(const std::vector<const Lesson*>& lessons, float width = 1280, float height = 800,
+               const ReaderState& at = {}, const Settings& settings = {},
+               const WindowOptions& options = {.reduced_motion = true})
       : ui(lessons, at, offscreen.renderer(), settings, options), scale_(static_cast<float>(options.scale)) {
     resize(width, height);
     ImGui::GetIO().MousePos = {-1, -1};

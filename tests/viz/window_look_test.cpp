@@ -10,7 +10,7 @@
 #include "tests/catch.h"
 #include "tests/viz/sample_lesson.h"
 #include "tests/viz/window_driver.h"
-#include "viz/compose/objects.h"
+#include "viz/compose/item_names.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/utf8.h"
 #include "viz/walk/alt_text.h"

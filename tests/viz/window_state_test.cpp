@@ -26,15 +26,15 @@ TEST_CASE("the state goes through the clipboard and back", "[window]") {
   window.key(key::end);
   window.key(key::c, true);
   const std::string copied = ImGui::GetClipboardText();
-  const Place before = window.player().place();
+  const ReaderState before = window.player().reader_state();
 
   window.type("]1o");
   CHECK(window.player().lesson().id == "point-ball");
   ImGui::SetClipboardText(copied.c_str());
   window.key(key::v, true);
-  CHECK(window.player().place().lesson == "point-disc");
-  CHECK(window.player().place().preset == "squared-outside");
-  CHECK(window.player().place().step == before.step);
+  CHECK(window.player().reader_state().lesson == "point-disc");
+  CHECK(window.player().reader_state().preset == "squared-outside");
+  CHECK(window.player().reader_state().step == before.step);
   CHECK(window.player().camera().now().perspective);
 }
 
@@ -74,9 +74,9 @@ TEST_CASE("a figure is saved where its name says, and opens again at its place",
   const Picture saved = read_png(bytes);
   CHECK(saved.width == 960);
   CHECK(saved.height == 600);
-  const Place place = place_from_metadata(png_metadata(bytes), both);
-  CHECK(place.lesson == "point-disc");
-  CHECK(place.step == 1);
+  const ReaderState state = reader_state_from_metadata(png_metadata(bytes), both);
+  CHECK(state.lesson == "point-disc");
+  CHECK(state.step == 1);
 
   window.key(key::f12);
   window.click("format svg");
@@ -196,7 +196,7 @@ TEST_CASE("a figure is saved in every format, on paper as wide as asked", "[wind
     const std::string file = folder + "/point-disc/squared-inside/01-way." + format.name;
     CHECK(window.ui.message() == "Saved " + file + ", with its alt text");
     const std::string bytes = read_file(file);
-    CHECK(place_from_metadata(format.metadata(bytes), both).lesson == "point-disc");
+    CHECK(reader_state_from_metadata(format.metadata(bytes), both).lesson == "point-disc");
     if (format.name == "png") CHECK(read_png(bytes).width >= static_cast<int>(8 / 2.54 * 300) - 1);
     if (format.name == "png") CHECK(read_png(bytes).width <= static_cast<int>(8 / 2.54 * 300 * 1.6));
   }
@@ -306,19 +306,19 @@ TEST_CASE("a scene of a file leaves the reader's place among the lessons as it w
   scene.id = "scene", scene.made_from = "{}";
   const std::vector<const Lesson*> lessons = {&ball, &scene};
   Settings kept;
-  kept.place = place_at(ball.id, ball.presets.front().id);
-  kept.place->step = 1;
+  kept.reader_state = place_at(ball.id, ball.presets.front().id);
+  kept.reader_state->step = 1;
   kept.recent = {ball.id};
   WindowDriver window(lessons, 1280, 800, place_at("scene", disc.presets.front().id), kept);
   window.key(key::right);
   window.drag("handle c", 30, 10);
   REQUIRE(window.player().lesson().id == "scene");
-  REQUIRE(window.ui.settings().place);
-  CHECK(window.ui.settings().place->lesson == ball.id);
-  CHECK(window.ui.settings().place->step == 1);
+  REQUIRE(window.ui.settings().reader_state);
+  CHECK(window.ui.settings().reader_state->lesson == ball.id);
+  CHECK(window.ui.settings().reader_state->step == 1);
   CHECK(window.ui.settings().recent == std::vector<std::string>{ball.id});
   window.type("]");
-  CHECK(window.ui.settings().place->step == 0);
+  CHECK(window.ui.settings().reader_state->step == 0);
 }
 
 TEST_CASE("a setting is saved as a preset, which the picker lists and opens", "[window]") {
@@ -364,7 +364,7 @@ TEST_CASE("a saved preset is listed wherever the window is opened next, until it
     window.frames(2);
     settings = window.ui.settings();
   }
-  settings.place.reset();
+  settings.reader_state.reset();
   WindowDriver elsewhere(both, 1280, 800, {}, settings, {.reduced_motion = true, .figures = "/nowhere"});
   REQUIRE_FALSE((elsewhere.player().parameters() == saved));
   const std::string name = "saved point-disc, setting-1, in " + folder;
@@ -399,8 +399,8 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
   s.speed = 1.5;
   s.nonstop = true;
   s.width = 1600;
-  s.place = Player(both).place();
-  s.place->step = 3;
+  s.reader_state = Player(both).reader_state();
+  s.reader_state->step = 3;
   s.scores["point-disc"] = {{{"squared/compare", true}, {"squared/length", false}}, true};
   s.recent = {"point-ball", "point-disc"};
   s.saved = {"/b/point-disc/setting-1.json", "/a/point-disc/setting-2.json"};
@@ -411,8 +411,8 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
   CHECK(read.speed == 1.5);
   CHECK(read.nonstop);
   CHECK(read.width == 1600);
-  REQUIRE(read.place);
-  CHECK(read.place->step == 3);
+  REQUIRE(read.reader_state);
+  CHECK(read.reader_state->step == 3);
   CHECK(read.scores.at("point-disc").right() == 1);
   CHECK(read.scores.at("point-disc").answers.size() == 2);
   CHECK(read.scores.at("point-disc").finished);
@@ -425,7 +425,7 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
   CHECK(half.width == 1280);
   CHECK(half.save_theme == ThemeName::print);
   CHECK(half.speed == 2);
-  CHECK_FALSE(half.place);
+  CHECK_FALSE(half.reader_state);
 
   for (const char* wide : {"-2147483649", "40000", "799", "1e99", "-1"}) {  // what no screen has
     INFO(wide);
@@ -466,9 +466,9 @@ TEST_CASE("a spoilt file of settings is set aside, and none that was set aside b
 
 TEST_CASE("a camera that nobody has moved is not kept, so that presets go on framing themselves", "[window]") {
   WindowDriver window(both);
-  CHECK_FALSE(window.ui.settings().place->camera);
+  CHECK_FALSE(window.ui.settings().reader_state->camera);
   window.key(key::right, false, true);
-  CHECK(window.ui.settings().place->camera);
+  CHECK(window.ui.settings().reader_state->camera);
 }
 
 TEST_CASE("without a display the window says so", "[window]") {

@@ -28,7 +28,7 @@
 #include "lessons/lessons.h"
 #include "tests/settings.h"
 #include "tests/viz/window_driver.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 
 using namespace isect;
 using namespace isect::viz;
@@ -128,9 +128,9 @@ class Drive {
     log_.open(out_ + "/actions.txt", std::ios::trunc);
     random_.seed(seed_ * 1'000'003 + static_cast<std::uint64_t>(number));
     const Lesson& lesson = *stops_[(static_cast<std::size_t>(number) * 7 + seed_) % stops_.size()];
-    Place place;
-    place.lesson = lesson.id;
-    place.preset = any(lesson.presets).id;
+    ReaderState state;
+    state.lesson = lesson.id;
+    state.preset = any(lesson.presets).id;
     Settings settings;
     settings.parameters_open = chance(0.5), settings.map = chance(0.3), settings.nonstop = chance(0.2);
     settings.theme = any(themes);
@@ -141,9 +141,9 @@ class Drive {
       all.push_back(&lesson);
       options.save_scene = [&](const Parameters& p) { program::scene::keep(lesson, ISECT_EXAMPLE_SCENES, p); };
     }
-    tell(fmt::format("round {}, ISECT_SEED={}: {} {}", number, seed_, lesson.id, place.preset));
+    tell(fmt::format("round {}, ISECT_SEED={}: {} {}", number, seed_, lesson.id, state.preset));
     try {
-      timed([&] { window_.emplace(all, 1280.0f, 800.0f, place, settings, options); });
+      timed([&] { window_.emplace(all, 1280.0f, 800.0f, state, settings, options); });
       for (int i = 0; i < actions_a_round; ++i) timed([&] { act(); });
       window_.reset();
     } catch (const std::exception& e) {
@@ -319,7 +319,7 @@ class Drive {
   void paste() {
     std::string text = any(junk);
     if (chance(0.5)) {  // a state, perhaps spoilt
-      text = to_json(window_->player().place());
+      text = to_json(window_->player().reader_state());
       for (int i = below(3); i > 0; --i) text[static_cast<std::size_t>(below(text.size()))] = any(spoilers);
     }
     tell("paste " + text);

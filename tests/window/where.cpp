@@ -15,12 +15,12 @@ using namespace isect::viz;
 int main(int argc, char** argv) try {
   const bool downs = argc == 5 && std::strcmp(argv[4], "downs") == 0;
   if (argc != 4 && !downs) throw std::runtime_error("usage: where LESSON STEP WIDGET [downs]");
-  Place place;
-  place.lesson = argv[1];
-  place.step = std::atoi(argv[2]) - 1;
+  ReaderState state;
+  state.lesson = argv[1];
+  state.step = std::atoi(argv[2]) - 1;
   Settings settings;
   settings.parameters_open = downs;
-  WindowDriver window(isect::lessons::all_lessons(), 1280, 800, place, settings);
+  WindowDriver window(isect::lessons::all_lessons(), 1280, 800, state, settings);
   if (!downs) {
     const Rect r = window.rect(argv[3]);
     std::printf("%.0f %.0f\n", r.middle_x(), r.middle_y());

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/compose/in_box_or_triangle.h"
+#include "viz/compose/locate_point.h"
 #include "viz/compose/marks.h"
 #include "viz/compose/paper.h"
 #include "viz/text/rich_text.h"
@@ -174,7 +174,7 @@ void draw(Canvas& c, const Heading& it) {
   text.at.y() += 0.34 * text.size;  // half the height of capitals, so that headings side by side share a baseline
   box = measure(text);
   for (const Handle& handle : c.scene.handles)  // a handle would cover the heading: it moves aside
-    if (c.handles && holds(grown(box, c.sizes().handle_ring), c.at(handle.at))) {
+    if (c.handles && contains(grown(box, c.sizes().handle_ring), c.at(handle.at))) {
       c.labels.push_back({it.text, c.at(it.at), c.at(it.at), c.sizes().handle_ring, text.colour});
       return;
     }

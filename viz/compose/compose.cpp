@@ -6,7 +6,7 @@
 #include "viz/chart/chart.h"
 #include "viz/compose/canvas.h"
 #include "viz/compose/halos.h"
-#include "viz/compose/objects.h"
+#include "viz/compose/item_names.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::viz {

@@ -5,8 +5,8 @@
 #include <deque>
 #include <optional>
 
-#include "viz/compose/in_box_or_triangle.h"
 #include "viz/compose/labels.h"
+#include "viz/compose/locate_point.h"
 #include "viz/text/text.h"
 
 namespace isect::viz {
@@ -49,7 +49,7 @@ TextBox around(const Shape& shape) {
 
 /// Returns how often the outline winds around the point.
 int winding(const Path& path, const Vec2& p) {
-  if (!holds(around(path), p)) return 0;
+  if (!contains(around(path), p)) return 0;
   const std::vector<Vec2> ring = flatten(path, 0.5);
   int turns = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {

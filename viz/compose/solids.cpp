@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "viz/compose/canvas.h"
-#include "viz/compose/in_box_or_triangle.h"
+#include "viz/compose/locate_point.h"
 
 namespace isect::viz {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "viz/formats/animation.h"
 #include "viz/formats/colour_table.h"
+#include "viz/formats/metadata_limit.h"
 #include "viz/formats/metadata_text.h"
-#include "viz/formats/most_metadata.h"
 
 namespace isect::viz {
 namespace {
@@ -154,7 +154,7 @@ class GifReader {
     check(DGifGetExtension(file_, &code, &block));
     std::string text;
     for (; block; check(DGifGetExtensionNext(file_, &block)))
-      if (code == COMMENT_EXT_FUNC_CODE && text.size() <= most_metadata)
+      if (code == COMMENT_EXT_FUNC_CODE && text.size() <= metadata_limit)
         text.append(reinterpret_cast<const char*>(block) + 1, block[0]);
     return text;
   }
@@ -187,7 +187,7 @@ std::string gif(const std::vector<Picture>& pictures, double seconds, const Meta
 Metadata gif_metadata(const std::string& bytes) {
   const std::string text = GifReader(bytes).comment();
   if (text.empty()) return {};
-  if (text.size() > most_metadata) throw FileError("broken GIF: its metadata is too long");
+  if (text.size() > metadata_limit) throw FileError("broken GIF: its metadata is too long");
   return metadata_of_text(text, "GIF");
 }
 

@@ -18,8 +18,8 @@
 #include <sstream>
 
 #include "viz/formats/animation.h"
+#include "viz/formats/metadata_limit.h"
 #include "viz/formats/metadata_text.h"
-#include "viz/formats/most_metadata.h"
 
 namespace isect::viz {
 namespace {

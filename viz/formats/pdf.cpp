@@ -8,8 +8,8 @@
 
 #include "viz/formats/cairo_drawing.h"
 #include "viz/formats/files.h"
+#include "viz/formats/metadata_limit.h"
 #include "viz/formats/metadata_text.h"
-#include "viz/formats/most_metadata.h"
 
 namespace isect::viz {
 namespace {
@@ -105,7 +105,7 @@ Metadata pdf_metadata(const std::string& bytes) {
     if (at == bytes.npos) break;
     const std::string text = as_ascii(string_at(bytes, at));
     if (!text.starts_with(metadata_mark)) continue;
-    if (text.size() > most_metadata) throw FileError("broken PDF: its metadata is too long");
+    if (text.size() > metadata_limit) throw FileError("broken PDF: its metadata is too long");
     return metadata_of_text(text.substr(metadata_mark.size()), "PDF");
   }
   return {};

@@ -11,7 +11,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "viz/formats/most_metadata.h"
+#include "viz/formats/metadata_limit.h"
 
 namespace isect::viz {
 namespace {

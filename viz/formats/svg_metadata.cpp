@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "viz/formats/files.h"
+#include "viz/formats/metadata_limit.h"
 #include "viz/formats/metadata_text.h"
-#include "viz/formats/most_metadata.h"
 
 namespace isect::viz {
 namespace {
@@ -70,7 +70,7 @@ class MetadataReader {
     if (ours_ != 0) keep(element_, text);
   }
   void keep(std::string& to, std::string_view text) {
-    if (to.size() + text.size() > most_metadata) return stop("its metadata is too long");
+    if (to.size() + text.size() > metadata_limit) return stop("its metadata is too long");
     to += text;
   }
   void stop(const char* why) {

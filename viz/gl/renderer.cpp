@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-#include "viz/gl/batch.h"
 #include "viz/gl/gl.h"
+#include "viz/gl/triangle_batch.h"
 
 namespace isect::viz {
 namespace {
@@ -231,8 +231,8 @@ struct Renderer::Impl {
     glDeleteBuffers(1, &buffer);
   }
 
-  Batch batch(const Drawing& drawing, double scale, const PixelBox& part) {
-    Batch out(scale);
+  TriangleBatch batch(const Drawing& drawing, double scale, const PixelBox& part) {
+    TriangleBatch out(scale);
     for (const Shape& shape : drawing.shapes)
       if (const Facets* facets = std::get_if<Facets>(&shape); facets && sketched)
         add_pixels(out, *facets, scale, part);
@@ -241,15 +241,15 @@ struct Renderer::Impl {
     return out;
   }
 
-  void add_pixels(Batch& out, const Facets& facets, double scale, const PixelBox& part) {
+  void add_pixels(TriangleBatch& out, const Facets& facets, double scale, const PixelBox& part) {
     const auto [picture, corner] = raster(facets, scale, part);
     if (picture.width == 0) return;
     facet_textures.push_back(gl::make_texture(picture));
     out.add_image(facet_textures.back(), {corner, corner + Vec2(picture.width, picture.height) / scale});
   }
 
-  static void add(Batch& out, const auto& shape, double) { out.add(shape); }
-  void add(Batch& out, const Text& text, double scale) {
+  static void add(TriangleBatch& out, const auto& shape, double) { out.add(shape); }
+  void add(TriangleBatch& out, const Text& text, double scale) {
     if (!(text.size > 0) || !text.at.allFinite()) return;
     const TextCache::Entry& entry = texts.find(text, scale);
     if (entry.width == 0) return;
@@ -259,7 +259,7 @@ struct Renderer::Impl {
     out.add_image(entry.texture, {corner, corner + Vec2(entry.width, entry.height) / scale});
   }
 
-  void play(const Batch& batch, const Vec2& units, const Vec2& origin) {
+  void play(const TriangleBatch& batch, const Vec2& units, const Vec2& origin) {
     glBindVertexArray(layout);
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(batch.vertices().size() * sizeof(Vertex)),

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "viz/compose/objects.h"
+#include "viz/compose/item_names.h"
 #include "viz/text/names.h"
 
 namespace isect::viz {

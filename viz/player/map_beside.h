@@ -4,7 +4,7 @@
 #include <string>
 
 #include "viz/chart/chart.h"
-#include "viz/player/moving.h"
+#include "viz/player/dragging.h"
 
 namespace isect::viz {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "viz/player/motion.h"
-#include "viz/walk/asking.h"
+#include "viz/player/transition.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/question_scene.h"
 
 namespace isect::viz {
 namespace {
@@ -42,10 +42,10 @@ std::vector<Method> methods_of(const Lesson& lesson, Parameters parameters) {
 
 }  // namespace
 
-Player::Player(std::vector<const Lesson*> lessons, const Place& at, bool reduced_motion)
+Player::Player(std::vector<const Lesson*> lessons, const ReaderState& at, bool reduced_motion)
     : lessons_(std::move(lessons)), reduced_motion_(reduced_motion), camera_(reduced_motion) {
   if (lessons_.empty()) throw BadInput("there is no lesson to show");
-  Place start = at;
+  ReaderState start = at;
   if (start.lesson.empty()) start.lesson = lessons_.front()->id;
   go(start);
   memory_.clear();
@@ -117,7 +117,7 @@ std::string Player::method() const {
   return found == parameters().end() ? std::string() : std::get<std::string>(found->second);
 }
 
-Place Player::place() const { return {lesson().id, preset_, index(), parameters(), camera_.goal()}; }
+ReaderState Player::reader_state() const { return {lesson().id, preset_, index(), parameters(), camera_.goal()}; }
 
 void Player::go_to(int step) {
   begin_motion();
@@ -252,9 +252,9 @@ const Exercise* Player::exercise() const {
 bool Player::exercise_solved() const { return exercise() && exercise()->found && exercise()->found(parameters()); }
 
 void Player::open(const Lesson& lesson) {
-  Place place;
-  place.lesson = lesson.id;
-  go(place);
+  ReaderState to;
+  to.lesson = lesson.id;
+  go(to);
 }
 
 void Player::open_neighbour(int by) {
@@ -343,14 +343,14 @@ void Player::go_to_case(const Vec2& at) {
   set_parameters(std::move(moved));
 }
 
-void Player::go(const Place& place) {
+void Player::go(const ReaderState& to) {
   State state;
-  state.lesson = index_of(place.lesson);
+  state.lesson = index_of(to.lesson);
   const Lesson& l = *lessons_[state.lesson];
   if (!l.presets.empty()) state.origin = l.presets.front().id;
-  if (!place.preset.empty()) state.origin = preset(l, place.preset).id;
-  if (place.parameters)
-    state.parameters = *place.parameters;
+  if (!to.preset.empty()) state.origin = preset(l, to.preset).id;
+  if (to.parameters)
+    state.parameters = *to.parameters;
   else if (!state.origin.empty())
     state.parameters = preset(l, state.origin).parameters;
   else
@@ -361,9 +361,9 @@ void Player::go(const Place& place) {
     if (walk_) next.remember("", true);
     next.show(std::move(state), false);
     next.asking_ = next.playing_ = false;
-    next.go_to(place.step.value_or(0));
-    if (!place.camera) return;
-    next.camera_.jump(*place.camera);
+    next.go_to(to.step.value_or(0));
+    if (!to.camera) return;
+    next.camera_.jump(*to.camera);
     next.moved_ = true;
   });
 }

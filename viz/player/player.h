@@ -27,7 +27,7 @@ constexpr double seconds_to_move = 0.220;
 class Player {
  public:
   /// Starts paused at `at`; an empty place is the first lesson with its first preset. Throws BadInput.
-  explicit Player(std::vector<const Lesson*>, const Place& at = {}, bool reduced_motion = false);
+  explicit Player(std::vector<const Lesson*>, const ReaderState& at = {}, bool reduced_motion = false);
 
   const std::vector<const Lesson*>& lessons() const { return lessons_; }
   const Lesson& lesson() const { return *lessons_[state_.lesson]; }
@@ -37,7 +37,8 @@ class Player {
   int index() const { return at_; }
   /// Returns the last step that was told.
   const Step& step() const { return walk().steps[index()]; }
-  /// Returns step() or, while a question is open, what is known of the step that it asks about (viz/walk/asking.h).
+  /// Returns step() or, while a question is open, what is known of the step that it asks about
+  /// (viz/walk/question_scene.h).
   const Step& shown() const { return asking_ ? *asked_step_ : step(); }
   /// Returns the scene that is drawn.
   const Scene& scene() const { return shown().scene; }
@@ -63,7 +64,7 @@ class Player {
   const std::vector<Method>& methods() const { return overview_->methods; }
   /// Returns the value of the grouping parameter; empty if the lesson has none.
   std::string method() const;
-  Place place() const;
+  ReaderState reader_state() const;
   /// Returns another number for every other walk.
   unsigned walk_number() const { return walks_; }
   /// Returns a number that grows with every change of what is shown, except the camera's.
@@ -134,7 +135,7 @@ class Player {
   const Condition* drag_handle(const Handle&, const Vec3& to);
   /// Moves the setting to a place on the lesson's map of cases; a place beyond the map is moved to its rim.
   void go_to_case(const Vec2&);
-  void go(const Place&);
+  void go(const ReaderState&);
 
   const CameraRig& camera() const { return camera_; }
   bool camera_moved() const { return moved_; }  ///< by the reader: no preset frames it anew

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "viz/player/place.h"
-#include "viz/snapshot/look.h"
-#include "viz/snapshot/said.h"
+#include "viz/player/reader_state.h"
+#include "viz/snapshot/drawing_summary.h"
+#include "viz/snapshot/step_json.h"
 
 namespace isect::viz {
 
@@ -74,15 +74,15 @@ Json without_drawing(Json step) {
 }
 
 void compare_all_steps(const Json& were, const Json& are, Changes& changes) {
-  Json look_was, look_is;
+  Json summary_was, summary_is;
   for (std::size_t i = 0; i < std::min(were.size(), are.size()); ++i) {
     changes.of_step(static_cast<int>(i));
     changes.are_of(Change::Of::course);
     compare_steps(without_drawing(were[i]), without_drawing(are[i]), changes);
-    look_was = snap::after(std::move(look_was), at(were[i], "drawing"));
-    look_is = snap::after(std::move(look_is), at(are[i], "drawing"));
+    summary_was = snap::after(std::move(summary_was), at(were[i], "drawing"));
+    summary_is = snap::after(std::move(summary_is), at(are[i], "drawing"));
     changes.are_of(Change::Of::drawing);
-    for (const std::string& what : snap::differences(look_was, look_is)) changes.add(what);
+    for (const std::string& what : snap::differences(summary_was, summary_is)) changes.add(what);
   }
   changes.of_step(-1);
   changes.are_of(Change::Of::course);
@@ -99,22 +99,22 @@ std::string trace_json(const Lesson& lesson, const std::string& preset, const Pa
   text += fmt::format("\"made with\": {},\n\"parameters\": {},\n\"method\": {},\n\"pseudocode\": {},\n", made.dump(),
                       to_json(parameters), Json(walk.method).dump(), lines_of(walk.pseudocode));
   text += fmt::format("\"alt\": {},\n", Json(walk.alt).dump());
-  if (lesson.opinions) text += fmt::format("\"opinions\": {},\n", lines_of(snap::said(lesson.opinions(parameters))));
+  if (lesson.opinions) text += fmt::format("\"opinions\": {},\n", lines_of(snap::json_of(lesson.opinions(parameters))));
   if (tells == Tells::lesson && !lesson.presets.empty() &&
       preset == lesson.presets.front().id) {  // the same for all presets, so recorded once
-    if (lesson.closing) text += fmt::format("\"exercises\": {},\n", lines_of(snap::said(lesson.closing->exercises)));
-    if (!lesson.errata.empty()) text += fmt::format("\"errata\": {},\n", lines_of(snap::said(lesson.errata)));
+    if (lesson.closing) text += fmt::format("\"exercises\": {},\n", lines_of(snap::json_of(lesson.closing->exercises)));
+    if (!lesson.errata.empty()) text += fmt::format("\"errata\": {},\n", lines_of(snap::json_of(lesson.errata)));
   }
   text += "\"steps\": [";
   Json before;
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
     Json drawing, now;
     if (i < drawings.size()) {
-      now = snap::look(drawings[i]);
+      now = snap::drawing_summary(drawings[i]);
       drawing = snap::change(before, now);
       before = std::move(now);
     }
-    text += (i ? ",\n  " : "\n  ") + text_of(snap::said(walk.steps[i]), drawing);
+    text += (i ? ",\n  " : "\n  ") + text_of(snap::json_of(walk.steps[i]), drawing);
   }
   return text + "\n]\n}\n";
 }

@@ -21,8 +21,8 @@ struct Stamp {
 enum class Tells { lesson, walk };
 
 /// Returns one walk as JSON: all that its steps say, numbers to nine significant digits, and what their drawings show,
-/// object by object (viz/snapshot/look.h), where it is first drawn and where it changes. Same walk, same bytes.
-/// `drawings`: one per step.
+/// object by object (viz/snapshot/drawing_summary.h), where it is first drawn and where it changes. Same walk, same
+/// bytes. `drawings`: one per step.
 std::string trace_json(const Lesson&, const std::string& preset, const Parameters&, const Walk&,
                        const std::vector<Drawing>& drawings, const Stamp&, Tells = Tells::lesson);
 

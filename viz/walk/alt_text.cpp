@@ -8,11 +8,11 @@
 #include <set>
 
 #include "viz/chart/chart.h"
-#include "viz/compose/objects.h"
+#include "viz/compose/item_names.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/utf8.h"
 #include "viz/walk/closing.h"
-#include "viz/walk/geometry.h"
+#include "viz/walk/scene_in_words.h"
 
 namespace isect::viz {
 namespace {
@@ -55,7 +55,7 @@ std::string counted(std::size_t count, const std::string& what) {
 
 /// Returns "Fixed: box: (−2, −1.25) to (2, 1.25).", without what the parameters tell.
 std::string fixed(const Lesson& lesson, const Parameters& parameters, const Scene& scene) {
-  const std::vector<std::string> all = geometry(scene, parameters, lesson.flat);
+  const std::vector<std::string> all = scene_in_words(scene, parameters, lesson.flat);
   return all.empty() ? "" : fmt::format("\nFixed: {}.\n", with_minus_signs(fmt::format("{}", fmt::join(all, "; "))));
 }
 

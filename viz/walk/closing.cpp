@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "viz/chart/case_map.h"
-#include "viz/walk/asking.h"
+#include "viz/walk/question_scene.h"
 
 namespace isect::viz {
 

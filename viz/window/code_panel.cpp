@@ -76,7 +76,7 @@ float most_values(const Ui& ui, const Walk& walk, const Step& shown, float width
 }
 
 /// `top`: the height of what stands above the code.
-Fit fit(const Session& s, const std::vector<CodeLine>& lines, float width, float height, float top) {
+Fit fit(const WindowSession& s, const std::vector<CodeLine>& lines, float width, float height, float top) {
   const Ui& ui = s.ui;
   const Walk& walk = s.player.walk();
   constexpr Fit sizes[] = {{26, 28, 58, 0, 0}, {23, 25, 34, 0, 0}, {21, 22, 34, 0, 0}};
@@ -116,7 +116,7 @@ std::optional<bool> said_at(const Player& player, int line) {
   return has(shown.refused, line) ? std::optional(false) : std::nullopt;
 }
 
-void code_line(Session& s, int line, const CodeLine& words, float pitch, const Rect& r) {
+void code_line(WindowSession& s, int line, const CodeLine& words, float pitch, const Rect& r) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
   const Step& step = s.player.shown();
@@ -156,7 +156,7 @@ void code_line(Session& s, int line, const CodeLine& words, float pitch, const R
   if (p.clicked && to >= 0) s.player.go_to(to);  // last, as it destroys the step that is shown
 }
 
-void code(Session& s, const std::vector<CodeLine>& lines, const Rect& r, float pitch) {
+void code(WindowSession& s, const std::vector<CodeLine>& lines, const Rect& r, float pitch) {
   s.ui.rects["code lines"] = r;
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
@@ -179,7 +179,7 @@ void code(Session& s, const std::vector<CodeLine>& lines, const Rect& r, float p
   ImGui::EndChild();
 }
 
-CodeLine laid_out_alone(const Session& s, float width) {
+CodeLine laid_out_alone(const WindowSession& s, float width) {
   const int line = s.player.step().line;
   const std::string& words = s.player.walk().pseudocode[line];
   return laid_out(unindented(words), s.ui.fonts.mono, width - code_left - (said_at(s.player, line) ? 44 : 10));
@@ -187,13 +187,13 @@ CodeLine laid_out_alone(const Session& s, float width) {
 
 }  // namespace
 
-float current_line_height(const Session& s, float width) { return laid_out_alone(s, width).height(34); }
+float current_line_height(const WindowSession& s, float width) { return laid_out_alone(s, width).height(34); }
 
-void current_line(Session& s, const Rect& r) {
+void current_line(WindowSession& s, const Rect& r) {
   code_line(s, s.player.step().line, laid_out_alone(s, r.width()), 34, r);
 }
 
-void code_panel(Session& s, const Rect& r) {
+void code_panel(WindowSession& s, const Rect& r) {
   Ui& ui = s.ui;
   begin_region(ui, "code panel", r);
   ImGui::GetWindowDrawList()->AddRectFilled({r.left, r.top}, {r.left + 1, r.bottom}, packed(ui.palette.rule));

@@ -1,13 +1,13 @@
 #pragma once
 // The lesson panel's column of text, and what it contains besides the step's own words.
 
-#include "viz/window/session.h"
+#include "viz/window/window_session.h"
 
 namespace isect::viz {
 
 /// Texts and buttons set below each other.
 struct Column {
-  Session& s;
+  WindowSession& s;
   float x, y, width;
 
   void paragraph(const std::string& markup, const Colour& colour, double size = 15, double pitch = 23,

@@ -5,7 +5,7 @@
 
 namespace isect::viz {
 
-void key_sheet(Session& s, const Rect& window) {
+void key_sheet(WindowSession& s, const Rect& window) {
   struct Row {
     const char *input, *action;
   };

@@ -13,21 +13,21 @@ namespace {
 
 bool pressed(key::Code code, bool repeat = false) { return ImGui::IsKeyPressed(code, repeat); }
 
-void paste(Session& s) {
+void paste(WindowSession& s) {
   const char* text = ImGui::GetClipboardText();
   if (!text || !*text) return s.complain("The clipboard holds no text");
   const std::string words = text;
   if (words.find_first_not_of(" \t\r\n") != words.find('{'))
     return s.complain("The clipboard holds some other text; Ctrl+C copies a state that can be pasted");
   s.attempt([&] {
-    const Place place = place_from_json(text, s.player.lessons());
-    s.player.go(place);
-    s.settings.beside = beside_of(place);
+    const ReaderState state = reader_state_from_json(text, s.player.lessons());
+    s.player.go(state);
+    s.settings.beside = beside_of(state);
     s.say("State pasted. Ctrl+Z goes back");
   });
 }
 
-void with_control(Session& s) {
+void with_control(WindowSession& s) {
   if (pressed(key::o)) s.open_next = Sheet::picker;
   const bool again = pressed(key::y) || (pressed(key::z) && ImGui::GetIO().KeyShift);
   s.attempt([&] {
@@ -46,14 +46,14 @@ void with_control(Session& s) {
   if (pressed(key::zero) || pressed(key::keypad_0)) size = 1;
   size = std::clamp(std::round(10 * size) / 10, least_size, most_size);
   if (!pressed(key::c)) return;
-  Place place = s.player.place();
-  if (two_panes(s)) place.beside = OtherSide{s.settings.beside->method, s.settings.beside->preset};
-  ImGui::SetClipboardText(to_json(place).c_str());
+  ReaderState state = s.player.reader_state();
+  if (two_panes(s)) state.beside = OtherSide{s.settings.beside->method, s.settings.beside->preset};
+  ImGui::SetClipboardText(to_json(state).c_str());
   s.say("State copied as JSON");
 }
 
 /// Loads the preset after the one loaded last, or before it.
-void neighbour_preset(Session& s, int by) {
+void neighbour_preset(WindowSession& s, int by) {
   const std::vector<const Preset*> group = s.player.group();
   const int count = static_cast<int>(group.size());
   if (count == 0) return;
@@ -63,7 +63,7 @@ void neighbour_preset(Session& s, int by) {
 }
 
 /// Moves through the widgets, one after the other; also in a sheet, while its search field takes the letters.
-void focus_keys(Session& s, bool in_popup) {
+void focus_keys(WindowSession& s, bool in_popup) {
   const ImGuiIO& io = ImGui::GetIO();
   Focus& focus = s.ui.focus;
   if (io.MouseClicked[0]) focus.clear();
@@ -77,7 +77,7 @@ void focus_keys(Session& s, bool in_popup) {
   if (pressed(key::enter) || pressed(key::keypad_enter)) focus.press();
 }
 
-void moving_keys(Session& s) {
+void moving_keys(WindowSession& s) {
   Player& player = s.player;
   const bool shift = ImGui::GetIO().KeyShift;  // with it the arrows turn the scene, or move a handle
   if (!shift && pressed(key::right, true)) player.next();
@@ -96,7 +96,7 @@ void moving_keys(Session& s) {
   }
 }
 
-void load_number(Session& s, std::size_t number) {
+void load_number(WindowSession& s, std::size_t number) {
   const std::vector<const Preset*> group = s.player.group();
   if (number <= group.size()) s.attempt([&] { s.player.load(*group[number - 1]); });
 }
@@ -113,7 +113,7 @@ void answer_with(Player& player, char digit) {
 }
 
 /// Handles characters, not keys: they work on every keyboard layout.
-void character(Session& s, char c) {
+void character(WindowSession& s, char c) {
   Player& player = s.player;
   if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   if (c >= '0' && c <= '9' && player.asked()) return answer_with(player, c);
@@ -170,9 +170,9 @@ void character(Session& s, char c) {
 
 }  // namespace
 
-bool keeps_file(const Session& s) { return s.save_scene && !s.player.lesson().made_from.empty(); }
+bool keeps_file(const WindowSession& s) { return s.save_scene && !s.player.lesson().made_from.empty(); }
 
-void save_back(Session& s) {
+void save_back(WindowSession& s) {
   if (!keeps_file(s)) {
     s.open_next = Sheet::save;
     return;
@@ -184,7 +184,7 @@ void save_back(Session& s) {
   });
 }
 
-bool may_leave(Session& s) {
+bool may_leave(WindowSession& s) {
   const bool saved = !keeps_file(s) || !s.player.preset_id().empty() || s.told_unsaved == s.player.revision();
   if (saved) return true;
   s.told_unsaved = s.player.revision();
@@ -192,7 +192,7 @@ bool may_leave(Session& s) {
   return false;
 }
 
-void show_map(Session& s) {
+void show_map(WindowSession& s) {
   if (!s.player.lesson().map) return s.say_here("This lesson has no map of cases");
   if (s.player.step().slug == case_map_slug) return s.say_here("This step is the map of cases");
   if (!has_map(s.player)) return s.say_here("This setting has no place on the map of cases");
@@ -200,13 +200,13 @@ void show_map(Session& s) {
   if (s.settings.map) s.settings.beside.reset();
 }
 
-void pass_questions(Session& s) {
+void pass_questions(WindowSession& s) {
   s.settings.nonstop = !s.settings.nonstop;
   s.player.stop_at_questions(!s.settings.nonstop);
   s.say(s.settings.nonstop ? "Play passes over questions now" : "Play stops at questions again");
 }
 
-void keys(Session& s) {
+void keys(WindowSession& s) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool in_popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
   focus_keys(s, in_popup);

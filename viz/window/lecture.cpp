@@ -15,7 +15,7 @@ struct Told {
   float right = 0;  ///< width of the line and the formula; 0: there are none
 };
 
-Told told_of(const Session& s, float width) {
+Told told_of(const WindowSession& s, float width) {
   const Step& step = s.player.step();
   const Palette& c = s.ui.palette;
   const float room = width - 2 * told_margin;
@@ -31,25 +31,25 @@ Told told_of(const Session& s, float width) {
   return told;
 }
 
-float line_height(const Session& s, const Told& told) {
+float line_height(const WindowSession& s, const Told& told) {
   return s.player.step().line >= 0 ? current_line_height(s, told.right) + line_gap : 0;
 }
 
-float height_of(Session& s, const Told& told) {
+float height_of(WindowSession& s, const Told& told) {
   const float formula = told.formula.markup.empty() ? 0 : s.ui.texts.size_of(told.formula).y;
   return 2 * told_padding + std::max(s.ui.texts.size_of(told.caption).y, line_height(s, told) + formula);
 }
 
 }  // namespace
 
-float lecture_height(Session& s, float width, float room) {
-  Session::Lecture& kept = s.lecture;
+float lecture_height(WindowSession& s, float width, float room) {
+  WindowSession::Lecture& kept = s.lecture;
   if (kept.lesson != &s.player.lesson() || kept.width != width) kept = {&s.player.lesson(), width, 0};
   kept.height = std::max(kept.height, height_of(s, told_of(s, width)));
   return std::round(std::min(kept.height, 0.36f * room));
 }
 
-void lecture(Session& s, const Rect& r) {
+void lecture(WindowSession& s, const Rect& r) {
   Ui& ui = s.ui;
   begin_region(ui, "lecture", r);
   if (s.player.asked()) {  // the question covers the scene

@@ -56,7 +56,7 @@ void side_by_side(Column& c) {
 }
 
 /// `fresh`: these words were not there in the last frame.
-void lesson_text(Session& s, const Rect& r, bool fresh, bool low) {
+void lesson_text(WindowSession& s, const Rect& r, bool fresh, bool low) {
   const Step& step = s.player.step();
   const Palette& ink = s.ui.palette;
   const float top = ImGui::GetCursorScreenPos().y;  // moves with the scroll
@@ -121,21 +121,21 @@ std::vector<Hint> hints_of(const Player& player, bool map) {
 
 constexpr float hint_sign = 28, hint_gap = 20;
 
-Paragraph words_of(const Session& s, const Hint& hint, float width) {
+Paragraph words_of(const WindowSession& s, const Hint& hint, float width) {
   return {.markup = hint.markup, .width = width, .line_pitch = 21, .colour = s.ui.palette.muted};
 }
 
-float hint_height(Session& s, const Hint& hint, float width) {
+float hint_height(WindowSession& s, const Hint& hint, float width) {
   return s.ui.texts.size_of(words_of(s, hint, width - hint_sign)).y + 11;
 }
 
-float hints_height(Session& s, const std::vector<Hint>& hints, float width) {
+float hints_height(WindowSession& s, const std::vector<Hint>& hints, float width) {
   float height = 0;
   for (const Hint& hint : hints) height += hint_height(s, hint, width);
   return height;
 }
 
-void hint_mark(const Session& s, const Hint& hint, float x, float y) {
+void hint_mark(const WindowSession& s, const Hint& hint, float x, float y) {
   const Theme& theme = s.ui.palette.theme;
   if (hint.turns)
     turn_sign(x + 9, y, theme.ink(hint.role));
@@ -144,7 +144,7 @@ void hint_mark(const Session& s, const Hint& hint, float x, float y) {
 }
 
 /// Draws the hints below each other.
-void draw_hints(Session& s, const std::vector<Hint>& hints, float x, float y, float width) {
+void draw_hints(WindowSession& s, const std::vector<Hint>& hints, float x, float y, float width) {
   for (const Hint& hint : hints) {
     hint_mark(s, hint, x, y + 16);
     rich(s.ui, words_of(s, hint, width - hint_sign), {x + hint_sign, y + 5.5f});
@@ -153,7 +153,7 @@ void draw_hints(Session& s, const std::vector<Hint>& hints, float x, float y, fl
 }
 
 /// Draws the hints beside each other, as many as there is room for, around the middle y.
-void draw_hints_in_a_row(Session& s, const std::vector<Hint>& hints, float x, float right, float y) {
+void draw_hints_in_a_row(WindowSession& s, const std::vector<Hint>& hints, float x, float right, float y) {
   for (const Hint& hint : hints) {
     const Paragraph words = words_of(s, hint, 0);
     const float end = x + hint_sign + s.ui.texts.size_of(words).x;
@@ -164,7 +164,7 @@ void draw_hints_in_a_row(Session& s, const std::vector<Hint>& hints, float x, fl
   }
 }
 
-void parameters_header(Session& s, const Rect& r) {
+void parameters_header(WindowSession& s, const Rect& r) {
   const Press p = press(s.ui, "parameters", r);
   const Palette& ink = s.ui.palette;
   caret(r.left + 6, r.middle_y(), s.settings.parameters_open, packed(p.hovered ? ink.text : ink.muted));
@@ -200,7 +200,7 @@ Parts parts_of(const Rect& r, bool open, float fields, float hints) {
 
 }  // namespace
 
-void lesson_panel(Session& s, const Rect& r) {
+void lesson_panel(WindowSession& s, const Rect& r) {
   begin_region(s.ui, "lesson panel", r);
   const bool open = s.settings.parameters_open && !s.player.lesson().parameters.empty();
   const float width = r.width() - 2 * panel_margin;

@@ -32,7 +32,7 @@ ImVec2 short_of(const ImVec2& marker, const ImVec2& a, const ImVec2& b) {
 }
 
 /// Returns the theme of the map: smaller in a smaller pane.
-Theme map_look(const Session& s, const Rect& r) {
+Theme map_look(const WindowSession& s, const Rect& r) {
   const double fits = std::min(r.width() / 420, r.height() / 330);
   return window_theme(s.ui.palette.theme.name, std::clamp(fits, 0.7, 1.0));
 }
@@ -46,13 +46,13 @@ bool has_map(const Player& player) {
   return map && map->place(player.parameters()).allFinite();
 }
 
-bool shows_map(const Session& s) {
+bool shows_map(const WindowSession& s) {
   const Player& p = s.player;
   const bool drags = ImGui::GetIO().MouseDown[0];  // then everything stays in place
   return s.settings.map && p.step().slug != case_map_slug && (has_map(p) || (p.lesson().map && drags));
 }
 
-void MapDrag::follow(Session& s, const Cases& cases, const Box2& plane, bool hovered) {
+void MapDrag::follow(WindowSession& s, const Cases& cases, const Box2& plane, bool hovered) {
   const bool moved = pointer_now() != last_;
   last_ = pointer_now();
   if (!ImGui::GetIO().MouseDown[0] || held_in_ != &s.player.lesson()) held_ = false;
@@ -122,7 +122,7 @@ void MapView::draw_trail(Ui& ui, const Box2& plane) const {
 }
 
 /// Moves the setting by Shift and the arrows, while the keyboard holds it.
-void MapView::keyboard(Session& s, const Box2& plane) {
+void MapView::keyboard(WindowSession& s, const Box2& plane) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!io.KeyShift || io.KeyCtrl || s.ui.focus.name() != "map setting" || io.WantTextInput) return;
   Vec2 way = Vec2::Zero();
@@ -136,14 +136,14 @@ void MapView::keyboard(Session& s, const Box2& plane) {
   s.attempt([&] { s.player.go_to_case(case_at(map_.cases(), plane, Vec2(p.x, p.y) + 8 * way)); });
 }
 
-void MapView::name_under_pointer(const Session& s, const Box2& plane) const {
+void MapView::name_under_pointer(const WindowSession& s, const Box2& plane) const {
   const Vec2 p = pointer_now();
   if (!(p.array() >= plane.lo.array()).all() || !(p.array() <= plane.hi.array()).all()) return;
   const CaseMap& map = *s.player.lesson().map;
   tooltip(s.ui, plain(map.branches[map.branch(map.moved(s.player.parameters(), case_at(map_.cases(), plane, p)))]));
 }
 
-void MapView::show(Session& s, const Rect& r) {
+void MapView::show(WindowSession& s, const Rect& r) {
   Ui& ui = s.ui;
   begin_region(ui, "map", r, ui.palette.card);
   map_.find(s.player);

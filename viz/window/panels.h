@@ -1,60 +1,60 @@
 #pragma once
 // The parts of the window around the scene, each in its rectangle.
 
-#include "viz/window/session.h"
+#include "viz/window/window_session.h"
 
 namespace isect::viz {
 
 /// Draws lesson, method and presets. (top_bar.cpp)
-void top_bar(Session&, const Rect&);
+void top_bar(WindowSession&, const Rect&);
 /// Draws what the lesson says here, its question, its parameters and what can be dragged. (lesson_panel.cpp)
-void lesson_panel(Session&, const Rect&);
+void lesson_panel(WindowSession&, const Rect&);
 /// Draws the fields of all parameters from (x, y) down; returns where they end. (parameters.cpp)
-float parameter_fields(Session&, float x, float y, float width);
+float parameter_fields(WindowSession&, float x, float y, float width);
 /// Draws pseudocode, values, comparison and operations. (code_panel.cpp, values.cpp)
-void code_panel(Session&, const Rect&);
+void code_panel(WindowSession&, const Rect&);
 /// Draw the current line alone, on a bright ground; there must be one. (code_panel.cpp)
-float current_line_height(const Session&, float width);
-void current_line(Session&, const Rect&);
+float current_line_height(const WindowSession&, float width);
+void current_line(WindowSession&, const Rect&);
 float values_height(const Ui&, const Step&, float width, float pitch);
-void values_block(Session&, const Rect&, float pitch);
-void operations_block(Session&, const Rect&);
+void values_block(WindowSession&, const Rect&, float pitch);
+void operations_block(WindowSession&, const Rect&);
 /// Draws the question in a window of its own, where the lesson's panel is hidden: over the words that it follows, and
 /// the scene above them; once it is answered, over the scene alone. (question.cpp)
-void question_over_scene(Session&, const Rect& scene, const Rect& words);
+void question_over_scene(WindowSession&, const Rect& scene, const Rect& words);
 /// Draws the question over both scenes of two panes, so that neither's code is covered.
-void question_over_scenes(Session&, const Rect& scenes);
+void question_over_scenes(WindowSession&, const Rect& scenes);
 /// Draws, below the scene while the panels are hidden, the step's words, the current line and the formula.
 /// (lecture.cpp) `room`: the height of scene and words.
-float lecture_height(Session&, float width, float room);
-void lecture(Session&, const Rect&);
+float lecture_height(WindowSession&, float width, float room);
+void lecture(WindowSession&, const Rect&);
 /// Draws scrubber and buttons. (transport.cpp)
-void transport(Session&, const Rect&);
+void transport(WindowSession&, const Rect&);
 /// Draws the key sheet, the picker and the save sheet, over everything else. (sheets.cpp)
-void sheets(Session&, const Rect& window);
+void sheets(WindowSession&, const Rect& window);
 
 /// Keeps the answers that were given, and that a lesson was read to its end. (score.cpp)
-void keep_score(Session&);
+void keep_score(WindowSession&);
 /// Returns the steps of this walk whose questions were answered wrong when they were asked last.
-std::vector<int> missed_questions(const Session&);
+std::vector<int> missed_questions(const WindowSession&);
 /// Keeps the lessons opened last, the one on show first. (score.cpp)
-void keep_recent(Session&);
+void keep_recent(WindowSession&);
 
 /// Whether the lesson lies in a file that can be written to; save_back() writes the setting there, or else opens the
 /// sheet that saves figures. (keys.cpp)
-bool keeps_file(const Session&);
+bool keeps_file(const WindowSession&);
 /// Returns false once if numbers of a scene would be lost, with a message.
-bool may_leave(Session&);
-void save_back(Session&);
+bool may_leave(WindowSession&);
+void save_back(WindowSession&);
 /// Shows the lesson's map of cases beside the scene, or hides it; a message says if it has none. (keys.cpp)
-void show_map(Session&);
+void show_map(WindowSession&);
 /// Lets play pass over questions, or stop at them again. (keys.cpp)
-void pass_questions(Session&);
+void pass_questions(WindowSession&);
 /// Marks a row as the first that differs from the other pane's; `lit`: on the current line. (second_pane.cpp)
 void parted_mark(Ui&, const std::string& name, const Rect&, bool lit = false);
 /// Shows the next method or preset beside this one, or hides the second pane. (second_pane.cpp)
-void toggle_panes(Session&);
+void toggle_panes(WindowSession&);
 /// Does what this frame's keys ask for. (keys.cpp)
-void keys(Session&);
+void keys(WindowSession&);
 
 }  // namespace isect::viz

@@ -18,8 +18,8 @@ namespace {
 constexpr float field_height = 32;
 
 /// Returns the number that was typed into this field, once it is complete; a refusal is shown below the field.
-std::optional<double> typed(Session& s, const std::string& field) {
-  Session::Typing& typing = s.typing;
+std::optional<double> typed(WindowSession& s, const std::string& field) {
+  WindowSession::Typing& typing = s.typing;
   // Dear ImGui focuses it in one of the next frames, and 1.90 only within the window that has the focus already.
   if (!typing.begun && typing.frames++ % 4 == 0) {
     ImGui::SetWindowFocus();
@@ -52,8 +52,8 @@ std::string format_for(ImFont* font, double value, float room, int most) {
 }
 
 /// Draws a number to drag along; Ctrl+click, a double click or Enter begin to type it. Returns the new value, if any.
-std::optional<double> number_field(Session& s, const std::string& name, const Parameter& p, double value, const Rect& r,
-                                   bool slider) {
+std::optional<double> number_field(WindowSession& s, const std::string& name, const Parameter& p, double value,
+                                   const Rect& r, bool slider) {
   const std::string field = "parameter " + name;
   s.ui.rects[field] = r;
   const bool held = focused(s.ui, field, r);
@@ -96,7 +96,7 @@ std::optional<double> number_field(Session& s, const std::string& name, const Pa
 }
 
 /// Sets a parameter. A refusal is shown below its field.
-void edit(Session& s, const std::string& parameter, const std::string& field, const Setting& value) {
+void edit(WindowSession& s, const std::string& parameter, const std::string& field, const Setting& value) {
   try {
     s.player.edit(parameter, value);
   } catch (const BadInput& refused) {
@@ -105,7 +105,7 @@ void edit(Session& s, const std::string& parameter, const std::string& field, co
 }
 
 /// Draws why the last number was refused, if it was one of this parameter's. Returns the height that takes.
-float refusal(Session& s, const std::string& name, float x, float y, float width) {
+float refusal(WindowSession& s, const std::string& name, float x, float y, float width) {
   const std::string field = "parameter " + name;
   if (s.refused.revision != s.player.revision()) return 0;
   if (s.refused.field != field && !s.refused.field.starts_with(field + ".")) return 0;
@@ -116,11 +116,11 @@ float refusal(Session& s, const std::string& name, float x, float y, float width
   return size.y + 6;
 }
 
-void number(Session& s, const Parameter& p, double value, const Rect& r) {
+void number(WindowSession& s, const Parameter& p, double value, const Rect& r) {
   if (const auto now = number_field(s, p.name, p, value, r, true)) edit(s, p.name, "parameter " + p.name, *now);
 }
 
-void vector(Session& s, const Parameter& p, const Vec3& value, const Rect& r) {
+void vector(WindowSession& s, const Parameter& p, const Vec3& value, const Rect& r) {
   constexpr const char* axes[] = {"x", "y", "z"};
   const int count = s.player.lesson().flat ? 2 : 3;  // a plane lesson does not use the third coordinate
   const float width = std::floor((r.width() - 4 * static_cast<float>(count - 1)) / static_cast<float>(count));
@@ -136,7 +136,7 @@ void vector(Session& s, const Parameter& p, const Vec3& value, const Rect& r) {
 }
 
 /// Draws the choices as chips that wrap into lines. Returns the height they took.
-float choice(Session& s, const Parameter& p, const std::string& value, const Rect& r) {
+float choice(WindowSession& s, const Parameter& p, const std::string& value, const Rect& r) {
   float x = r.left, y = r.top;
   for (const std::string& c : p.choices) {
     std::string title = c;
@@ -157,7 +157,7 @@ float choice(Session& s, const Parameter& p, const std::string& value, const Rec
 }
 
 /// Draws parameters pale that have no effect in this setting, and says when they would.
-void without_effect(Session& s, const Parameter& p, const Rect& r) {
+void without_effect(WindowSession& s, const Parameter& p, const Rect& r) {
   s.ui.rects["without effect " + p.name] = r;
   filled(r, s.ui.palette.window.with_alpha(0.6), 0);
   const bool hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
@@ -167,7 +167,7 @@ void without_effect(Session& s, const Parameter& p, const Rect& r) {
 
 const std::string& label_of(const Parameter& p) { return p.label.empty() ? p.name : p.label; }
 
-float label_width(Session& s) {
+float label_width(WindowSession& s) {
   float widest = 40;
   for (const Parameter& p : s.player.lesson().parameters)
     widest = std::max(widest, s.ui.texts.size_of({.markup = label_of(p), .colour = s.ui.palette.text}).x);
@@ -176,7 +176,7 @@ float label_width(Session& s) {
 
 }  // namespace
 
-float parameter_fields(Session& s, float x, float y, float width) {
+float parameter_fields(WindowSession& s, float x, float y, float width) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2{6, 5});
   ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 8);
   ImGui::PushStyleColor(ImGuiCol_SliderGrab, packed(s.ui.palette.first, 0.65));

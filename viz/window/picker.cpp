@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "viz/formats/files.h"
-#include "viz/player/place.h"
+#include "viz/player/reader_state.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
 #include "viz/window/lesson_picture.h"
@@ -37,7 +37,7 @@ bool wanted(const Lesson& l, const Course& course, const std::string& words) {
 }
 
 /// Returns "ray-sphere, setting-1", with the folder unless that is the one for figures.
-std::string name_of_preset(const Session& s, const std::filesystem::path& file) {
+std::string name_of_preset(const WindowSession& s, const std::filesystem::path& file) {
   const std::filesystem::path lesson = file.parent_path(), folder = lesson.parent_path();
   const std::string name = lesson.filename().string() + ", " + file.stem().string();
   std::error_code error;
@@ -45,7 +45,7 @@ std::string name_of_preset(const Session& s, const std::filesystem::path& file) 
   return (own / "").lexically_normal() == folder / "" ? name : name + ", in " + folder.string();
 }
 
-std::vector<Entry> rows_of(const Session& s) {
+std::vector<Entry> rows_of(const WindowSession& s) {
   std::vector<Entry> rows;
   const std::vector<const Lesson*>& lessons = s.player.lessons();
   const auto add = [&](const std::string& heading, const Entry& row) {
@@ -72,7 +72,7 @@ std::vector<Entry> rows_of(const Session& s) {
 }
 
 /// Draws "5 of 6 right", after a tick if the lesson was read to its end: a green one if all answers were right.
-void score(Session& s, const Lesson& l, float right, float y) {
+void score(WindowSession& s, const Lesson& l, float right, float y) {
   const auto found = s.settings.scores.find(l.id);
   if (found == s.settings.scores.end()) return;
   const Score& score = found->second;
@@ -87,7 +87,7 @@ void score(Session& s, const Lesson& l, float right, float y) {
 }
 
 /// Draws a row. Returns whether it was pressed; if the pointer or the keyboard is at it, its lesson becomes `told`.
-bool lesson_row(Session& s, const Lesson& l, const Rect& r, bool again, const Lesson*& told) {
+bool lesson_row(WindowSession& s, const Lesson& l, const Rect& r, bool again, const Lesson*& told) {
   Ui& ui = s.ui;
   const std::string name = (again ? "recent " : "lesson ") + l.id;
   const Press p = press(ui, name, r);
@@ -100,7 +100,7 @@ bool lesson_row(Session& s, const Lesson& l, const Rect& r, bool again, const Le
   return p.clicked;
 }
 
-bool preset_row(Session& s, const std::string& file, const Rect& r) {
+bool preset_row(WindowSession& s, const std::string& file, const Rect& r) {
   const std::string name = name_of_preset(s, file);
   const Press p = press(s.ui, "saved " + name, r);
   if (p.hovered) filled(r, s.ui.palette.hovered, 5);
@@ -109,9 +109,9 @@ bool preset_row(Session& s, const std::string& file, const Rect& r) {
   return p.clicked;
 }
 
-void open_preset(Session& s, const std::string& file) {
+void open_preset(WindowSession& s, const std::string& file) {
   try {
-    s.player.go(place_from_json(read_file(file), s.player.lessons()));
+    s.player.go(reader_state_from_json(read_file(file), s.player.lessons()));
   } catch (const FileError& failed) {
     s.complain(failed.what());
   } catch (const BadInput& wrong) {
@@ -120,7 +120,7 @@ void open_preset(Session& s, const std::string& file) {
 }
 
 /// Returns "After Interval and interval. Minkowski sum: Oriented boxes."
-std::string leads(const Session& s, const Lesson& l) {
+std::string leads(const WindowSession& s, const Lesson& l) {
   std::string text;
   const auto name = [&](const std::string& head, const Lesson& other) {
     text += (text.ends_with(' ') || text.empty() ? head : ", ") + plain(short_title(other));
@@ -136,7 +136,7 @@ std::string leads(const Session& s, const Lesson& l) {
 }
 
 /// Draws, below the rows, the lesson's picture, and in words what it is about.
-void foot(Session& s, const Lesson& l, const Rect& r) {
+void foot(WindowSession& s, const Lesson& l, const Rect& r) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
   const float width = r.height() * picture_width / picture_height;
@@ -173,7 +173,7 @@ const Entry* second_column(const std::vector<Entry>& rows) {
 }
 
 /// Draws the rows in as many columns as there is room for, of about equal length. Returns the row that was pressed.
-const Entry* columns(Session& s, const std::vector<Entry>& rows, ImVec2 at, float width, const Lesson*& told) {
+const Entry* columns(WindowSession& s, const std::vector<Entry>& rows, ImVec2 at, float width, const Lesson*& told) {
   const int count = width >= 660 ? 2 : 1;
   const float wide = (width - gutter * static_cast<float>(count - 1)) / static_cast<float>(count);
   const Entry* const second = count > 1 ? second_column(rows) : nullptr;
@@ -203,7 +203,7 @@ const Entry* columns(Session& s, const std::vector<Entry>& rows, ImVec2 at, floa
 
 }  // namespace
 
-void picker(Session& s, const Rect& window) {
+void picker(WindowSession& s, const Rect& window) {
   s.pictured.lesson = nullptr;
   if (!begin_sheet(s, "picker", window, 860, 730)) return;
   if (ImGui::IsWindowAppearing()) s.presets = saved_presets(s.figures, s.settings.saved);

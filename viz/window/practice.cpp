@@ -15,7 +15,7 @@ constexpr float button_height = 34;
 constexpr float button_sides = 28;  ///< beside its words, both
 
 /// Begins an exercise; if the keyboard began it, the keyboard focus moves to what can be moved.
-void begin_exercise(Session& s, int index) {
+void begin_exercise(WindowSession& s, int index) {
   const bool by_keyboard = s.ui.focus.pressed();
   s.attempt([&] { s.player.begin_exercise(index); });
   const std::vector<Handle>& handles = s.player.scene().handles;
@@ -80,7 +80,7 @@ void missed(Column& c) {
 }
 
 void exercises(Column& c) {
-  Session& s = c.s;
+  WindowSession& s = c.s;
   const Closing* closing = s.player.lesson().closing;
   if (!closing) return;
   const Palette& ink = s.ui.palette;
@@ -122,7 +122,7 @@ void same_ideas(Column& c) {
 }
 
 void exercise_on_hand(Column& c) {
-  Session& s = c.s;
+  WindowSession& s = c.s;
   const Exercise* e = s.player.exercise();
   if (!e) return;
   const Palette& ink = s.ui.palette;

@@ -117,7 +117,7 @@ void question(Column& c, bool fresh) {
 namespace {
 
 /// Draws the question at the lower end of `r`, as high as its words, which scroll if there is too little room.
-void question_within(Session& s, Rect r) {
+void question_within(WindowSession& s, Rect r) {
   constexpr float margin = 16;
   r.top = std::max(r.top, r.bottom - s.question_height);
   begin_region(s.ui, "question over scene", r, s.ui.palette.window, true);
@@ -131,11 +131,11 @@ void question_within(Session& s, Rect r) {
   ImGui::End();
 }
 
-bool has_question(const Session& s) { return s.player.asked() || s.player.answered(); }
+bool has_question(const WindowSession& s) { return s.player.asked() || s.player.answered(); }
 
 }  // namespace
 
-void question_over_scene(Session& s, const Rect& scene, const Rect& words) {
+void question_over_scene(WindowSession& s, const Rect& scene, const Rect& words) {
   if (!has_question(s)) return;
   // Once it is answered, the axes in the scene's corner and a ray's t-axis stay visible below it, if there is room.
   const float width = std::min(640.0f, scene.width() - 40), axes = scene.height() < 480 ? 0 : 94;
@@ -143,7 +143,7 @@ void question_over_scene(Session& s, const Rect& scene, const Rect& words) {
   question_within(s, {scene.left + 20, scene.top + 70, scene.left + 20 + width, bottom - 12});
 }
 
-void question_over_scenes(Session& s, const Rect& scenes) {
+void question_over_scenes(WindowSession& s, const Rect& scenes) {
   if (has_question(s)) question_within(s, scenes.inset(12));
 }
 

@@ -98,13 +98,13 @@ static std::string words_of(const Settings& settings) {
 }
 
 std::string save_figure(const Player& player, const Settings& settings, Renderer& renderer, const std::string& folder) {
-  const Place place = player.place();
-  const std::string preset = place.preset.empty() ? "changed" : place.preset;
-  const std::string wanted = folder + "/" + place.lesson + "/" + preset + "/" + file_stem(*place.step, player.step());
+  const ReaderState state = player.reader_state();
+  const std::string preset = state.preset.empty() ? "changed" : state.preset;
+  const std::string wanted = folder + "/" + state.lesson + "/" + preset + "/" + file_stem(*state.step, player.step());
   Made made = settings.save_width_cm > 0 ? on_paper(player, settings) : for_screen(player, settings);
   made.imprint.title = figure_title(player.lesson(), player.step());
   made.imprint.alt = alt_text(player.lesson(), player.parameters(), player.walk(), player.index());
-  Metadata data = metadata(place);
+  Metadata data = metadata(state);
   data["style"] = words_of(settings);
   const std::string figure =
       format_named(settings.save_format).write(made.drawing, data, made.imprint, [&](const Drawing& d) {
@@ -133,13 +133,13 @@ PixelBox draw_preview(const Player& player, const Settings& settings, Renderer& 
 }
 
 std::string save_preset(const Player& player, const std::string& folder) {
-  Place place = player.place();
-  place.preset.clear(), place.camera.reset(), place.step.reset();
+  ReaderState state = player.reader_state();
+  state.preset.clear(), state.camera.reset(), state.step.reset();
   const std::string kind = player.methods_differ() ? "disagreement" : "setting";
   std::string path;
   for (int i = 1; path.empty() || std::filesystem::exists(path); ++i)
-    path = folder + "/" + place.lesson + "/" + kind + "-" + std::to_string(i) + ".json";
-  write_file(path, to_json(place));
+    path = folder + "/" + state.lesson + "/" + kind + "-" + std::to_string(i) + ".json";
+  write_file(path, to_json(state));
   return std::filesystem::absolute(path).lexically_normal();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "viz/gl/renderer.h"
-#include "viz/window/session.h"
+#include "viz/window/window_session.h"
 
 namespace isect::viz {
 

@@ -17,7 +17,7 @@ namespace isect::viz {
 namespace {
 
 /// Draws a field for any other width in cm, which is read on Enter or on leaving the field.
-void other_width(Session& s, const Rect& r) {
+void other_width(WindowSession& s, const Rect& r) {
   s.ui.rects["other width"] = r;
   const bool held = focused(s.ui, "other width", r);
   ImGui::SetCursorScreenPos(top_left(r));
@@ -41,8 +41,8 @@ void other_width(Session& s, const Rect& r) {
 }
 
 /// Draws the figure as it would be saved, as large as it fits.
-void preview(Session& s, const Rect& room) {
-  const Session::Preview& p = s.preview;
+void preview(WindowSession& s, const Rect& room) {
+  const WindowSession::Preview& p = s.preview;
   if (!p.why.empty()) {
     Paragraph why{.markup = as_markup(p.why), .line_pitch = 21, .colour = s.ui.palette.muted};
     why.width = room.width();
@@ -59,7 +59,7 @@ void preview(Session& s, const Rect& room) {
 
 }  // namespace
 
-void save_sheet(Session& s, const Rect& window) {
+void save_sheet(WindowSession& s, const Rect& window) {
   if (!begin_sheet(s, "save sheet", window, 780, 310)) {
     s.preview.wanted = false;
     return;

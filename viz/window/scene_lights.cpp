@@ -29,7 +29,7 @@ Rect around(const Vec2& p, float half) {
 
 }  // namespace
 
-void point_at_names(Session& s, const View& view, const Rect& scene, const std::vector<PlacedLabel>& labels,
+void point_at_names(WindowSession& s, const View& view, const Rect& scene, const std::vector<PlacedLabel>& labels,
                     const std::optional<Handle>& under) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const Vec2 pointer(mouse.x, mouse.y);
@@ -40,7 +40,7 @@ void point_at_names(Session& s, const View& view, const Rect& scene, const std::
   s.ui.light.point(names_near(s.player.scene(), view, pointer, s.ui.names), around(pointer, 8));
 }
 
-void light_names(Session& s, const View& view, const Rect& scene, const std::vector<PlacedLabel>& labels) {
+void light_names(WindowSession& s, const View& view, const Rect& scene, const std::vector<PlacedLabel>& labels) {
   Ui& ui = s.ui;
   for (const Handle& h : s.player.scene().handles)
     if (ui.focus.name() == "handle " + h.parameter)

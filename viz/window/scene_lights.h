@@ -2,14 +2,14 @@
 // Names in the picture: which one the pointer is at, and the light on items with a lit name.
 
 #include "viz/compose/compose.h"
-#include "viz/window/session.h"
+#include "viz/window/window_session.h"
 
 namespace isect::viz {
 
 /// Asks for the names of the handle or the named point or line nearest to the pointer, or of the label under it.
-void point_at_names(Session&, const View&, const Rect& scene, const std::vector<PlacedLabel>&,
+void point_at_names(WindowSession&, const View&, const Rect& scene, const std::vector<PlacedLabel>&,
                     const std::optional<Handle>& under);
 /// Draws the light over labels and objects.
-void light_names(Session&, const View&, const Rect& scene, const std::vector<PlacedLabel>&);
+void light_names(WindowSession&, const View&, const Rect& scene, const std::vector<PlacedLabel>&);
 
 }  // namespace isect::viz

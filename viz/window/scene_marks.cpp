@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "viz/chart/chart.h"
-#include "viz/compose/objects.h"
+#include "viz/compose/item_names.h"
 #include "viz/player/pick.h"
 #include "viz/text/names.h"
 #include "viz/text/rich_text.h"
@@ -45,7 +45,7 @@ void verdict_sign(Verdict::Kind kind, float x, float y, ImU32 ink) {
   }
 }
 
-Rect projection_rect(const Session& s, const Rect& scene) {
+Rect projection_rect(const WindowSession& s, const Rect& scene) {
   const char* name = s.player.camera().goal().perspective ? "perspective" : "orthographic";
   const float width = text_width(s.ui.fonts.small, name);
   return {scene.right - 28 - width, scene.bottom - 38, scene.right - 12, scene.bottom - 10};
@@ -67,21 +67,21 @@ constexpr float low_head = 42, high_head = 60;
 float edge(const Rect& scene) { return is_low(scene) ? 8.0f : 20.0f; }
 
 /// Whether methods differ; not before the outcome: it would tell what the exact method says.
-bool has_alarm(const Session& s) {
+bool has_alarm(const WindowSession& s) {
   const bool known = s.player.index() >= outcome(s.player.walk());
   return s.player.methods_differ() && known && !s.player.asked() && !is_card(s.player.step().scene);
 }
 
-std::string alarm_words(const Session& s) {
+std::string alarm_words(const WindowSession& s) {
   const std::vector<Opinion>& said = s.player.opinions();
   const auto differ = std::ranges::count_if(said, [](const Opinion& o) { return !o.agrees; });
   return fmt::format("{} of {} methods {}", differ, said.size(), differ == 1 ? "differs" : "differ");
 }
 
-float alarm_width(const Session& s) { return 46 + text_width(s.ui.fonts.small, alarm_words(s)); }
+float alarm_width(const WindowSession& s) { return 46 + text_width(s.ui.fonts.small, alarm_words(s)); }
 
 /// Returns the verdict on one line if there is room, else on several.
-Paragraph verdict_words(Session& s, const Rect& scene, const std::string& verdict) {
+Paragraph verdict_words(WindowSession& s, const Rect& scene, const std::string& verdict) {
   Paragraph words{.markup = verdict, .colour = s.ui.palette.text};
   if (is_low(scene)) words.size = 13, words.line_pitch = 19;
   const float alarm = is_low(scene) && has_alarm(s) ? alarm_width(s) + 12 : 0;
@@ -91,16 +91,16 @@ Paragraph verdict_words(Session& s, const Rect& scene, const std::string& verdic
 }
 
 /// Returns the height of the verdict's chip; 0 if there is none.
-float verdict_height(Session& s, const Rect& scene, const Step& step) {
+float verdict_height(WindowSession& s, const Rect& scene, const Step& step) {
   if (step.verdict.text.empty() || is_card(step.scene)) return 0;
   return s.ui.texts.size_of(verdict_words(s, scene, step.verdict.text)).y + (is_low(scene) ? 9.0f : 13.0f);
 }
-float verdict_height(Session& s, const Rect& scene) { return verdict_height(s, scene, s.player.shown()); }
+float verdict_height(WindowSession& s, const Rect& scene) { return verdict_height(s, scene, s.player.shown()); }
 
 }  // namespace
 
 /// Returns the tallest of the walk's verdicts, which may take several lines. Of very many it measures the longest.
-static float tallest_verdict(Session& s, const Rect& scene) {
+static float tallest_verdict(WindowSession& s, const Rect& scene) {
   constexpr std::size_t most = 100;
   std::vector<const Step*> told;
   for (const Step& step : s.player.walk().steps)
@@ -115,28 +115,28 @@ static float tallest_verdict(Session& s, const Rect& scene) {
   return tallest;
 }
 
-float steady_head(Session& s, const Rect& scene) {
+float steady_head(WindowSession& s, const Rect& scene) {
   const bool low = is_low(scene);
-  Session::SteadyHead wanted = {.walk = s.player.walk_number(),
-                                .width = scene.width(),
-                                .height = scene.height(),
-                                .alarm = has_alarm(s) ? alarm_width(s) : 0,
-                                .size = s.settings.size,
-                                .tallest = s.steady_head.tallest};
+  WindowSession::SteadyHead wanted = {.walk = s.player.walk_number(),
+                                      .width = scene.width(),
+                                      .height = scene.height(),
+                                      .alarm = has_alarm(s) ? alarm_width(s) : 0,
+                                      .size = s.settings.size,
+                                      .tallest = s.steady_head.tallest};
   if (wanted != s.steady_head) wanted.tallest = tallest_verdict(s, scene), s.steady_head = wanted;
   const float tallest = wanted.tallest;
   if (tallest > 0) return std::max(low ? low_head : high_head, edge(scene) + tallest + 5);
   return low && s.player.methods_differ() ? low_head : 0;
 }
 
-float head_of(Session& s, const Rect& scene) {
+float head_of(WindowSession& s, const Rect& scene) {
   if (!s.player.scene().chart) return steady_head(s, scene);
   const float verdict = verdict_height(s, scene), alarm = has_alarm(s) ? 40.0f : 0.0f;
   if (is_low(scene)) return std::max(verdict, alarm) + 14;
   return (verdict > 0 ? verdict + 28 : 12) + alarm;
 }
 
-void verdict_chip(Session& s, const Rect& scene) {
+void verdict_chip(WindowSession& s, const Rect& scene) {
   const Verdict& verdict = s.player.shown().verdict;
   const float height = verdict_height(s, scene), in = edge(scene);
   if (height == 0) return;
@@ -152,7 +152,7 @@ void verdict_chip(Session& s, const Rect& scene) {
   rich(ui, words, {r.left + 40, r.middle_y() - size.y / 2});
 }
 
-void alarm_chip(Session& s, const Rect& scene) {
+void alarm_chip(WindowSession& s, const Rect& scene) {
   if (!has_alarm(s)) return;
   Ui& ui = s.ui;
   const float verdict = verdict_height(s, scene), width = alarm_width(s), in = edge(scene);
@@ -175,7 +175,7 @@ void alarm_chip(Session& s, const Rect& scene) {
 
 namespace {
 
-bool meets_handle(const Session& s, const View& view, const Rect& r) {
+bool meets_handle(const WindowSession& s, const View& view, const Rect& r) {
   constexpr double ring = 14;
   return s.pane != Pane::fixed && std::ranges::any_of(s.player.scene().handles, [&](const Handle& handle) {
            const Vec2 at = view.project(handle.at).at;
@@ -193,7 +193,7 @@ bool meets_label(const Rect& place, const Rect& scene, const std::vector<PlacedL
 
 }  // namespace
 
-void tripod(Session& s, const View& view, const Rect& scene, const std::vector<PlacedLabel>& labels) {
+void tripod(WindowSession& s, const View& view, const Rect& scene, const std::vector<PlacedLabel>& labels) {
   constexpr float length = 28;
   const ImVec2 origin{scene.left + 46, scene.bottom - 44};
   const Rect place{origin.x - 40, origin.y - 46, origin.x + 46, origin.y + 36};
@@ -223,13 +223,13 @@ bool shows_cases(const Scene& scene) { return scene.chart && std::holds_alternat
 
 }  // namespace
 
-float changed_room(const Session& s) {
+float changed_room(const WindowSession& s) {
   const Scene& scene = s.player.scene();
   if (!s.player.preset_id().empty() || !scene.handles.empty() || shows_cases(scene)) return 0;
   return scene.chart || is_page(scene) ? 26 : 0;
 }
 
-Rect changed_rect(const Session& s, const Rect& scene) {
+Rect changed_rect(const WindowSession& s, const Rect& scene) {
   const float left = scene.right - 28 - text_width(s.ui.fonts.small, "changed"), right = scene.right - 12;
   if (const float room = changed_room(s); room > 0) return {left, scene.bottom - room, right, scene.bottom - 2};
   if (shows_cases(s.player.scene()) && !is_low(scene))  // beside the verdict, above all numbers
@@ -237,12 +237,12 @@ Rect changed_rect(const Session& s, const Rect& scene) {
   return {left, scene.bottom - 64, right, scene.bottom - 40};
 }
 
-void changed_mark(Session& s, const Rect& scene) {
+void changed_mark(WindowSession& s, const Rect& scene) {
   if (!s.player.preset_id().empty()) return;
   if (press(s.ui, "changed", changed_rect(s, scene)).clicked) s.attempt([&] { s.player.restart(); });
 }
 
-void changed_text(Session& s, const Rect& scene) {
+void changed_text(WindowSession& s, const Rect& scene) {
   if (!s.player.preset_id().empty()) return;
   const Rect r = changed_rect(s, scene);
   text(s.ui.fonts.small, r.right - 8, r.middle_y(), packed(s.ui.palette.fresh_text), "changed", 1);
@@ -250,12 +250,12 @@ void changed_text(Session& s, const Rect& scene) {
     tooltip(s.ui, "Parameters were changed by hand. Here or R: back to the preset. Ctrl+Z: one change back");
 }
 
-void projection_name(Session& s, const Rect& scene) {
+void projection_name(WindowSession& s, const Rect& scene) {
   if (press(s.ui, "projection", projection_rect(s, scene)).clicked)
     s.player.set_perspective(!s.player.camera().goal().perspective);
 }
 
-void projection_text(Session& s, const Rect& scene, const std::vector<PlacedLabel>& labels) {
+void projection_text(WindowSession& s, const Rect& scene, const std::vector<PlacedLabel>& labels) {
   const Rect r = projection_rect(s, scene);
   if (meets_label({r.left + 8, r.top + 4, r.right - 4, r.bottom - 4}, scene, labels)) return;
   s.ui.rects["projection text"] = r;
@@ -265,8 +265,8 @@ void projection_text(Session& s, const Rect& scene, const std::vector<PlacedLabe
   text(s.ui.fonts.small, r.right - 8, r.middle_y(), packed(hovered ? c.text : c.muted), name, 1);
 }
 
-void toast(Session& s, const Rect& scene) {
-  const Session::Toast& toast = s.toast;
+void toast(WindowSession& s, const Rect& scene) {
+  const WindowSession::Toast& toast = s.toast;
   if (toast.seconds_left <= 0) return;
   Ui& ui = s.ui;
   const Colour& ink = toast.error ? ui.palette.miss : ui.palette.hit;
@@ -284,7 +284,7 @@ void toast(Session& s, const Rect& scene) {
                                       toast.text.c_str(), nullptr, room - 56);
 }
 
-void handle_by_keyboard(Session& s, const View& view, const Handle& handle) {
+void handle_by_keyboard(WindowSession& s, const View& view, const Handle& handle) {
   if (is_named(s.player, handle)) return;
   const Vec2 at = view.project(handle.at).at;
   const float x = static_cast<float>(at.x()) + 20, y = static_cast<float>(at.y());
@@ -292,7 +292,7 @@ void handle_by_keyboard(Session& s, const View& view, const Handle& handle) {
   s.ui.rects["name of the ringed handle"] = {x, y - 9, x + 40, y + 9};
 }
 
-void handle_under_pointer(Session& s, const View& view, const Handle& handle, const std::string& forbidden) {
+void handle_under_pointer(WindowSession& s, const View& view, const Handle& handle, const std::string& forbidden) {
   const Vec2 at = view.project(handle.at).at;
   const ImVec2 middle{static_cast<float>(at.x()), static_cast<float>(at.y())};
   ImGui::GetWindowDrawList()->AddCircle(middle, 14, packed(s.ui.palette.highlight), 32, 2);
@@ -309,7 +309,7 @@ void handle_under_pointer(Session& s, const View& view, const Handle& handle, co
                     help + (forbidden.empty() ? "" : "\n" + forbidden));
 }
 
-void item_under_pointer(Session& s, const View& view, const Vec2& pixel) {
+void item_under_pointer(WindowSession& s, const View& view, const Vec2& pixel) {
   const auto picked = pick(s.player.scene(), view.viewing_ray(pixel));
   if (!picked) return;
   const float x = static_cast<float>(pixel.x()), y = static_cast<float>(pixel.y());

@@ -2,7 +2,7 @@
 // Marks over the scene: verdict, axes, projection, messages, and what the pointer is at.
 
 #include "viz/compose/compose.h"
-#include "viz/window/session.h"
+#include "viz/window/window_session.h"
 
 namespace isect::viz {
 
@@ -10,36 +10,36 @@ namespace isect::viz {
 inline bool is_low(const Rect& scene) { return scene.height() < 340; }
 /// Returns the height that the scene leaves free at its top for the chips: in a chart as much as they take, in a low
 /// scene the same at each step, as they would cover much of it.
-float head_of(Session&, const Rect& scene);
+float head_of(WindowSession&, const Rect& scene);
 /// Returns the part of that height that does not change from step to step.
-float steady_head(Session&, const Rect& scene);
+float steady_head(WindowSession&, const Rect& scene);
 /// Draws the verdict in a chip at the top left.
-void verdict_chip(Session&, const Rect& scene);
+void verdict_chip(WindowSession&, const Rect& scene);
 /// Draws, below the verdict, or beside it in a low scene, a chip if methods that should agree do not: how many differ,
 /// and with the pointer on it what each says.
-void alarm_chip(Session&, const Rect& scene);
+void alarm_chip(WindowSession&, const Rect& scene);
 /// Draws the directions of the axes at the bottom left, unless a label or a handle stands there.
-void tripod(Session&, const View&, const Rect& scene, const std::vector<PlacedLabel>&);
+void tripod(WindowSession&, const View&, const Rect& scene, const std::vector<PlacedLabel>&);
 /// Draw the projection's name at the bottom right: a button (before the scene's own), and its text (over the picture,
 /// unless a label stands there).
-void projection_name(Session&, const Rect& scene);
-void projection_text(Session&, const Rect& scene, const std::vector<PlacedLabel>&);
+void projection_name(WindowSession&, const Rect& scene);
+void projection_text(WindowSession&, const Rect& scene, const std::vector<PlacedLabel>&);
 /// A mark above it, where parameters were changed by hand: a button, with its text, that leads back to the preset.
 /// Charts and pages, whose words reach everywhere, leave a strip of this height below them for it; not if a drag makes
 /// the change: nothing else may move during a drag.
-float changed_room(const Session&);
-void changed_mark(Session&, const Rect& scene);
-void changed_text(Session&, const Rect& scene);
+float changed_room(const WindowSession&);
+void changed_mark(WindowSession&, const Rect& scene);
+void changed_text(WindowSession&, const Rect& scene);
 /// Draws the current message at the bottom.
-void toast(Session&, const Rect& scene);
+void toast(WindowSession&, const Rect& scene);
 
 /// Rings a handle, names its parameter and value, and says why it does not follow the pointer, if it is forbidden
 /// to.
-void handle_under_pointer(Session&, const View&, const Handle&, const std::string& forbidden);
+void handle_under_pointer(WindowSession&, const View&, const Handle&, const std::string& forbidden);
 /// Draws the name of the handle with the keyboard's ring, if no name stands at it.
-void handle_by_keyboard(Session&, const View&, const Handle&);
+void handle_by_keyboard(WindowSession&, const View&, const Handle&);
 /// Names the ball, solid, mesh or polygon that the viewing ray through `pixel` hits first, by the core's own ray
 /// tests.
-void item_under_pointer(Session&, const View&, const Vec2& pixel);
+void item_under_pointer(WindowSession&, const View&, const Vec2& pixel);
 
 }  // namespace isect::viz

@@ -11,8 +11,8 @@
 #include "viz/chart/chart.h"
 #include "viz/compose/compose.h"
 #include "viz/compose/t_axis.h"
-#include "viz/player/motion.h"
-#include "viz/player/moving.h"
+#include "viz/player/dragging.h"
+#include "viz/player/transition.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/scene_lights.h"
 #include "viz/window/scene_marks.h"
@@ -33,14 +33,14 @@ bool has_drawings(const Scene& scene) {
 
 /// Returns a smaller theme in a small scene of small drawings, which are too close together for their texts, or of a
 /// chart, whose plane gets what its texts leave.
-Theme look(const Session& s, const View& view) {
+Theme look(const WindowSession& s, const View& view) {
   const Theme& theme = s.ui.palette.theme;
   const double fits = std::clamp(std::min(view.width() / 600, view.height() / 350), 0.65, 1.0);
   const bool smaller = s.player.scene().chart || has_drawings(s.player.scene());
   return smaller ? window_theme(theme.name, fits) : theme;
 }
 
-std::string line_of(const Session& s, const Rect& r, double scale) {
+std::string line_of(const WindowSession& s, const Rect& r, double scale) {
   const Camera& c = s.player.camera().now();
   const Scene* const before = s.player.scene_before();
   const double motion = before && may_move(*before, s.player.scene()) ? s.player.motion() : 1;
@@ -52,17 +52,17 @@ std::string line_of(const Session& s, const Rect& r, double scale) {
 }
 
 /// Returns the theme of the axis: smaller where the scene is low.
-Theme axis_look(const Session& s, const Rect& r) {
+Theme axis_look(const WindowSession& s, const Rect& r) {
   return window_theme(s.ui.palette.theme.name, is_low(r) ? 0.7 : 0.9);
 }
 
 /// Returns the height of a ray's t-axis below the scene: the same in all steps.
-float axis_room(const Session& s, const Rect& r) {
+float axis_room(const WindowSession& s, const Rect& r) {
   return has_axis(s.player.walk()) ? static_cast<float>(axis_height * axis_look(s, r).sizes.axis) + 10 : 0;
 }
 
 /// Draws the axis between the tripod and the name of the projection.
-Composed axis_below(const Axis& axis, const Session& s, const Rect& r) {
+Composed axis_below(const Axis& axis, const WindowSession& s, const Rect& r) {
   constexpr double tripod_room = 100, projection_room = 130;
   const Theme theme = axis_look(s, r);
   const double left = std::max(0.2 * r.width(), tripod_room),
@@ -72,7 +72,7 @@ Composed axis_below(const Axis& axis, const Session& s, const Rect& r) {
 }
 
 /// Returns the map of cases that this step shows, if any.
-const Cases* map_of(const Session& s) {
+const Cases* map_of(const WindowSession& s) {
   const Scene& scene = s.player.scene();
   return scene.chart && s.player.lesson().map ? std::get_if<Cases>(&scene.chart->kind) : nullptr;
 }
@@ -95,7 +95,7 @@ bool has_much(const Drawing& drawing) {
 
 }  // namespace
 
-void SceneView::draw(Session& s, const Rect& r, const View& view) {
+void SceneView::draw(WindowSession& s, const Rect& r, const View& view) {
   behind_ = false;
   if (r.width() < 1 || r.height() < 1) return;  // a display may make a window as small as it likes
   const std::string wanted = line_of(s, r, scale_);
@@ -132,14 +132,14 @@ void SceneView::draw(Session& s, const Rect& r, const View& view) {
 }
 
 /// Returns the handle with the keyboard's ring.
-std::optional<Handle> handle_of_keyboard(const Session& s) {
+std::optional<Handle> handle_of_keyboard(const WindowSession& s) {
   const std::string name = s.ui.focus.name();
   for (const Handle& h : s.player.scene().handles)
     if (s.pane == Pane::lead && name == "handle " + h.parameter) return h;
   return {};
 }
 
-std::optional<Handle> SceneView::handle_near(const Session& s, const View& view, const Vec2& pixel) const {
+std::optional<Handle> SceneView::handle_near(const WindowSession& s, const View& view, const Vec2& pixel) const {
   std::optional<Handle> nearest;
   if (s.pane == Pane::fixed) return nearest;
   double least = hit_area;
@@ -154,7 +154,7 @@ std::optional<Handle> SceneView::handle_near(const Session& s, const View& view,
 }
 
 /// Drags the handle, with Shift only to a change of case next to the pointer. Where it was taken, it restores all.
-void SceneView::drag_held(Session& s, const View& view) {
+void SceneView::drag_held(WindowSession& s, const View& view) {
   const bool snapping = ImGui::GetIO().KeyShift;
   if (mouse() == followed_ &&
       (snapping == snapping_ || !snapping)) {  // it stays where it has snapped until the pointer moves
@@ -182,7 +182,7 @@ void SceneView::begin_snap(const Player& player, Snap snap) {
 
 /// Searches for as long as a frame has time, by the processor's clock; a result is shown in a frame that has searched
 /// little. It is shown, too, if the button has been released meanwhile.
-void SceneView::go_on_snapping(Session& s) {
+void SceneView::go_on_snapping(WindowSession& s) {
   if (!search_) return;
   if (search_->revision != s.player.revision()) return end_search(s);
   constexpr int long_for_a_hand = 12;  // frames
@@ -200,19 +200,19 @@ void SceneView::go_on_snapping(Session& s) {
   search_.reset();
 }
 
-void SceneView::end_search(Session& s) {
+void SceneView::end_search(WindowSession& s) {
   search_.reset();
   if (s.toast.text == searching) s.toast = {};
 }
 
-void SceneView::wheel(Session& s, const View& view) {
+void SceneView::wheel(WindowSession& s, const View& view) {
   const double turns = ImGui::GetIO().MouseWheel;
   if (turns != 0) s.player.zoom(view, mouse(), std::pow(1.15, turns));
 }
 
 /// Moves the handle that the keyboard holds by Shift and the arrows, with Ctrl to where the case changes next; without
 /// such a handle, turns the scene. Ctrl and the arrows shift the scene.
-void SceneView::keyboard(Session& s, const View& view) {
+void SceneView::keyboard(WindowSession& s, const View& view) {
   const ImGuiIO& io = ImGui::GetIO();
   const Vec2 middle = view.corner() + Vec2(view.width(), view.height()) / 2;
   if (const double zoom = std::exchange(s.zoom, 1.0); zoom != 1) s.player.zoom(view, middle, zoom);
@@ -257,7 +257,7 @@ void SceneView::keyboard(Session& s, const View& view) {
     s.player.pan(view, middle, middle - far * down);
 }
 
-void SceneView::pointer(Session& s, const View& view, bool hovered, bool active) {
+void SceneView::pointer(WindowSession& s, const View& view, bool hovered, bool active) {
   const ImGuiIO& io = ImGui::GetIO();
   if (held_ && held_in_ != &s.player.lesson()) held_.reset(), end_search(s);  // a key has opened another lesson
   if (const Cases* cases = map_of(s)) {
@@ -307,7 +307,7 @@ void SceneView::pointer(Session& s, const View& view, bool hovered, bool active)
   last_ = mouse();
 }
 
-void SceneView::show(Session& s, const Rect& r) {
+void SceneView::show(WindowSession& s, const Rect& r) {
   Ui& ui = s.ui;
   begin_region(ui, "scene", r);
   s.player.set_aspect(r.width() / (r.height() - steady_head(s, r) - axis_room(s, r)));

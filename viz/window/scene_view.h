@@ -6,10 +6,10 @@
 
 #include "viz/compose/compose.h"
 #include "viz/gl/renderer.h"
-#include "viz/player/moving.h"
+#include "viz/player/dragging.h"
 #include "viz/window/kept_picture.h"
 #include "viz/window/map_view.h"
-#include "viz/window/session.h"
+#include "viz/window/window_session.h"
 
 namespace isect::viz {
 
@@ -21,22 +21,22 @@ class SceneView {
       : renderer_(renderer), scale_(scale), drawing_(drawing), placing_(placing) {}
 
   /// Draws the scene with its marks, and does what the pointer asks for.
-  void show(Session&, const Rect&);
+  void show(WindowSession&, const Rect&);
   const std::vector<PlacedLabel>& labels() const { return labels_; }
   /// Whether the next frame is wanted: not all is drawn yet, a key goes on turning it, or a snap is being searched.
   bool behind() const { return behind_ || turning_ >= 0 || search_; }
   void rescale(double scale) { scale_ = scale; }
 
  private:
-  void draw(Session&, const Rect&, const View&);
-  void pointer(Session&, const View&, bool hovered, bool active);
-  void wheel(Session&, const View&);
-  void keyboard(Session&, const View&);
-  void drag_held(Session&, const View&);
+  void draw(WindowSession&, const Rect&, const View&);
+  void pointer(WindowSession&, const View&, bool hovered, bool active);
+  void wheel(WindowSession&, const View&);
+  void keyboard(WindowSession&, const View&);
+  void drag_held(WindowSession&, const View&);
   void begin_snap(const Player&, Snap);
-  void go_on_snapping(Session&);
-  void end_search(Session&);
-  std::optional<Handle> handle_near(const Session&, const View&, const Vec2& pixel) const;
+  void go_on_snapping(WindowSession&);
+  void end_search(WindowSession&);
+  std::optional<Handle> handle_near(const WindowSession&, const View&, const Vec2& pixel) const;
 
   Renderer& renderer_;
   double scale_;

@@ -14,14 +14,14 @@ std::string question_name(const Player& player, int step) {
 
 }  // namespace
 
-void keep_score(Session& s) {
+void keep_score(WindowSession& s) {
   const Player& player = s.player;
   Score& score = s.settings.scores[player.lesson().id];
   if (const auto answered = player.answered()) score.answers[question_name(player, player.index())] = answered->right();
   if (player.step().slug == closing_slug) score.finished = true;
 }
 
-std::vector<int> missed_questions(const Session& s) {
+std::vector<int> missed_questions(const WindowSession& s) {
   std::vector<int> missed;
   const auto score = s.settings.scores.find(s.player.lesson().id);
   if (score == s.settings.scores.end()) return missed;
@@ -35,7 +35,7 @@ std::vector<int> missed_questions(const Session& s) {
   return missed;
 }
 
-void keep_recent(Session& s) {
+void keep_recent(WindowSession& s) {
   std::vector<std::string>& recent = s.settings.recent;
   const std::string& id = s.player.lesson().id;
   if (!s.player.lesson().made_from.empty()) return;  // scenes from files are not among the lessons

@@ -5,7 +5,7 @@
 
 #include "viz/text/names.h"
 #include "viz/text/rich_text.h"
-#include "viz/walk/parting.h"
+#include "viz/walk/walk_difference.h"
 #include "viz/window/panels.h"
 
 namespace isect::viz {
@@ -23,11 +23,11 @@ std::string preset_title(const Player& p, const std::string& id) {
 }
 
 /// Returns the title of the method or preset in the first pane.
-std::string first_title(const Session& s) {
+std::string first_title(const WindowSession& s) {
   const bool methods = !s.settings.beside->method.empty();
   return methods ? method_title(s.player, s.player.method()) : preset_title(s.player, s.player.preset_id());
 }
-std::string second_title(const Session& s) {
+std::string second_title(const WindowSession& s) {
   const Beside& side = *s.settings.beside;
   return side.method.empty() ? preset_title(s.player, side.preset) : method_title(s.player, side.method);
 }
@@ -56,7 +56,7 @@ std::optional<Beside> usual(const Player& p) {
 }
 
 /// Draws what the second pane can show: methods, then presets of the first one's method.
-void menu(Session& s, const ImVec2& at) {
+void menu(WindowSession& s, const ImVec2& at) {
   ImGui::SetNextWindowPos(at);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{6, 6});
   if (ImGui::BeginPopup("other side")) {
@@ -95,19 +95,19 @@ void told(Ui& ui, const std::string& side, const Step& step, int line, int value
   text(ui.fonts.small, right, y, packed(ui.palette.miss), words, 1);
 }
 
-void heads(Session& s, const Player& other, const Parting& parted, const PanesLayout& at) {
+void heads(WindowSession& s, const Player& other, const WalkDifference& difference, const PanesLayout& at) {
   Ui& ui = s.ui;
   begin_region(ui, "pane heads", at.heads);
   const float y = at.heads.middle_y(), left = at.heads.left + 20, middle = at.second_scene.left;
   const float end = left + text(ui.fonts.bold, left, y, packed(ui.palette.text),
                                 fitted(ui.fonts.bold, first_title(s), middle - left - 12));
-  told(ui, "", s.player.step(), parted.line_a, parted.value_a, end + 16, middle - 16, y);
+  told(ui, "", s.player.step(), difference.line_a, difference.value_a, end + 16, middle - 16, y);
   const Rect close{at.heads.right - 48, y - 14, at.heads.right - 20, y + 14};
   bool pressed = false;
   const Opener against{"against", "against " + second_title(s), "Another method or preset on this side", middle + 20,
                        y,         close.left - middle - 40};
   const float opened = opener(ui, against, false, pressed);
-  told(ui, "other ", other.step(), parted.line_b, parted.value_b, opened + 16, close.left - 12, y);
+  told(ui, "other ", other.step(), difference.line_b, difference.value_b, opened + 16, close.left - 12, y);
   if (pressed) ImGui::OpenPopup("other side");
   menu(s, {middle + 12, at.heads.bottom});
   const Press p = press(ui, "one pane", close);
@@ -120,15 +120,17 @@ void heads(Session& s, const Player& other, const Parting& parted, const PanesLa
 }
 
 /// Returns where the panes part, without values while a question is open: those on show belong to no step.
-Parting parting_now(const Player& first, const Player& second) {
-  Parting parted = parting(first.walk(), first.index(), second.walk(), second.index());
-  if (first.asked() || second.asked()) parted.value_a = parted.value_b = -1;
-  return parted;
+WalkDifference difference_now(const Player& first, const Player& second) {
+  WalkDifference difference = walk_difference(first.walk(), first.index(), second.walk(), second.index());
+  if (first.asked() || second.asked()) difference.value_a = difference.value_b = -1;
+  return difference;
 }
 
 }  // namespace
 
-bool two_panes(const Session& s) { return s.settings.beside && s.settings.beside->lesson == s.player.lesson().id; }
+bool two_panes(const WindowSession& s) {
+  return s.settings.beside && s.settings.beside->lesson == s.player.lesson().id;
+}
 
 void parted_mark(Ui& ui, const std::string& name, const Rect& r, bool lit) {
   ui.rects[name] = r;
@@ -136,7 +138,7 @@ void parted_mark(Ui& ui, const std::string& name, const Rect& r, bool lit) {
   text(ui.fonts.small, r.left + 7, r.middle_y(), packed(lit ? ui.palette.on_highlight : ui.palette.miss), "≠", 0.5f);
 }
 
-void toggle_panes(Session& s) {
+void toggle_panes(WindowSession& s) {
   if (std::exchange(s.settings.beside, std::nullopt)) return;
   s.settings.beside = usual(s.player);
   if (!s.settings.beside) return s.say("There is nothing to set against this");
@@ -144,7 +146,7 @@ void toggle_panes(Session& s) {
 }
 
 /// Returns false if the other side does not exist; then there is one pane.
-bool SecondPane::follow(Session& s) {
+bool SecondPane::follow(WindowSession& s) {
   const Beside& side = *s.settings.beside;
   const Lesson& lesson = s.player.lesson();
   try {
@@ -165,19 +167,19 @@ bool SecondPane::follow(Session& s) {
   }
 }
 
-void SecondPane::leave(Session& s) {
+void SecondPane::leave(WindowSession& s) {
   if (s.settings.beside) s.settings.beside.reset();  // of another lesson
   s.player.accompany(nullptr);
   other_.reset();
 }
 
-void SecondPane::show_other(Session& s, const PanesLayout& at) {
+void SecondPane::show_other(WindowSession& s, const PanesLayout& at) {
   const bool methods = !s.settings.beside->method.empty();
-  Session along{.player = *other_, .ui = s.ui, .settings = s.settings, .course = s.course, .figures = {}};
+  WindowSession along{.player = *other_, .ui = s.ui, .settings = s.settings, .course = s.course, .figures = {}};
   along.paired = true;
   along.pane = methods ? Pane::along : Pane::fixed;
-  const Parting parted = parting_now(s.player, *other_);
-  along.parted_line = parted.line_b, along.parted_value = parted.value_b;
+  const WalkDifference difference = difference_now(s.player, *other_);
+  along.parted_line = difference.line_b, along.parted_value = difference.value_b;
   const std::map<std::string, Rect> first = std::exchange(s.ui.rects, {});
   if (std::exchange(named_, other_->revision()) != other_->revision() || names_.empty())
     names_ = names_of(other_->lesson(), other_->walk());
@@ -196,12 +198,12 @@ void SecondPane::show_other(Session& s, const PanesLayout& at) {
   s.attempt([&] { s.player.take_from(*other_, shared); });
 }
 
-void SecondPane::show(Session& s, SceneView& lead, const PanesLayout& at) {
+void SecondPane::show(WindowSession& s, SceneView& lead, const PanesLayout& at) {
   if (!follow(s)) return;
-  const Parting parted = parting_now(s.player, *other_);
-  heads(s, *other_, parted, at);
+  const WalkDifference difference = difference_now(s.player, *other_);
+  heads(s, *other_, difference, at);
   s.paired = true;
-  s.parted_line = parted.line_a, s.parted_value = parted.value_a;
+  s.parted_line = difference.line_a, s.parted_value = difference.value_a;
   lead.show(s, at.first_scene);
   code_panel(s, at.first_code);
   s.paired = false;

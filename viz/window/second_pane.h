@@ -7,28 +7,28 @@
 
 #include "viz/window/layout.h"
 #include "viz/window/scene_view.h"
-#include "viz/window/session.h"
+#include "viz/window/window_session.h"
 
 namespace isect::viz {
 
 /// Whether the lesson on show stands in two panes.
-bool two_panes(const Session&);
+bool two_panes(const WindowSession&);
 
 class SecondPane {
  public:
   SecondPane(Renderer& renderer, double scale, bool drawing) : scene_(renderer, scale, drawing, drawing) {}
 
   /// Shows both panes, with what tells them apart above them. `lead`: the scene of the first.
-  void show(Session&, SceneView& lead, const PanesLayout&);
+  void show(WindowSession&, SceneView& lead, const PanesLayout&);
   /// Returns to one pane.
-  void leave(Session&);
+  void leave(WindowSession&);
   /// Whether the second scene wants another frame (SceneView::behind), while there are two panes.
   bool behind() const { return other_ && scene_.behind(); }
   void rescale(double scale) { scene_.rescale(scale); }
 
  private:
-  bool follow(Session&);
-  void show_other(Session&, const PanesLayout&);
+  bool follow(WindowSession&);
+  void show_other(WindowSession&, const PanesLayout&);
 
   SceneView scene_;
   std::optional<Player> other_;

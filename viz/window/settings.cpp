@@ -6,7 +6,7 @@
 
 #include "viz/formats/files.h"
 #include "viz/formats/formats.h"
-#include "viz/window/session.h"
+#include "viz/window/window_session.h"
 
 namespace isect::viz {
 namespace {
@@ -39,11 +39,11 @@ ThemeName theme_field(const Json& from, const char* name, ThemeName fallback) {
   }
 }
 
-std::optional<Place> place_field(const Json& from, const std::vector<const Lesson*>& lessons) {
+std::optional<ReaderState> place_field(const Json& from, const std::vector<const Lesson*>& lessons) {
   const auto found = from.find("place");
   if (found == from.end()) return std::nullopt;
   try {
-    return place_from_json(found->dump(), lessons);
+    return reader_state_from_json(found->dump(), lessons);
   } catch (const BadInput&) {
     return std::nullopt;
   }
@@ -120,7 +120,7 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
   s.size = std::clamp(field(json, "size", s.size), least_size, most_size);
   const double cm = field(json, "save_width_cm", s.save_width_cm);
   if (cm >= least_width_cm && cm <= most_width_cm) s.save_width_cm = cm;
-  s.place = place_field(json, lessons);
+  s.reader_state = place_field(json, lessons);
   s.beside = beside_field(json);
   s.scores = scores_field(json);
   s.recent = field(json, "recent", s.recent);
@@ -162,7 +162,7 @@ std::string text_of(const Settings& s) {
                {"saved", s.saved},
                {"scores", json_of(s.scores)}};
   if (const auto& b = s.beside) json["beside"] = {{"lesson", b->lesson}, {"method", b->method}, {"preset", b->preset}};
-  if (s.place) json["place"] = Json::parse(to_json(*s.place));
+  if (s.reader_state) json["place"] = Json::parse(to_json(*s.reader_state));
   return json.dump(2) + "\n";
 }
 

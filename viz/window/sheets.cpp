@@ -20,7 +20,7 @@ std::string lower(std::string s) {
 
 }  // namespace
 
-bool begin_sheet(Session& s, const char* name, const Rect& window, float width, float height) {
+bool begin_sheet(WindowSession& s, const char* name, const Rect& window, float width, float height) {
   const float w = std::min(width, window.width() - 40), h = std::min(height, window.height() - 40);
   const Rect r{window.middle_x() - w / 2, window.middle_y() - h / 2, window.middle_x() + w / 2,
                window.middle_y() + h / 2};
@@ -32,7 +32,7 @@ bool begin_sheet(Session& s, const char* name, const Rect& window, float width, 
   return true;
 }
 
-bool search_field(Session& s, const char* hint) {
+bool search_field(WindowSession& s, const char* hint) {
   if (ImGui::IsWindowAppearing()) {
     s.search.clear();
     ImGui::SetKeyboardFocusHere();
@@ -61,7 +61,7 @@ bool matches(const std::string& text, const std::string& wanted) {
   return true;
 }
 
-void sheets(Session& s, const Rect& window) {
+void sheets(WindowSession& s, const Rect& window) {
   const Sheet open = std::exchange(s.open_next, Sheet::none);
   if (open == Sheet::keys) ImGui::OpenPopup("key sheet");
   if (open == Sheet::picker) ImGui::OpenPopup("picker");

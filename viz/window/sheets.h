@@ -4,7 +4,7 @@
 #include <imgui.h>
 
 #include "viz/window/key_codes.h"
-#include "viz/window/session.h"
+#include "viz/window/window_session.h"
 
 namespace isect::viz {
 
@@ -12,15 +12,15 @@ namespace isect::viz {
 inline bool key_down(key::Code code) { return ImGui::IsKeyPressed(code, false) && !ImGui::IsWindowAppearing(); }
 
 /// Opens in the middle of the window; Escape or a click beside it closes it. Returns whether it is open.
-bool begin_sheet(Session&, const char* name, const Rect& window, float width, float height);
+bool begin_sheet(WindowSession&, const char* name, const Rect& window, float width, float height);
 /// Draws the search field, which has the keyboard. Returns whether Enter was pressed in it.
-bool search_field(Session&, const char* hint);
+bool search_field(WindowSession&, const char* hint);
 /// Whether each wanted word, or another name for the same thing, occurs in the text; case is ignored.
 bool matches(const std::string& text, const std::string& wanted);
 
-void key_sheet(Session&, const Rect& window);
-void picker(Session&, const Rect& window);
-void terms_sheet(Session&, const Rect& window);
-void save_sheet(Session&, const Rect& window);
+void key_sheet(WindowSession&, const Rect& window);
+void picker(WindowSession&, const Rect& window);
+void terms_sheet(WindowSession&, const Rect& window);
+void save_sheet(WindowSession&, const Rect& window);
 
 }  // namespace isect::viz

@@ -5,7 +5,7 @@
 
 namespace isect::viz {
 
-void terms_sheet(Session& s, const Rect& window) {
+void terms_sheet(WindowSession& s, const Rect& window) {
   if (!begin_sheet(s, "terms", window, 720, 600)) return;
   const bool entered = search_field(s, "Search terms");
   ImGui::BeginChild("list of terms");

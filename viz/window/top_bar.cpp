@@ -7,7 +7,7 @@
 namespace isect::viz {
 namespace {
 
-void method_menu(Session& s, float x, float bottom) {
+void method_menu(WindowSession& s, float x, float bottom) {
   ImGui::SetNextWindowPos({x, bottom});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{6, 6});
   if (ImGui::BeginPopup("methods")) {
@@ -51,7 +51,7 @@ struct Chips {
   }
 };
 
-Chips chips_in(const Session& s, const std::vector<const Preset*>& group, float room) {
+Chips chips_in(const WindowSession& s, const std::vector<const Preset*>& group, float room) {
   constexpr float narrow = 30;
   Chips chips;
   for (const bool roomy : {true, false}) {
@@ -67,7 +67,7 @@ Chips chips_in(const Session& s, const std::vector<const Preset*>& group, float 
   return chips;
 }
 
-void draw_chips(Session& s, const std::vector<const Preset*>& group, const Chips& chips, float x1, float y) {
+void draw_chips(WindowSession& s, const std::vector<const Preset*>& group, const Chips& chips, float x1, float y) {
   float x = x1 - chips.total();
   for (std::size_t i = 0; i < group.size(); ++i) {
     const bool whole = chips.widths[i] == chips.wide[i];
@@ -84,7 +84,7 @@ void draw_chips(Session& s, const std::vector<const Preset*>& group, const Chips
 }
 
 /// Lists all presets below each other, if there is no room for them side by side.
-void preset_menu(Session& s, const std::vector<const Preset*>& group, float right, float top) {
+void preset_menu(WindowSession& s, const std::vector<const Preset*>& group, float right, float top) {
   float width = 160;
   for (std::size_t i = 0; i < group.size(); ++i)
     width = std::max(width, text_width(s.ui.fonts.body, chip_label(*group[i], i + 1, true)) + 28);
@@ -106,13 +106,13 @@ void preset_menu(Session& s, const std::vector<const Preset*>& group, float righ
   ImGui::PopStyleVar();
 }
 
-std::string chosen_label(const Session& s, const std::vector<const Preset*>& group) {
+std::string chosen_label(const WindowSession& s, const std::vector<const Preset*>& group) {
   for (std::size_t i = 0; i < group.size(); ++i)
     if (group[i]->id == s.player.preset_id()) return chip_label(*group[i], i + 1, !s.player.asked());
   return "presets";
 }
 
-void theme_button(Session& s, const Rect& r) {
+void theme_button(WindowSession& s, const Rect& r) {
   constexpr ThemeName round[] = {ThemeName::dark, ThemeName::screen, ThemeName::grey};
   const Press p = press(s.ui, "theme", r);
   filled(r, p.hovered ? s.ui.palette.hovered : s.ui.palette.frame);
@@ -130,7 +130,7 @@ void theme_button(Session& s, const Rect& r) {
 
 }  // namespace
 
-void top_bar(Session& s, const Rect& r) {
+void top_bar(WindowSession& s, const Rect& r) {
   Ui& ui = s.ui;
   begin_region(ui, "top bar", r);
   const float y = 24;

@@ -22,7 +22,7 @@ int step_at(const Rect& r, float x, int count) {
   return std::clamp(static_cast<int>(std::lround(share * static_cast<float>(count - 1))), 0, count - 1);
 }
 
-void scrubber(Session& s, const Rect& r, float y) {
+void scrubber(WindowSession& s, const Rect& r, float y) {
   Ui& ui = s.ui;
   Player& player = s.player;
   const Palette& c = ui.palette;
@@ -50,7 +50,7 @@ void scrubber(Session& s, const Rect& r, float y) {
   list.AddCircleFilled({knob, y}, 3.5f, packed(c.window), 16);
 }
 
-void buttons(Session& s, float middle, float y) {
+void buttons(WindowSession& s, float middle, float y) {
   Player& player = s.player;
   const auto at = [&](int i) {
     const float x = middle + static_cast<float>(i) * 52;
@@ -98,7 +98,7 @@ void key_hints(const Ui& ui, float right, float room, float y) {
 
 }  // namespace
 
-void transport(Session& s, const Rect& r) {
+void transport(WindowSession& s, const Rect& r) {
   Ui& ui = s.ui;
   const Player& player = s.player;
   begin_region(ui, "transport", r);

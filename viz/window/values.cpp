@@ -112,8 +112,8 @@ float number_column(const Ui& ui, const Step& step, const std::vector<std::strin
 }
 
 /// `number`: where the digits end.
-void value_row(Session& s, const Value& v, const std::string& digits, const std::map<std::string, BarScale>& scales,
-               const Rect& r, float number) {
+void value_row(WindowSession& s, const Value& v, const std::string& digits,
+               const std::map<std::string, BarScale>& scales, const Rect& r, float number) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
   const float y = r.middle_y();
@@ -170,7 +170,7 @@ void comparison_bar(const Palette& c, const Comparison& comparison, float x0, fl
 
 /// Draws the condition with its sign, its meaning, and both sides of each of its inequalities as bars. The meaning
 /// stands beside the condition or, if there is no room, on lines of its own.
-void comparison_card(Session& s, const Comparison& comparison, const Rect& r) {
+void comparison_card(WindowSession& s, const Comparison& comparison, const Rect& r) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
   s.ui.rects["comparison"] = r;
@@ -217,7 +217,7 @@ float values_height(const Ui& ui, const Step& step, float width, float pitch) {
   return values + (step.comparison ? card_height(ui, *step.comparison, width - 20) + 8 : 0);
 }
 
-void values_block(Session& s, const Rect& r, float pitch) {
+void values_block(WindowSession& s, const Rect& r, float pitch) {
   Ui& ui = s.ui;
   const Step& step = s.player.shown();
   ui.rects["values"] = r;
@@ -251,7 +251,7 @@ void values_block(Session& s, const Rect& r, float pitch) {
   ImGui::EndChild();
 }
 
-void operations_block(Session& s, const Rect& r) {
+void operations_block(WindowSession& s, const Rect& r) {
   Ui& ui = s.ui;
   const Counters& n = s.player.shown().counters;
   const Palette& c = ui.palette;

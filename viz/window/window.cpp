@@ -347,13 +347,13 @@ void run(Window& window, Input& input, WindowUi& ui, const EndSignals& signals, 
 
 }  // namespace
 
-void show(const std::vector<const Lesson*>& lessons, const Course& course, const Place& at,
+void show(const std::vector<const Lesson*>& lessons, const Course& course, const ReaderState& at,
           const std::function<void(const std::string&)>& say,
           const std::function<void(const Parameters&)>& save_scene) {
   const std::string file = settings_file();
   Settings kept = read_settings(file, lessons);
-  const bool resumed = at.lesson.empty() && kept.place;
-  const Place start = resumed ? *kept.place : at;
+  const bool resumed = at.lesson.empty() && kept.reader_state;
+  const ReaderState start = resumed ? *kept.reader_state : at;
   if (!resumed) kept.beside.reset();
   const EndSignals signals(glfwPostEmptyEvent);
   Window window(kept.width, kept.height);

@@ -67,7 +67,7 @@ void keep_memory() {
 }  // namespace
 
 struct WindowUi::Impl {
-  Impl(const std::vector<const Lesson*>& lessons, const Place& at, Renderer& gl, const Settings& kept,
+  Impl(const std::vector<const Lesson*>& lessons, const ReaderState& at, Renderer& gl, const Settings& kept,
        const WindowOptions& options)
       : renderer(gl),
         player(lessons, at, options.reduced_motion || kept.reduced_motion),
@@ -102,7 +102,7 @@ struct WindowUi::Impl {
   void draw_preview() {
     if (!session.preview.wanted) return previewed.clear();
     const std::string now =
-        to_json(player.place()) + name_of(settings.save_theme) + " " + shown(settings.save_width_cm) + " cm";
+        to_json(player.reader_state()) + name_of(settings.save_theme) + " " + shown(settings.save_width_cm) + " cm";
     if (now == std::exchange(previewed, now) || !drawing) return;
     constexpr double width = 320, height = 280;  // px of the layout, at most
     const double scale = density * size;
@@ -231,7 +231,7 @@ struct WindowUi::Impl {
   double density, size = 1;
   Ui ui;
   Course course;
-  Session session;
+  WindowSession session;
   SceneView scene;
   MapView map;
   SecondPane panes;
@@ -240,7 +240,7 @@ struct WindowUi::Impl {
   std::map<std::pair<const Lesson*, ThemeName>, KeptPicture> pictured;
 };
 
-WindowUi::WindowUi(const std::vector<const Lesson*>& lessons, const Place& at, Renderer& renderer,
+WindowUi::WindowUi(const std::vector<const Lesson*>& lessons, const ReaderState& at, Renderer& renderer,
                    const Settings& settings, const WindowOptions& options)
     : impl_(std::make_unique<Impl>(lessons, at, renderer, settings, options)) {}
 
@@ -336,7 +336,7 @@ const std::map<std::string, Rect>& WindowUi::rects() const { return impl_->ui.re
 
 void WindowUi::complain(const std::string& words) { impl_->session.complain(words); }
 std::string WindowUi::message() const {
-  const Session& s = impl_->session;
+  const WindowSession& s = impl_->session;
   if (s.toast.seconds_left > 0) return s.toast.text;
   if (!s.width_wrong.empty()) return s.width_wrong;
   return s.refused.revision == s.player.revision() ? s.refused.why : std::string();
@@ -351,8 +351,8 @@ Settings WindowUi::settings() const {
   Settings settings = impl_->settings;
   settings.speed = impl_->player.speed();
   if (!impl_->player.lesson().made_from.empty()) return settings;  // from a file that the next run does not know
-  settings.place = impl_->player.place();
-  if (!impl_->player.camera_moved()) settings.place->camera.reset();  // presets keep framing themselves
+  settings.reader_state = impl_->player.reader_state();
+  if (!impl_->player.camera_moved()) settings.reader_state->camera.reset();  // presets keep framing themselves
   return settings;
 }
 

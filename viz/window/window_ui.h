@@ -9,7 +9,7 @@
 #include "viz/compose/compose.h"
 #include "viz/course.h"
 #include "viz/gl/renderer.h"
-#include "viz/window/session.h"
+#include "viz/window/window_session.h"
 
 namespace isect::viz {
 
@@ -33,7 +33,7 @@ class WindowUi {
  public:
   /// Needs a current context whose functions the renderer has loaded, and makes its own Dear ImGui context.
   /// Throws BadInput for a place that does not exist.
-  WindowUi(const std::vector<const Lesson*>&, const Place& at, Renderer&, const Settings& = {},
+  WindowUi(const std::vector<const Lesson*>&, const ReaderState& at, Renderer&, const Settings& = {},
            const WindowOptions& = {});
   ~WindowUi();
   WindowUi(const WindowUi&) = delete;

@@ -29,7 +29,7 @@ void draw_obb(Drawing& d) {
   d.name(c);
 }
 
-bool has_axes(const Setting& s, const Object& o) {
+bool has_axes(const NamedValues& s, const Object& o) {
   constexpr double as_written = 1e-6;  // people write six digits or more; the tests take them as they are
   const std::array<Vec3, 3> axes = {s.point(o, "u"), s.point(o, "v"), s.has(o, "w") ? s.point(o, "w") : Vec3::UnitZ()};
   for (int i = 0; i < 3; ++i) {
@@ -43,7 +43,7 @@ bool has_axes(const Setting& s, const Object& o) {
 
 std::vector<TypeSpec> box_types() {
   TypeSpec box = row<Aabb<double, 3>>(Type::box);
-  box.extent = [](const Setting& s, const Object& o) { return std::vector{s.point(o, "lo"), s.point(o, "hi")}; };
+  box.extent = [](const NamedValues& s, const Object& o) { return std::vector{s.point(o, "lo"), s.point(o, "hi")}; };
   box.draw = draw_box;
 
   TypeSpec obb = row<Obb<double, 3>>(Type::obb);
@@ -51,7 +51,7 @@ std::vector<TypeSpec> box_types() {
   for (FieldSpec& field : obb.fields)
     if (field.name == "w") field.help += "; none in the plane", field.optional = true;
   obb.rules.push_back({"u", "axes of length 1 at right angles, to six digits", has_axes});
-  obb.extent = [](const Setting& s, const Object& o) {
+  obb.extent = [](const NamedValues& s, const Object& o) {
     return around(s.point(o, "center"), s.point(o, "half").norm());
   };
   obb.draw = draw_obb;

@@ -32,7 +32,9 @@ void draw_hull(Drawing& d) {
 std::vector<TypeSpec> polytope_types() {
   TypeSpec kdop = {Type::kdop, "kdop", "k-DOP"};
   kdop.made_of = "normals lo hi (lists)";
-  kdop.extent = [](const Setting& s, const Object& o) { return s.flat ? outline_of(s, o) : solid_of(s, o).vertices; };
+  kdop.extent = [](const NamedValues& s, const Object& o) {
+    return s.flat ? outline_of(s, o) : solid_of(s, o).vertices;
+  };
   kdop.draw = draw_polytope;
 
   TypeSpec frustum = {Type::frustum, "frustum"};
@@ -44,7 +46,7 @@ std::vector<TypeSpec> polytope_types() {
                     {"aspect", Means::number, "width to height; 1 if not given", true, 0.01, 100},
                     {"near", Means::number, "distance of the near plane", false, 0},
                     {"far", Means::number, "distance of the far plane", false, 0}};
-  frustum.extent = [](const Setting& s, const Object& o) {
+  frustum.extent = [](const NamedValues& s, const Object& o) {
     return viz::solid(frustum_of(s, o), viz::Role::second).vertices;
   };
   frustum.draw = draw_frustum;

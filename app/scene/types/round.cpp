@@ -72,27 +72,29 @@ void draw_round(Drawing& d) {
 std::vector<TypeSpec> round_types() {
   TypeSpec sphere = row<Sphere<double, 3>>(Type::sphere);
   sphere.in_plane = "circle";
-  sphere.extent = [](const Setting& s, const Object& o) { return around(s.point(o, "center"), s.number(o, "radius")); };
+  sphere.extent = [](const NamedValues& s, const Object& o) {
+    return around(s.point(o, "center"), s.number(o, "radius"));
+  };
   sphere.draw = draw_sphere;
-  sphere.radius_at = [](const Setting& s, const Object& o) {
+  sphere.radius_at = [](const NamedValues& s, const Object& o) {
     return std::pair<Vec3, Vec3>(s.point(o, "center"), Vec3::UnitX());
   };
 
   TypeSpec capsule = row<Capsule<double, 3>>(Type::capsule);
-  capsule.extent = [](const Setting& s, const Object& o) {
+  capsule.extent = [](const NamedValues& s, const Object& o) {
     const std::vector<Vec3> p = around(s.point(o, "p"), s.number(o, "r")),
                             q = around(s.point(o, "q"), s.number(o, "r"));
     return std::vector{p[0], p[1], q[0], q[1]};
   };
   capsule.draw = draw_capsule;
-  capsule.radius_at = [](const Setting& s, const Object& o) {
+  capsule.radius_at = [](const NamedValues& s, const Object& o) {
     const Vec3 p = s.point(o, "p"), q = s.point(o, "q");
     return std::pair<Vec3, Vec3>(q, p == q ? Vec3::UnitY() : across(q - p, s.flat));
   };
 
   TypeSpec cylinder = row<Cylinder<double>>(Type::cylinder);
   cylinder.in_plane = "";
-  cylinder.extent = [](const Setting& s, const Object& o) {
+  cylinder.extent = [](const NamedValues& s, const Object& o) {
     const Cylinder<double> x = made<Cylinder<double>>(s, o);
     return around_discs(x.p, x.radius, x.q, x.radius);
   };
@@ -101,12 +103,12 @@ std::vector<TypeSpec> round_types() {
 
   TypeSpec cone = row<Cone<double>>(Type::cone);
   cone.in_plane = "";
-  cone.extent = [](const Setting& s, const Object& o) {
+  cone.extent = [](const NamedValues& s, const Object& o) {
     const Cone<double> x = made<Cone<double>>(s, o);
     return around_discs(x.apex, 0, x.base, x.radius);
   };
   cone.draw = draw_round<Cone<double>>;
-  cone.radius_at = [](const Setting& s, const Object& o) {
+  cone.radius_at = [](const NamedValues& s, const Object& o) {
     const Cone<double> x = made<Cone<double>>(s, o);
     return std::pair<Vec3, Vec3>(x.base, across(x.base - x.apex, false));
   };

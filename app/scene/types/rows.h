@@ -38,7 +38,7 @@ std::vector<ShapeRule> rules_of() {
   constexpr std::size_t count = Described<X>::needs.size();
   [&]<std::size_t... I>(std::index_sequence<I...>) {
     (add(Described<X>::needs[I],
-         [](const Setting& s, const Object& o) { return Described<X>::needs[I].holds(made<X>(s, o)); }),
+         [](const NamedValues& s, const Object& o) { return Described<X>::needs[I].holds(made<X>(s, o)); }),
      ...);
   }
   (std::make_index_sequence<count>());
@@ -55,7 +55,7 @@ TypeSpec row(Type type) {
 
 /// The drawing of one object, with its items so far.
 struct Drawing {
-  const Setting& s;
+  const NamedValues& s;
   const Object& o;
   const Room& room;
   viz::Role role;

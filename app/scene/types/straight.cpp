@@ -68,21 +68,23 @@ void draw_plane(Drawing& d) {
 std::vector<TypeSpec> straight_types() {
   TypeSpec point = {Type::point, "point"};
   point.fields = {{"at", Means::place, "where it lies"}};
-  point.extent = [](const Setting& s, const Object& o) { return std::vector{s.point(o, "at")}; };
+  point.extent = [](const NamedValues& s, const Object& o) { return std::vector{s.point(o, "at")}; };
   point.draw = [](Drawing& d) { d.named_dot(d.at("at")); };
 
   TypeSpec segment = row<Segment<double, 3>>(Type::segment);
-  segment.extent = [](const Setting& s, const Object& o) { return std::vector{s.point(o, "from"), s.point(o, "to")}; };
+  segment.extent = [](const NamedValues& s, const Object& o) {
+    return std::vector{s.point(o, "from"), s.point(o, "to")};
+  };
   segment.draw = draw_segment;
 
   TypeSpec ray = row<Ray<double, 3>>(Type::ray);
-  ray.extent = [](const Setting& s, const Object& o) { return std::vector{s.point(o, "origin")}; };
+  ray.extent = [](const NamedValues& s, const Object& o) { return std::vector{s.point(o, "origin")}; };
   ray.draw = draw_ray;
   ray.vectors = {{"dir", "origin"}};
 
   TypeSpec line = {Type::line, "line"};
   line.fields = {ray.fields[0], ray.fields[1]};
-  line.extent = [](const Setting&, const Object&) { return std::vector<Vec3>(); };
+  line.extent = [](const NamedValues&, const Object&) { return std::vector<Vec3>(); };
   line.draw = draw_line;
   line.vectors = ray.vectors;
 

@@ -10,7 +10,7 @@
 // without a branch, eight or sixteen entries at a time. The few that are not sure are handed to the exact scalar
 // test, one by one. So the answers are those of the scalar test, every one, whatever the instruction set.
 //
-// Source: the note, N10, rule 6; the way of filters is that of isect/numbers/filter.h.
+// Source: the note, N10, rule 6; the way of filters is that of isect/numbers/arithmetic.h.
 
 #include <algorithm>
 #include <array>

@@ -147,9 +147,9 @@ struct Slabs {
   const Moving<Aabb, double, N>&a, &b;
 
   // clang-format off
-  template <Filtered W> W rate(int i) const { return difference<W>(b.velocity[i], a.velocity[i]); }
-  template <Filtered W> W lo(int i) const { return difference<W>(a.shape.lo[i], b.shape.hi[i]); }
-  template <Filtered W> W hi(int i) const { return difference<W>(a.shape.hi[i], b.shape.lo[i]); }
+  template <PolynomialScalar W> W rate(int i) const { return difference<W>(b.velocity[i], a.velocity[i]); }
+  template <PolynomialScalar W> W lo(int i) const { return difference<W>(a.shape.lo[i], b.shape.hi[i]); }
+  template <PolynomialScalar W> W hi(int i) const { return difference<W>(a.shape.hi[i], b.shape.lo[i]); }
   // clang-format on
 };
 
@@ -158,31 +158,31 @@ template <int N>
 struct Flight {
   const Moving<Sphere, double, N>&a, &b;
 
-  template <Filtered W>
+  template <PolynomialScalar W>
   Components<W, N> way() const {
     return difference<W>(b.velocity, a.velocity);
   }
   /// C(t) = |f + t w|^2 - (r + s)^2
-  template <Filtered W>
+  template <PolynomialScalar W>
   W apart(double t) const {
     const Components<W, N> f = at<W>(t);
     const W reach = W(a.shape.radius) + W(b.shape.radius);
     return dot(f, f) - reach * reach;
   }
   /// B(t) = (f + t w) . w
-  template <Filtered W>
+  template <PolynomialScalar W>
   W receding(double t) const {
     return dot(at<W>(t), way<W>());
   }
   /// D = B^2 - A C
-  template <Filtered W>
+  template <PolynomialScalar W>
   W discriminant() const {
     const W b_ = receding<W>(0);
     return b_ * b_ - dot(way<W>(), way<W>()) * apart<W>(0);
   }
 
  private:
-  template <Filtered W>
+  template <PolynomialScalar W>
   Components<W, N> at(double t) const {
     Components<W, N> f = difference<W>(b.shape.center, a.shape.center);
     if (t == 0) return f;

@@ -35,7 +35,7 @@
 
 namespace isect {
 
-namespace overlapping_pairs_detail {
+namespace detail::overlapping_pairs {
 
 /// The binary exponent of a box's size: 0 to 2046, 2047 where the size overflows.
 template <class S, int N>
@@ -63,13 +63,13 @@ inline std::vector<int> levels(const std::vector<int>& count) {
   return level;
 }
 
-}  // namespace overlapping_pairs_detail
+}  // namespace detail::overlapping_pairs
 
 /// Calls report(i, j), i < j, once for each two boxes that have a common point, in any order. Exact. A box that is
 /// empty, NaN or infinite meets nothing.
 template <class S, int N, class Report>
 void overlapping_pairs(const std::vector<Aabb<S, N>>& boxes, Report&& report) {
-  using namespace overlapping_pairs_detail;
+  using namespace detail::overlapping_pairs;
   std::vector<int> members = all_pairs::detail::with_points(boxes);
   if (members.empty()) return;
 

@@ -26,7 +26,7 @@ using SlabsEvent = std::variant<Beside<S>, Crossing<S>, Remains<S>>;
 /// The part of the range in the box, slab by slab with divisions. Naive: rounding may decide, at edges and corners it
 /// loses 1.6 % of the hits. Source: Kay, Kajiya (1986); the note's box (N06) and ray (N16).
 template <class S, int N, class Trace = NoTrace>
-std::optional<Interval<S>> slabs(const Ray<S, N>& ray, const Aabb<S, N>& box, Trace&& trace = {}) {
+std::optional<Interval<S>> slabs_naive(const Ray<S, N>& ray, const Aabb<S, N>& box, Trace&& trace = {}) {
   S in = ray.range.lo, out = ray.range.hi;
   for (int i = 0; i < N; ++i) {
     const S o = ray.origin[i], d = ray.direction[i];

@@ -19,7 +19,7 @@ using ParametricEvent = std::variant<Determinant<S>, Parameters<S>>;
 /// The common point, by solving p + t (q - p) = r + u (s - r); nothing for parallel segments, even where they
 /// overlap. Naive: rounding may decide. Source: Antonio, Faster line segment intersection, Graphics Gems III (1992).
 template <class S, class Trace = NoTrace>
-std::optional<Point<S, 2>> parametric(const Segment<S, 2>& a, const Segment<S, 2>& b, Trace&& trace = {}) {
+std::optional<Point<S, 2>> parametric_naive(const Segment<S, 2>& a, const Segment<S, 2>& b, Trace&& trace = {}) {
   const Vector<S, 2> d = a.q - a.p, e = b.q - b.p, between = b.p - a.p;
   const S determinant = d[0] * e[1] - d[1] * e[0];
   trace(Determinant<S>{determinant});

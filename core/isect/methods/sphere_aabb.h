@@ -27,7 +27,7 @@ using MethodEvent = std::variant<Nearest<S, N>, Axis<S>, Compared<S>, Rejected<S
 
 /// The note's method: whether the box comes nearer than touching. Naive: rounding may decide, and NaN is near.
 template <class S, int N, class Trace = NoTrace>
-bool accumulate(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace = {}) {
+bool accumulate_naive(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace = {}) {
   S distance2 = S(0);
   for (int axis = 0; axis < N; ++axis) {
     const S c = sphere.center[axis];
@@ -60,7 +60,7 @@ bool clamped(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace = 
   return distance2 <= radius2;
 }
 
-/// Does what accumulate does, but gives up at the first axis whose gap exceeds r.
+/// Does what accumulate_naive does, but gives up at the first axis whose gap exceeds r.
 /// Source: Larsson, Akenine-Moller, Lengyel, On faster sphere-box overlap testing, J. Graphics Tools 12 (2007).
 template <class S, int N, class Trace = NoTrace>
 bool with_rejections(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace = {}) {

@@ -30,7 +30,7 @@ using MethodEvent = std::variant<Compared<S>, Lengths<S>>;
 
 /// Whether the spheres come nearer than touching, as the note prints it. Naive: rounding may decide.
 template <class S, int N, class Trace = NoTrace>
-bool squared_distance(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
+bool squared_distance_naive(const Sphere<S, N>& a, const Sphere<S, N>& b, Trace&& trace = {}) {
   const Vector<S, N> l = a.center - b.center;
   const S distance2 = l.dot(l);
   const S sum = a.radius + b.radius, sum2 = sum * sum;

@@ -26,7 +26,7 @@
 #include <concepts>
 #include <optional>
 
-#include <isect/numbers/filter.h>
+#include <isect/numbers/arithmetic.h>
 #include <isect/numbers/short_exact.h>
 
 namespace isect {
@@ -36,7 +36,7 @@ namespace detail {
 ISECT_INLINE double at_least_tiny(double size) { return std::max(0x1p-960, size); }
 }  // namespace detail
 
-/// A value with an error bound. T is double or DoubleDouble; or Compensated or Threefold, for one found elsewhere.
+/// A value with an error bound. T is double or DoubleDouble; or Compensated or TripleDouble, for one found elsewhere.
 template <class T>
 class Bounded {
  public:
@@ -80,7 +80,7 @@ class Bounded {
   ISECT_INLINE double error() const {
     const double k = roundings_ + 1;
     constexpr double u = unit<double>;
-    if constexpr (is_threefold<T>)
+    if constexpr (is_triple_double<T>)
       return 8 * (k * k * k) * (u * u * u) * size_;
     else
       return is_compensated<T> ? 2 * k * k * u * u * size_ : k * unit<T> * size_;
@@ -133,12 +133,12 @@ class Recorded;
 
 /// The arithmetics that the polynomial texts of predicates run in, one after the other.
 template <class W>
-concept Filtered = std::same_as<W, Bounded<double>> || std::same_as<W, Grid> || std::same_as<W, Recorded> ||
-    is_compensated<W> || is_threefold<W> || std::same_as<W, Bounded<DoubleDouble>> || std::same_as<W, ShortExact> ||
+concept PolynomialScalar = std::same_as<W, Bounded<double>> || std::same_as<W, Grid> || std::same_as<W, Recorded> ||
+    is_compensated<W> || is_triple_double<W> || std::same_as<W, Bounded<DoubleDouble>> || std::same_as<W, ShortExact> ||
     std::same_as<W, MediumExact> || std::same_as<W, Exact>;
 
 /// x - y of two doubles.
-template <Filtered W>
+template <PolynomialScalar W>
 requires(!Arithmetic<W>) ISECT_INLINE W difference(double x, double y) { return W::difference(x, y); }
 
 }  // namespace isect

@@ -99,8 +99,8 @@ inline double tail(const DoubleDouble& x, const DoubleDouble& y) { return x.hi *
 
 /// The compensated dot product of n <= 4 doubles or double-doubles: |error| <= 11 n u^2 sum |x_i y_i|. Each
 /// term leaves low parts of at most 4 u |x_i y_i|, and every one of at most 2 n + 3 additions of low parts
-/// errs by u of them. In the model of isect/numbers/filter.h that is n + 2 factors, two more than a plain dot product
-/// has; the bounds there have room for them, and offsets, which count for one, are exact here.
+/// errs by u of them. In the model of isect/numbers/arithmetic.h that is n + 2 factors, two more than a plain dot
+/// product has; the bounds there have room for them, and offsets, which count for one, are exact here.
 template <int N, class X, class Y>
 DoubleDouble compensated_dot(const X& x, const Y& y) {
   DoubleDouble sum = two_product(detail::head(x[0]), detail::head(y[0]));

@@ -29,9 +29,9 @@ namespace isect {
 /// A text that caches its intermediate results per arithmetic, for others of its kind. It is never recorded: recorded
 /// steps would find all of that anew for each sign.
 template <class Text>
-struct Keeping : Text {};
+struct NotRecorded : Text {};
 template <class Text>
-Keeping(Text) -> Keeping<Text>;
+NotRecorded(Text) -> NotRecorded<Text>;
 
 namespace detail {
 template <class W, class Text>
@@ -55,7 +55,7 @@ std::optional<int> sign_on_grid(const Bounded<T>& x, double step) {
 template <class Text, class Trace>
 inline constexpr bool recorded_for = small_code || heard<Trace>;
 template <class Text, class Trace>
-inline constexpr bool recorded_for<Keeping<Text>, Trace> = false;
+inline constexpr bool recorded_for<NotRecorded<Text>, Trace> = false;
 /// The sign in W, Compensated or finer, by the size and the count of roundings that doubles found.
 template <class W, class Text>
 ISECT_INLINE std::optional<int> sign_on_grid(const Text& text, const Bounded<double>& quick, double step) {
@@ -65,7 +65,7 @@ ISECT_INLINE bool in_range(const Bounded<double>& x) { return 0x1p-800 < x.size(
 
 /// Returns the sign where Compensated leaves it open as well, or is out of range.
 template <class Text>
-[[gnu::noinline]] int settled_finer(const Text& text, const Bounded<double>& quick, double step) {
+[[gnu::noinline]] int sign_after_compensated(const Text& text, const Bounded<double>& quick, double step) {
   if (!in_range(quick)) {
     if (const std::optional<int> s = sign_in<ShortExact>(text)) return *s;
     return exact_sign(text);
@@ -80,7 +80,7 @@ template <class Text>
 }
 /// Returns the sign where doubles and their grid leave it open; `step` is the grid's, or 0 if it was not asked for yet.
 template <class Text>
-[[gnu::noinline]] int settled_fine(const Text& text, const Bounded<double>& quick, double step) {
+[[gnu::noinline]] int sign_in_compensated(const Text& text, const Bounded<double>& quick, double step) {
   struct Fine {
     double value, error;
   };
@@ -91,41 +91,41 @@ template <class Text>
   if (std::abs(value) - error > 0) return value > 0 ? 1 : -1;
   if (step == 0) step = text.template operator()<Grid>().step();
   const double most = std::min(std::abs(quick.value()) + quick.error(), std::abs(value) + error);
-  return most < step ? 0 : settled_finer(text, quick, step);
+  return most < step ? 0 : sign_after_compensated(text, quick, step);
 }
 /// Returns the sign where doubles leave it open. Not inlined: the slow path's machine code stays out of the fast one's
 /// way. `quick` is what doubles found; the stages that follow use its size and its roundings, too. The grid is asked
 /// first where doubles found 0, as for shapes that touch on integers, and after two doubles otherwise.
 template <class Text>
-[[gnu::noinline]] int settled_sign(const Text& text, const Bounded<double>& quick) {
+[[gnu::noinline]] int sign_after_doubles(const Text& text, const Bounded<double>& quick) {
   double step = 0;
   if (quick.value() == 0) {
     step = text.template operator()<Grid>().step();
     if (quick.error() < step) return 0;
   }
-  return in_range(quick) ? settled_fine(text, quick, step) : settled_finer(text, quick, step);
+  return in_range(quick) ? sign_in_compensated(text, quick, step) : sign_after_compensated(text, quick, step);
 }
 }  // namespace detail
 
 /// Takes a listener's place when an algorithm runs in plain doubles alone: keeps whether these left a sign or a value
 /// open. If so, discard the result. Values are found in W, Compensated or Fused.
 template <class W>
-struct FirstTry : NoTrace {
+struct DoublesOnly : NoTrace {
   using Fine = W;
   bool open = false;
 };
 
 /// Whether the algorithm runs in plain doubles alone.
 template <class Trace>
-inline constexpr bool first_try = false;
+inline constexpr bool doubles_only = false;
 template <class W>
-inline constexpr bool first_try<FirstTry<W>> = true;
+inline constexpr bool doubles_only<DoublesOnly<W>> = true;
 template <class Trace>
-inline constexpr bool first_try<Trace&> = first_try<std::remove_cv_t<Trace>>;
+inline constexpr bool doubles_only<Trace&> = doubles_only<std::remove_cv_t<Trace>>;
 
 namespace detail {
 template <class Algorithm, class W>
-[[gnu::flatten]] inline auto tried(const Algorithm& algorithm, FirstTry<W>& first) {
+[[gnu::flatten]] inline auto tried(const Algorithm& algorithm, DoublesOnly<W>& first) {
   return algorithm(first);
 }
 template <class Algorithm, class Trace>
@@ -139,7 +139,7 @@ template <class Algorithm, class Trace>
 template <class Algorithm, class Trace>
 inline auto in_doubles_first(const Algorithm& algorithm, Trace& trace) {
   if constexpr (!small_code && !heard<Trace>) {
-    FirstTry<Compensated> first;
+    DoublesOnly<Compensated> first;
     auto result = detail::tried(algorithm, first);
     if (first.open) [[unlikely]]
       result = detail::settled(algorithm, trace);
@@ -155,7 +155,7 @@ inline auto with_values_first(const Algorithm& algorithm, Trace& trace) {
   if constexpr (!small_code && std::is_same_v<S, double> && !heard<Trace>) {
     bool open = false;
     auto result = compensated([&]<class W>() {
-      FirstTry<W> first;
+      DoublesOnly<W> first;
       auto found = algorithm(first);
       open = first.open;
       return found;
@@ -172,16 +172,16 @@ inline auto with_values_first(const Algorithm& algorithm, Trace& trace) {
 template <class Text, class Trace = NoTrace>
 int sign_of(const Text& text, Trace&& trace = {}) {
   const Bounded<double> quick = text.template operator()<Bounded<double>>();
-  if constexpr (first_try<Trace>) {
+  if constexpr (doubles_only<Trace>) {
     trace.open |= !quick.certain();
     return quick.apparent_sign();
   } else {
     if (quick.certain()) return quick.apparent_sign();
     trace(Fallback{});
     if constexpr (detail::recorded_for<Text, Trace>)
-      return detail::settled_sign(RecordedSum(text), quick);
+      return detail::sign_after_doubles(RecordedSum(text), quick);
     else
-      return detail::settled_sign(text, quick);
+      return detail::sign_after_doubles(text, quick);
   }
 }
 
@@ -191,7 +191,7 @@ int sign_of_long(const Text& text, Trace&& trace = {}) {
   const Bounded<double> quick = text.template operator()<Bounded<double>>();
   if (quick.certain()) return quick.apparent_sign();
   trace(Fallback{});
-  return detail::settled_sign(RecordedSum(text), quick);
+  return detail::sign_after_doubles(RecordedSum(text), quick);
 }
 
 // Vectors of any arithmetic, in as many components as the shape has.
@@ -200,7 +200,7 @@ template <class W, int N>
 using Components = std::array<W, N>;
 
 /// x - y, component by component.
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 ISECT_INLINE Components<W, N> difference(const Point<double, N>& x, const Point<double, N>& y) {
   Components<W, N> v;
   for (int i = 0; i < N; ++i) v[i] = difference<W>(x[i], y[i]);
@@ -208,14 +208,14 @@ ISECT_INLINE Components<W, N> difference(const Point<double, N>& x, const Point<
 }
 
 /// x itself in W.
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 ISECT_INLINE Components<W, N> exactly(const Vector<double, N>& x) {
   Components<W, N> v;
   for (int i = 0; i < N; ++i) v[i] = W(x[i]);
   return v;
 }
 
-template <Filtered W, std::size_t N>
+template <PolynomialScalar W, std::size_t N>
 ISECT_INLINE W dot(const std::array<W, N>& x, const std::array<W, N>& y) {
   W sum = x[0] * y[0];
   for (std::size_t i = 1; i < N; ++i) sum = sum + x[i] * y[i];
@@ -223,16 +223,16 @@ ISECT_INLINE W dot(const std::array<W, N>& x, const std::array<W, N>& y) {
 }
 
 /// A vector of doubles in W, one of W as it is.
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 ISECT_INLINE Components<W, N> in(const Vector<double, N>& x) {
   return exactly<W>(x);
 }
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 ISECT_INLINE const Components<W, N>& in(const Components<W, N>& x) {
   return x;
 }
 
-template <Filtered W>
+template <PolynomialScalar W>
 ISECT_INLINE std::array<W, 3> cross(const std::array<W, 3>& x, const std::array<W, 3>& y) {
   return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
 }

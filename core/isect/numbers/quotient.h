@@ -109,7 +109,7 @@ std::array<const W*, 4> terms(const ThreeRatios<W>& r) {
 
 /// What is known of K quotients with one denominator.
 template <std::size_t K>
-struct Known {
+struct KnownQuotients {
   std::array<std::optional<int>, K + 1> signs = {};  ///< those of the numerators and that of the denominator
   std::array<std::optional<double>, K> values = {};  ///< where the denominator is not 0
 
@@ -134,7 +134,7 @@ struct Known {
 /// known to be a whole multiple of a step is 0 or not; three of them, about 150; then whole numbers. The steps are
 /// asked for first where doubles found 0, as for shapes that touch on integers, and after two doubles otherwise.
 template <class S, std::size_t K, class Text>
-[[gnu::noinline]] Known<K> settled(const Text& text, Known<K> known = {}) {
+[[gnu::noinline]] KnownQuotients<K> settled(const Text& text, KnownQuotients<K> known = {}) {
   using Value = std::optional<double>;
   constexpr double tolerance = std::numeric_limits<S>::epsilon() / 3;
   const auto finite_only = [](double q) { return std::isfinite(q) ? Value(q) : std::nullopt; };
@@ -225,11 +225,11 @@ S value_of(const Text& text, Trace&& trace = {}) {
   std::optional<double> q;
   if constexpr (std::is_same_v<S, float>)
     q = detail::rough_quotient(text, tolerance);
-  else if constexpr (first_try<Trace>)
+  else if constexpr (doubles_only<Trace>)
     q = detail::fine_quotient<typename std::remove_cvref_t<Trace>::Fine>(text);
   else
     q = compensated([&]<class W>() { return detail::fine_quotient<W>(text); });
-  if constexpr (first_try<Trace>) {
+  if constexpr (doubles_only<Trace>) {
     trace.open |= !q;
     return static_cast<S>(q.value_or(0));
   } else {
@@ -242,7 +242,7 @@ S value_of(const Text& text, Trace&& trace = {}) {
 /// The three quotients, each as value_of finds it; `zero` tells which of them are known to be 0.
 template <class S, class Text, class Trace = NoTrace>
 ISECT_INLINE std::array<S, 3> values_of(const Text& text, const std::array<bool, 3>& zero, Trace&& trace = {}) {
-  if constexpr (first_try<Trace> && std::is_same_v<S, double>) {
+  if constexpr (doubles_only<Trace> && std::is_same_v<S, double>) {
     using W = typename std::remove_cvref_t<Trace>::Fine;
     const ThreeRatios<Bounded<double>> quick = text.template operator()<Bounded<double>>();
     const ThreeRatios<W> fine = text.template operator()<W>();
@@ -259,8 +259,8 @@ ISECT_INLINE std::array<S, 3> values_of(const Text& text, const std::array<bool,
     const double z = value(quick.z, fine.z, zero[2]);
     trace.open |= !safe;
     return {x, y, z};
-  } else if constexpr (!first_try<Trace> && !detail::recorded_for<Text, Trace>) {
-    detail::Known<3> known;
+  } else if constexpr (!doubles_only<Trace> && !detail::recorded_for<Text, Trace>) {
+    detail::KnownQuotients<3> known;
     for (int i = 0; i < 3; ++i)
       if (zero[i]) known.values[i] = 0;
     known = detail::settled<S>(text, known);
@@ -287,15 +287,15 @@ struct SignsAndValue {
 };
 template <class S, class Text, class Trace = NoTrace>
 ISECT_INLINE SignsAndValue<S> signs_of(const Text& text, Trace&& trace = {}) {
-  if constexpr (first_try<Trace> && std::is_same_v<S, double>) {  // the signs of what value_of finds, too
+  if constexpr (doubles_only<Trace> && std::is_same_v<S, double>) {  // the signs of what value_of finds, too
     const detail::FineRatio r = detail::fine_ratio<typename std::remove_cvref_t<Trace>::Fine>(text);
     trace.open |= !r.safe;
     return {(r.num > 0) - (r.num < 0), (r.den > 0) - (r.den < 0)};
-  } else if constexpr (first_try<Trace> || detail::recorded_for<Text, Trace>) {
+  } else if constexpr (doubles_only<Trace> || detail::recorded_for<Text, Trace>) {
     const int den = sign_of([&]<class W>() -> W { return text.template operator()<W>().den; }, trace);
     return {sign_of([&]<class W>() -> W { return text.template operator()<W>().num; }, trace), den};
   } else {
-    const detail::Known<1> known = detail::settled<S, 1>(text);
+    const detail::KnownQuotients<1> known = detail::settled<S, 1>(text);
     SignsAndValue<S> found = {*known.signs[0], *known.signs[1]};
     if (found.den != 0) found.value = static_cast<S>(*known.values[0]);
     return found;
@@ -303,7 +303,7 @@ ISECT_INLINE SignsAndValue<S> signs_of(const Text& text, Trace&& trace = {}) {
 }
 
 /// n.x / n.y, each of which is a vector of doubles or of W.
-template <Filtered W, int N, class X, class Y, class Z>
+template <PolynomialScalar W, int N, class X, class Y, class Z>
 ISECT_INLINE Ratio<W> ratio_of_dots(const X& n, const Y& x, const Z& y) {
   if constexpr (is_compensated<W>) {
     const auto both = two_dots<std::is_same_v<W, Fused>, N>(n, x, y);

@@ -99,7 +99,7 @@ S root_of(const Text& text, int side, Trace&& trace = {}) {
   constexpr double tolerance = std::numeric_limits<S>::epsilon() / 128;
   using V = std::conditional_t<std::is_same_v<S, float>, double, DoubleDouble>;
   const std::optional<double> t = detail::bounded_root<V>(text, side, tolerance);
-  if constexpr (first_try<Trace>) {
+  if constexpr (doubles_only<Trace>) {
     trace.open |= !t;
     return static_cast<S>(t.value_or(0));
   } else {

@@ -68,18 +68,19 @@ ISECT_INLINE Whole256 either(std::int64_t mask, const Whole256& x, const Whole25
   return {either(mask, x.low, y.low), either(mask, x.high, y.high)};
 }
 
-inline DoubleDouble in_doubles(std::uint64_t x) {
+inline DoubleDouble to_double_double(std::uint64_t x) {
   return fast_two_sum(static_cast<double>(x >> 32) * 0x1p32, static_cast<double>(x & 0xffffffff));
 }
 /// x >= 0, within a relative 2^-105.
-inline DoubleDouble in_doubles(Whole128 x) {
-  return in_doubles(static_cast<std::uint64_t>(x >> 64)) * 0x1p64 + in_doubles(static_cast<std::uint64_t>(x));
+inline DoubleDouble to_double_double(Whole128 x) {
+  return to_double_double(static_cast<std::uint64_t>(x >> 64)) * 0x1p64 +
+         to_double_double(static_cast<std::uint64_t>(x));
 }
-inline DoubleDouble in_doubles(const Whole256& x) {
+inline DoubleDouble to_double_double(const Whole256& x) {
   const std::uint64_t top = static_cast<std::uint64_t>(x.high >> 64), next = static_cast<std::uint64_t>(x.high);
-  if ((top | next) == 0) return in_doubles(x.low);
+  if ((top | next) == 0) return to_double_double(x.low);
   const int zeros = top != 0 ? std::countl_zero(top) : 64 + std::countl_zero(next);
-  const DoubleDouble leading = in_doubles(shifted(x, zeros).high);  // the 128 highest bits
+  const DoubleDouble leading = to_double_double(shifted(x, zeros).high);  // the 128 highest bits
   const double scale = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + 128 - zeros) << 52);
   return {leading.hi * scale, leading.lo * scale};
 }
@@ -154,7 +155,8 @@ class FixedExact {
   bool known() const { return bits_ <= most; }
   /// The number divided by 2^exponent, within a relative 2^-105.
   DoubleDouble mantissa() const {
-    return detail::below_zero(whole_) ? -detail::in_doubles(detail::negative(whole_)) : detail::in_doubles(whole_);
+    return detail::below_zero(whole_) ? -detail::to_double_double(detail::negative(whole_))
+                                      : detail::to_double_double(whole_);
   }
 
   static constexpr int most = 8 * sizeof(Whole) - 1;

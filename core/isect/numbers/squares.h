@@ -41,7 +41,7 @@ int order_of_squares(S x, S y, const Settle& settle) {
 template <std::floating_point S, class Text, class Trace>
 int settled_squares(const Text& text, S x, S y, Trace&& trace) {
   if constexpr (std::is_same_v<S, double> && !heard<Trace>)
-    return detail::settled_sign(text, Bounded<double>(x - y, x + y + 0x1p-950, 6));
+    return detail::sign_after_doubles(text, Bounded<double>(x - y, x + y + 0x1p-950, 6));
   else
     return sign_of(text, trace);
 }

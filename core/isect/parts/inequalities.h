@@ -28,11 +28,11 @@ using Row = std::array<W, 4>;
 
 namespace detail {
 
-template <Filtered W>
+template <PolynomialScalar W>
 Components<W, 3> normal(const Row<W>& row) {
   return {row[0], row[1], row[2]};
 }
-template <Filtered W>
+template <PolynomialScalar W>
 W determinant(const Row<W>& x, const Row<W>& y, const Row<W>& z) {
   return dot(normal(x), cross(normal(y), normal(z)));
 }
@@ -45,7 +45,7 @@ class Rows {
     for (int i = 0; i < count; ++i) quick_.push_back(text.template operator()<Bounded<double>>(i));
   }
   int count() const { return static_cast<int>(quick_.size()); }
-  template <Filtered W>
+  template <PolynomialScalar W>
   Row<W> row(int i) const {
     if constexpr (std::is_same_v<W, Bounded<double>>)
       return quick_[static_cast<std::size_t>(i)];
@@ -59,7 +59,7 @@ class Rows {
 };
 
 /// The point where three planes meet, times their determinant.
-template <Filtered W>
+template <PolynomialScalar W>
 Components<W, 3> corner(const Row<W>& x, const Row<W>& y, const Row<W>& z) {
   const Components<W, 3> a = normal(x), b = normal(y), c = normal(z);
   const Components<W, 3> bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
@@ -69,7 +69,7 @@ Components<W, 3> corner(const Row<W>& x, const Row<W>& y, const Row<W>& z) {
 }
 
 /// The value of a row where three planes meet, times their determinant.
-template <Filtered W>
+template <PolynomialScalar W>
 W value_at_corner(const Row<W>& row, const Row<W>& x, const Row<W>& y, const Row<W>& z) {
   return dot(normal(row), corner(x, y, z)) + row[3] * determinant(x, y, z);
 }
@@ -141,7 +141,7 @@ class System {
   }
 
   /// The corner where the planes of the basis except that at `place` meet, and the number that it is multiplied by.
-  template <Filtered W>
+  template <PolynomialScalar W>
   Row<W> corner_without(std::size_t place) const {
     std::array<Row<W>, 3> other;
     for (std::size_t i = 0; i < 3; ++i) other[i] = rows_.template row<W>(basis_[i < place ? i : i + 1]);

@@ -16,7 +16,7 @@ namespace isect {
 /// A place in the sense of isect/parts/mesh_surface.h.
 class InnerPoint {
  public:
-  template <Filtered W>
+  template <PolynomialScalar W>
   Components<W, 3> way_to(const Point<double, 3>& x) const {
     Components<W, 3> sum = {W(0), W(0), W(0)};
     for (std::size_t i = 0; i < corners_.size(); ++i) {
@@ -45,14 +45,14 @@ class InnerPoint {
   }
 
   /// p, then w.
-  template <Filtered W>
+  template <PolynomialScalar W>
   inequalities::Row<W> weighed(std::size_t i) const {
     if constexpr (std::is_same_v<W, Bounded<double>>)
       return corners_[i].quick;
     else
       return at_corner<W>(corners_[i]);
   }
-  template <Filtered W>
+  template <PolynomialScalar W>
   inequalities::Row<W> at_corner(const Corner& corner) const {
     const auto row = [&](std::size_t i) {
       return half_spaces::detail::row<W>(faces_[static_cast<std::size_t>(corner.faces[i])]);

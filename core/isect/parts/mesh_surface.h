@@ -31,7 +31,7 @@ using Corners = Triangle<double, 3>;
 struct Mean {
   std::span<const Point3> points;
 
-  template <Filtered W>
+  template <PolynomialScalar W>
   Components<W, 3> way_to(const Point3& x) const {
     Components<W, 3> sum = difference<W>(x, points[0]);
     for (std::size_t i = 1; i < points.size(); ++i) {

@@ -86,7 +86,7 @@ constexpr int place(const Axis& axis) {
                                         : 2 * N + N * axis.i + axis.j;
 }
 
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 Components<W, N> direction(const Obb<double, N>& a, const Obb<double, N>& b, const Axis& axis) {
   if constexpr (N == 3) {
     const Vector<double, 3> edge_a = a.axes.col(axis.i), edge_b = b.axes.col(axis.j);
@@ -96,7 +96,7 @@ Components<W, N> direction(const Obb<double, N>& a, const Obb<double, N>& b, con
 }
 
 /// How far the box reaches from its center along l.
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 W radius(const Components<W, N>& l, const Obb<double, N>& box) {
   W sum = 0;
   for (int k = 0; k < N; ++k) {
@@ -106,19 +106,19 @@ W radius(const Components<W, N>& l, const Obb<double, N>& box) {
   return sum;
 }
 
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 W distance(const Components<W, N>& l, const Obb<double, N>& a, const Obb<double, N>& b) {
   return abs(dot(l, difference<W>(b.center, a.center)));
 }
 
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 W gap(const Obb<double, N>& a, const Obb<double, N>& b, const Axis& axis) {
   const Components<W, N> l = direction<W>(a, b, axis);
   return distance<W, N>(l, a, b) - (radius<W, N>(l, a) + radius<W, N>(l, b));
 }
 
 /// How far A reaches beyond face pair i of B.
-template <Filtered W, int N>
+template <PolynomialScalar W, int N>
 W beyond(const Obb<double, N>& a, const Obb<double, N>& b, int i) {
   const Components<W, N> l = point_obb::detail::normal<W>(b.axes, i);
   return distance<W, N>(l, a, b) + radius<W, N>(l, a) - W(b.half[i]) * abs(point_obb::detail::volume<W>(b.axes, i));

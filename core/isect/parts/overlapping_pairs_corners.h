@@ -15,7 +15,7 @@
 
 namespace isect {
 
-namespace overlapping_pairs_detail {
+namespace detail::overlapping_pairs {
 
 /// A box as 2 N numbers, so that boxes meet iff corners(a)[k] <= reach(b)[k] for every k.
 template <class S, int N>
@@ -110,6 +110,6 @@ class Pairs {
   int count_ = 0;
 };
 
-}  // namespace overlapping_pairs_detail
+}  // namespace detail::overlapping_pairs
 
 }  // namespace isect

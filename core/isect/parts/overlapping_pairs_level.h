@@ -13,7 +13,7 @@
 
 namespace isect {
 
-namespace overlapping_pairs_detail {
+namespace detail::overlapping_pairs {
 
 /// Integer coordinates of cells.
 template <int N>
@@ -234,6 +234,6 @@ class Level {
   std::vector<Corners<S, N>> corners_;
 };
 
-}  // namespace overlapping_pairs_detail
+}  // namespace detail::overlapping_pairs
 
 }  // namespace isect

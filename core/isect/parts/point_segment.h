@@ -19,12 +19,12 @@ enum class Nearest { p, q, between };
 namespace detail {
 
 /// |x times y|^2.
-template <Filtered W>
+template <PolynomialScalar W>
 W cross_squared(const Components<W, 2>& x, const Components<W, 2>& y) {
   const W area = x[0] * y[1] - x[1] * y[0];
   return area * area;
 }
-template <Filtered W>
+template <PolynomialScalar W>
 W cross_squared(const Components<W, 3>& x, const Components<W, 3>& y) {
   const Components<W, 3> area = cross(x, y);
   return dot(area, area);

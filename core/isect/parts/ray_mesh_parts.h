@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <limits>
 
-#include <isect/numbers/filter.h>
+#include <isect/numbers/arithmetic.h>
 #include <isect/parts/instruction_set.h>
 #include <isect/shapes.h>
 

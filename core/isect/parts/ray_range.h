@@ -29,7 +29,7 @@ int compare(const Text& t, int den, double e, Trace&& trace = {}) {
 template <class Text, class Trace = NoTrace>
 bool holds(const Interval<double>& range, const Text& t, int den, Trace&& trace = {}) {
   if (!(range.lo <= range.hi)) {  // empty, or NaN
-    if constexpr (first_try<Trace>) trace.open = true;
+    if constexpr (doubles_only<Trace>) trace.open = true;
     return false;
   }
   return compare(t, den, range.lo, trace) >= 0 && compare(t, den, range.hi, trace) <= 0;
@@ -40,7 +40,7 @@ template <class S, class Text, class Trace = NoTrace>
 bool holds_value(const Interval<double>& range, const Text& t, int den, S value, Trace&& trace = {}) {
   const double x = value, room = std::min(x - range.lo, range.hi - x);
   const bool clear = std::abs(room) > 4 * std::numeric_limits<S>::epsilon() * std::abs(x) && range.lo <= range.hi;
-  if constexpr (first_try<Trace>) {
+  if constexpr (doubles_only<Trace>) {
     trace.open |= !clear;
     return room > 0;
   } else {

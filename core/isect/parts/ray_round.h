@@ -56,17 +56,17 @@ namespace detail {
 using round_solid::axis, round_solid::form, round_solid::Disc;
 
 /// u.d
-template <Filtered W, bool ends, class Solid>
+template <PolynomialScalar W, bool ends, class Solid>
 W rate(const Straight<3, ends>& line, const Solid& solid) {
   return dot(line.template along<W>(), axis<W>(solid));
 }
 /// (x - c).d of the line's point x at t.
-template <Filtered W, bool ends, class Solid>
+template <PolynomialScalar W, bool ends, class Solid>
 W height(const Straight<3, ends>& line, double t, const Point<double, 3>& c, const Solid& solid) {
   return dot(seen_from<W, 3>(c, line, t), axis<W>(solid));
 }
 /// y of the text above, for the plane through c.
-template <Filtered W, bool ends, class Solid>
+template <PolynomialScalar W, bool ends, class Solid>
 Components<W, 3> in_plane(const Straight<3, ends>& line, const Point<double, 3>& c, const Solid& solid) {
   const Components<W, 3> f = difference<W>(line.origin, c), u = line.template along<W>(), d = axis<W>(solid);
   const W rate = dot(u, d), height = dot(f, d);
@@ -76,31 +76,31 @@ Components<W, 3> in_plane(const Straight<3, ends>& line, const Point<double, 3>&
 }
 
 /// The term in brackets in D, for a line through f along u.
-template <Filtered W>
+template <PolynomialScalar W>
 W room(const Cylinder<double>& c, const Components<W, 3>& f, const Components<W, 3>& u) {
   const Components<W, 3> n = cross(u, axis<W>(c));
   const W away = dot(f, n);
   return W(c.radius) * W(c.radius) * dot(n, n) - away * away;
 }
-template <Filtered W>
+template <PolynomialScalar W>
 W room(const Cone<double>& c, const Components<W, 3>& f, const Components<W, 3>& u) {
   const Components<W, 3> d = axis<W>(c), m = cross(f, u), across = cross(d, m);
   const W along = dot(m, d);
   return W(c.radius) * W(c.radius) * dot(across, across) - dot(d, d) * (along * along);
 }
 /// The factor of that term in D.
-template <Filtered W>
+template <PolynomialScalar W>
 W scale_of_room(const Cylinder<double>& c) {
   const Components<W, 3> d = axis<W>(c);
   return dot(d, d);
 }
-template <Filtered W>
+template <PolynomialScalar W>
 W scale_of_room(const Cone<double>& c) {
   const Components<W, 3> d = axis<W>(c);
   return dot(d, d) * dot(d, d);
 }
 /// The polynomial g, with f and u.
-template <Filtered W, bool ends, class Solid>
+template <PolynomialScalar W, bool ends, class Solid>
 Quadratic<W> polynomial(const Straight<3, ends>& line, const Solid& solid) {
   const Components<W, 3> f = difference<W>(line.origin, round_solid::start(solid)), u = line.template along<W>();
   return {form<W>(solid, u, u), form<W>(solid, f, u), round_solid::beside<W>(solid, f),
@@ -147,7 +147,7 @@ class Passage {
   Limit plane(bool out) const { return (rate_ > 0) == out ? Limit::last : Limit::first; }
 
   /// Where the line crosses the plane of a disc.
-  template <Filtered W>
+  template <PolynomialScalar W>
   Ratio<W> crossing(const Disc& disc) const {
     return {-height<W>(line_, 0, disc.center, solid_), rate<W>(line_, solid_)};
   }

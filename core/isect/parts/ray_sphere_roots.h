@@ -10,7 +10,7 @@
 #include <utility>
 #include <variant>
 
-#include <isect/numbers/filter.h>
+#include <isect/numbers/arithmetic.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
 

@@ -132,8 +132,8 @@ RaySphere<S> step_by_step(const Ray<double, N>& ray, const Sphere<double, N>& sp
   return settle(ray, sphere, range, verdict, trace);
 }
 template <class S, int N, class Trace>
-[[gnu::noinline]] RaySphere<S> settled_step_by_step(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
-                                                    const Interval<S>& range, Trace&& trace) {
+[[gnu::noinline]] RaySphere<S> step_by_step_cold(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
+                                                 const Interval<S>& range, Trace&& trace) {
   return step_by_step(ray, sphere, range, trace);
 }
 

@@ -71,7 +71,7 @@ Face beyond(const Solid& solid, std::size_t end) {
 }
 
 /// g of a row that is seen from the center of the disc.
-template <Filtered W, class Solid>
+template <PolynomialScalar W, class Solid>
 W at_eye(const inequalities::Row<W>& row, const Solid& solid) {
   const W fall = dot(inequalities::detail::normal(row), axis<W>(solid));
   if constexpr (has_apex<Solid>)

@@ -29,46 +29,46 @@ inline const Point<double, 3>& start(const Cylinder<double>& c) { return c.p; }
 inline const Point<double, 3>& start(const Cone<double>& c) { return c.apex; }
 
 /// d
-template <Filtered W>
+template <PolynomialScalar W>
 Components<W, 3> axis(const Cylinder<double>& c) {
   return difference<W>(c.q, c.p);
 }
-template <Filtered W>
+template <PolynomialScalar W>
 Components<W, 3> axis(const Cone<double>& c) {
   return difference<W>(c.base, c.apex);
 }
 
 /// The symmetric bilinear form. Its value at f and f begins the side's equation; half of that value's derivative along
 /// u is the form at f and u.
-template <Filtered W>
+template <PolynomialScalar W>
 W form(const Cylinder<double>& c, const Components<W, 3>& f, const Components<W, 3>& u) {
   const Components<W, 3> d = axis<W>(c);
   return dot(cross(f, d), cross(u, d));
 }
-template <Filtered W>
+template <PolynomialScalar W>
 W form(const Cone<double>& c, const Components<W, 3>& f, const Components<W, 3>& u) {
   const Components<W, 3> d = axis<W>(c);
   return dot(d, d) * dot(cross(f, d), cross(u, d)) - W(c.radius) * W(c.radius) * dot(f, d) * dot(u, d);
 }
 
 /// Above 0 outside the side, by the equation above.
-template <Filtered W>
+template <PolynomialScalar W>
 W beside(const Cylinder<double>& c, const Components<W, 3>& f) {
   const Components<W, 3> d = axis<W>(c);
   return form<W>(c, f, f) - W(c.radius) * W(c.radius) * dot(d, d);
 }
-template <Filtered W>
+template <PolynomialScalar W>
 W beside(const Cone<double>& c, const Components<W, 3>& f) {
   return form<W>(c, f, f);
 }
 
 /// The value of `beside` at f / k, times k^2.
-template <Filtered W>
+template <PolynomialScalar W>
 W beside(const Cylinder<double>& c, const Components<W, 3>& f, const W& k) {
   const Components<W, 3> d = axis<W>(c);
   return form<W>(c, f, f) - W(c.radius) * W(c.radius) * (k * k) * dot(d, d);
 }
-template <Filtered W>
+template <PolynomialScalar W>
 W beside(const Cone<double>& c, const Components<W, 3>& f, const W&) {
   return form<W>(c, f, f);
 }

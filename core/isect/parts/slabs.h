@@ -81,7 +81,7 @@ Estimate<N> estimate(const Interval<S>& range, const Slabs& slabs) {
 /// Returns what `clip` does, once the estimate shows that some t is in all slabs. Open when two slabs may be the last
 /// entered, or the first left.
 template <class S, int N, class Slabs, class Fine>
-Interval<S> stretch(const Interval<S>& range, const Estimate<N>& seen, const Slabs& slabs, FirstTry<Fine>& first) {
+Interval<S> stretch(const Interval<S>& range, const Estimate<N>& seen, const Slabs& slabs, DoublesOnly<Fine>& first) {
   int last = 0, left = 0;  // the slab entered last, the slab left first
   for (int i = 1; i < N; ++i) {
     last = seen.entries[i] > seen.entries[last] ? i : last;

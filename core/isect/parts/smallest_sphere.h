@@ -17,7 +17,7 @@
 #include <optional>
 #include <vector>
 
-#include <isect/numbers/found_once.h>
+#include <isect/numbers/memo.h>
 #include <isect/numbers/predicate.h>
 #include <isect/numbers/quotient.h>
 #include <isect/parts/fit_tight_guess.h>
@@ -53,7 +53,7 @@ class Through {
   const Point<double, N>& first() const { return p_[0]; }
 
   /// The way from the first point to the center. Found once in each arithmetic, as many points are compared with it.
-  template <Filtered W>
+  template <PolynomialScalar W>
   kept_t<W, Way<W, N>> way() const {
     return way_.template in<W>([&] { return found<W>(); });
   }
@@ -81,7 +81,7 @@ class Through {
 
  private:
   int size() const { return static_cast<int>(p_.size()); }
-  template <Filtered W>
+  template <PolynomialScalar W>
   Components<W, N> edge(int i) const {
     return difference<W, N>(p_[i], p_[0]);
   }
@@ -90,7 +90,7 @@ class Through {
     return *den_;
   }
 
-  template <Filtered W>
+  template <PolynomialScalar W>
   Way<W, N> found() const {
     Way<W, N> way;
     if (size() == 1) {
@@ -116,7 +116,7 @@ class Through {
   /// How many weights may be negative: none for a point or the ends of a diameter.
   int weights() const { return size() < 3 ? 0 : size(); }
   /// The weight of p_i in the center, times something positive.
-  template <Filtered W>
+  template <PolynomialScalar W>
   W weight(int i) const {
     const Components<W, N> u = edge<W>(1), v = edge<W>(2);
     if (size() == 3) {  // positive where the angle at p_i is less than a right one
@@ -137,7 +137,7 @@ class Through {
   using WayIn = Way<W, N>;
 
   std::vector<Point<double, N>> p_;
-  FoundOnce<WayIn> way_;
+  Memo<WayIn> way_;
   mutable std::optional<int> den_;
 };
 

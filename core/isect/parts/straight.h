@@ -14,7 +14,7 @@ struct Straight {
   Vector<double, N> heading;
   Interval<double> range;
 
-  template <Filtered W>
+  template <PolynomialScalar W>
   Components<W, N> along() const {
     if constexpr (between_ends)
       return difference<W, N>(heading, origin);
@@ -40,7 +40,7 @@ Straight<N, true> straight(const Segment<S, N>& segment) {
 }
 
 /// The point at t, seen from c.
-template <Filtered W, int N, bool ends>
+template <PolynomialScalar W, int N, bool ends>
 Components<W, N> seen_from(const Point<double, N>& c, const Straight<N, ends>& line, double t) {
   Components<W, N> x = difference<W, N>(line.origin, c);
   if (t == 0) return x;

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-#include <isect/numbers/filter.h>
+#include <isect/numbers/arithmetic.h>
 #include <isect/shapes.h>
 
 namespace isect {

@@ -104,7 +104,7 @@ auto in_own_unit(const A& a, const B& b, const Answer& answer) {
 /// Calls in_own_unit, unless the algorithm runs in doubles first or is listened to: then shapes stay as they are.
 template <class Trace, class A, class B, class Answer>
 auto settled_in_own_unit(const A& a, const B& b, const Answer& answer) {
-  if constexpr (first_try<Trace> || heard<Trace>)
+  if constexpr (doubles_only<Trace> || heard<Trace>)
     return answer(a, b);
   else
     return in_own_unit(a, b, answer);

@@ -205,7 +205,7 @@ TEMPLATE_TEST_CASE_SIG("coordinates of any size", "[all_pairs]", FLOATS_AND_DIME
 
 TEMPLATE_TEST_CASE_SIG("the cells around a cell have slots of their own in tables of any size", "[all_pairs]",
                        ((int N), N), 2, 3) {
-  using namespace overlapping_pairs_detail;
+  using namespace isect::detail::overlapping_pairs;
   for (const double cells : {4., 1e9})  // rows in order, or scattered
     for (int n = 1; n <= 1 << 29; n *= 2) {
       const Point<double, N> first = Point<double, N>::Zero(), last = Point<double, N>::Constant(cells);

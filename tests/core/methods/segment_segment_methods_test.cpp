@@ -17,7 +17,7 @@ TEST_CASE("parameters agree on ordinary segments", "[segment_segment_methods]") 
     const Segment<double, 2> a = {random.in_box<2>(1), random.in_box<2>(1)},
                              b = {random.in_box<2>(1), random.in_box<2>(1)};
     INFO("seed " << tests::seed() << ", case " << i);
-    const auto naive = segment_segment::parametric(a, b);
+    const auto naive = segment_segment::parametric_naive(a, b);
     const auto exact = intersect(a, b);
     REQUIRE(naive.has_value() == (exact.relation == Meeting::cross));
     if (naive) REQUIRE((*naive - *exact.point).norm() < 1e-10);
@@ -26,7 +26,7 @@ TEST_CASE("parameters agree on ordinary segments", "[segment_segment_methods]") 
   CHECK(hits > 200);
   using C = Counted<double>;
   tally() = {};
-  CHECK(segment_segment::parametric<C>({{C(0), C(0)}, {C(2), C(2)}}, {{C(0), C(2)}, {C(2), C(0)}}));
+  CHECK(segment_segment::parametric_naive<C>({{C(0), C(0)}, {C(2), C(2)}}, {{C(0), C(2)}, {C(2), C(0)}}));
   CHECK(tally().div == 2);
 }
 

@@ -33,7 +33,7 @@ TEST_CASE("touching a face, an edge or a corner counts", "[sphere_aabb_methods]"
   for (const Sphere<double, 3>& ball : {Sphere<double, 3>{{3, 0, 0}, 2}, {{4, 5, 0}, 5}, {{3, -3, 2}, 3}}) {
     CHECK(clamped(ball, box));
     CHECK(with_rejections(ball, box));
-    CHECK_FALSE(accumulate(ball, box));  // the note's <
+    CHECK_FALSE(accumulate_naive(ball, box));  // the note's <
   }
 }
 

@@ -1,0 +1,65 @@
+#include "app/book/page_shell.h"
+
+#include <fmt/format.h>
+
+#include "app/pages/html.h"
+#include "viz/formats/svg_path.h"
+
+namespace isect::program::book {
+
+namespace {
+
+std::string link(const viz::Lesson* lesson, const char* relation, const char* arrow_before, const char* arrow_after) {
+  if (!lesson) return {};
+  return fmt::format("<a rel=\"{}\" href=\"{}\">{}{}{}</a>\n", relation, file_of(*lesson), arrow_before,
+                     html_text(lesson->title), arrow_after);
+}
+
+/// `element`: "header" or "footer"; `name` tells the two apart.
+std::string course_links(const Page& page, const char* element, const char* name) {
+  const Neighbours& n = page.neighbours;
+  if (n.alone || page.is_contents) return {};
+  return fmt::format(
+      "<{0}>\n<nav class=\"course\" aria-label=\"{1}\">\n{2}<a href=\"index.html\">Contents</a>\n{3}</nav>\n</{0}>\n",
+      element, name, link(n.before, "prev", "<span aria-hidden=\"true\">← </span>", ""),
+      link(n.after, "next", "", "<span aria-hidden=\"true\"> →</span>"));
+}
+
+std::string attributes_of_body(const Page& page, bool lives) {
+  if (page.is_contents) return " class=\"contents\"";
+  if (!lives) return {};
+  return fmt::format(" data-lesson=\"{}\" data-live=\"{}\"", page.lesson,
+                     page.neighbours.alone ? "#live-code" : page.live);
+}
+
+}  // namespace
+
+std::string mark(const std::string& file) { return fmt::format("Made by isect book: {}.", file); }
+
+std::string file_of(const viz::Lesson& lesson) { return lesson.id + ".html"; }
+
+std::string html(const Page& page, const Looks& looks) {
+  // If scripts run, one step is shown at a time from the beginning.
+  const std::string scripted = "<script>document.documentElement.className = \"scripted\"</script>\n";
+  const std::string head =
+      page.neighbours.alone
+          ? fmt::format("<style id=\"letters\">\n{}</style>\n<style>\n{}</style>\n{}", looks.fonts, looks.style,
+                        scripted)
+          : "<link rel=\"stylesheet\" href=\"fonts.css\">\n<link rel=\"stylesheet\" href=\"book.css\">\n" + scripted;
+  const bool lives = !looks.live.empty() && !page.lesson.empty();
+  const std::string inside =
+      lives ? fmt::format("<script type=\"text/plain\" id=\"live-code\">{}</script>\n", looks.live) : "";
+  const std::string script =
+      page.neighbours.alone ? fmt::format("{}<script>\n{}</script>\n", inside, looks.script)
+                            : "<script src=\"book.js\" onerror=\"document.documentElement.className = ''\"></script>\n";
+  return fmt::format(
+      "\n<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<meta name=\"description\" content=\"{}\">\n"
+      "<title>{}</title>\n{}</head>\n<body{}>\n<a class=\"skip\" href=\"#main\">Skip to the text</a>\n"
+      "{}<main id=\"main\">\n{}</main>\n{}{}</body>\n</html>\n",
+      viz::xml_escaped(page.summary), viz::xml_escaped(page.title), head, attributes_of_body(page, lives),
+      course_links(page, "header", "Course"), page.body, course_links(page, "footer", "Course, again"), script);
+}
+
+}  // namespace isect::program::book

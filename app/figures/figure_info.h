@@ -1,0 +1,30 @@
+#pragma once
+// One figure to be written: a step, or several steps together.
+
+#include <string>
+#include <vector>
+
+#include "app/shell/options.h"
+#include "viz/formats/files.h"
+
+namespace isect::program {
+
+struct FigureInfo {
+  std::string stem;        ///< its file, without the ending: "ray-sphere/two-roots/03-foot"
+  std::vector<int> steps;  ///< from 0
+  std::string title;       ///< markup
+  std::string caption;     ///< markup
+  std::string imprint;     ///< its title inside the file, plain
+  std::string alt;         ///< plain
+  viz::Metadata metadata;
+};
+
+FigureInfo info_of(const Excerpt&, int step);
+/// Returns all chosen steps in one file, "strip-03-06": `kind` is its first word.
+FigureInfo info_of(const Excerpt&, const std::string& kind);
+/// Whether a figure shows several steps.
+bool shows_several(const viz::Metadata&);
+/// Returns the steps of a figure of several, as --step takes them; empty for a figure of one.
+std::string steps_of(const viz::Metadata&);
+
+}  // namespace isect::program

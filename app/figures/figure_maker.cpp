@@ -1,0 +1,269 @@
+#include "app/figures/figure_maker.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "app/figures/ownership.h"
+#include "app/shell/terminal.h"
+#include "viz/compose/crop.h"
+#include "viz/compose/strip.h"
+#include "viz/walk/alt_text.h"
+#include "viz/walk/closing.h"
+
+namespace isect::program {
+
+namespace {
+
+constexpr double points_a_cm = 72 / 2.54;
+constexpr double strip_gap = 1.5;  ///< between the figures of a strip, in their texts' size
+
+std::string told(const std::string& which, double width) {
+  return fmt::format("{}: {:.1f} cm", which, width / points_a_cm);
+}
+
+/// Returns the walks of all presets, made once for each lesson: presets do not change.
+const std::vector<viz::Walk>& walks_of(const viz::Lesson& lesson) {
+  static std::map<const viz::Lesson*, std::vector<viz::Walk>> known;
+  std::vector<viz::Walk>& walks = known[&lesson];
+  if (walks.empty())
+    for (const viz::Preset& p : lesson.presets) walks.push_back(lesson.walk(p.parameters));
+  return walks;
+}
+
+viz::Figure composed(const Excerpt& e, int step, const viz::PageLayout& layout) {
+  return viz::figure(e.walk.steps[step], camera_for(e, e.walk.steps[step], layout.width / layout.picture_height()),
+                     layout);
+}
+
+/// Returns title and caption on one line.
+std::string with_caption(const viz::Lesson& lesson, const viz::Step& step) {
+  std::string text = viz::as_sentence(step.title) + " " + viz::own_caption(lesson, step);
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+
+/// Throws viz::BadInput if all pictures of a file together have too many pixels.
+void need_pixels_in_bounds(double pixels, const std::string& cure) {
+  constexpr double most = 1 << 26;
+  if (pixels > most)
+    throw viz::BadInput(fmt::format("size: {:.0f} million pixels in one file, and {:.0f} million are the most; {}",
+                                    pixels / 1e6, most / 1e6, cure));
+}
+
+// On paper a picture is twice as wide as it is high, or higher if it would leave much of that width empty.
+constexpr double widest_shape = 2, highest_shape = 1.4;
+
+double shape_of(const Excerpt& e, const viz::Walk& walk) {
+  viz::Box2 all = {viz::Vec2::Constant(INFINITY), viz::Vec2::Constant(-INFINITY)};
+  for (const viz::Step& step : walk.steps) {
+    if (step.scene.items.empty()) continue;
+    const viz::Box2 box = viz::extent(step.scene.items, e.camera.value_or(viz::opening(*e.lesson)));
+    all = {all.lo.cwiseMin(box.lo), all.hi.cwiseMax(box.hi)};
+  }
+  const viz::Vec2 size = all.hi - all.lo;
+  return size.y() > 0 && size.x() > 0 ? std::clamp(size.x() / size.y(), highest_shape, widest_shape) : widest_shape;
+}
+
+/// Frames all walks of the lesson alike.
+viz::Camera framed_alike(const Excerpt& e, double aspect) {
+  return viz::frame_alike(viz::opening(*e.lesson), e.walk, walks_of(*e.lesson), aspect);
+}
+
+/// Returns the camera as camera_for does; but on paper, where room is scarce, a scene that is seen from nearer than the
+/// others of its walk fills more of the picture.
+viz::Camera paper_camera(const Excerpt& e, const viz::Step& step, double aspect) {
+  constexpr double taken = 0.8;
+  if (e.camera) return *e.camera;
+  const viz::Camera framed = framed_alike(e, aspect);
+  const viz::Camera usual = viz::closer(framed, step.scene, aspect);
+  if (!(usual.half_height < framed.half_height)) return usual;
+  viz::Camera nearer = viz::frame(usual, {&step.scene}, aspect, 0);
+  nearer.half_height = std::min(usual.half_height, nearer.half_height / taken);
+  return nearer;
+}
+
+}  // namespace
+
+viz::Camera camera_for(const Excerpt& e, const viz::Step& step, double aspect) {
+  return e.camera ? *e.camera : viz::closer(framed_alike(e, aspect), step.scene, aspect);
+}
+
+FigureMaker::FigureMaker(const Style& style, const std::string& backend) : style_(style) {
+  const viz::Backend wanted = viz::backend_named(backend);
+  if (std::ranges::any_of(style.formats, &viz::Format::pixels)) offscreen_ = std::make_unique<viz::Offscreen>(wanted);
+}
+
+viz::Drawing FigureMaker::draw(const Excerpt& e, int step) { return draw(e, std::vector{step}).front(); }
+
+std::vector<viz::Drawing> FigureMaker::draw(const Excerpt& e, const std::vector<int>& steps) {
+  Drawings drawings;
+  if (!style_.paper) {
+    const viz::PageLayout page =
+        viz::page_layout(e.walk, style_.theme, style_.size.width, style_.size.height, style_.title);
+    for (const int step : steps) drawings.push_back(composed(e, step, page).drawing);
+    if (style_.crop) drawings = viz::cropped(std::move(drawings), page.theme.sizes.margin);
+  } else if (style_.crop) {
+    drawings = cropped_to_paper([&](const viz::PaperSize& size) { return whole(e, steps, size); });
+  } else {
+    drawings = whole(e, steps, *style_.paper);
+  }
+  if (style_.paper) tell_widened(steps.size() == 1 ? file_of(e, steps.front()) : folder_of(e), drawings.front().width);
+  for (viz::Drawing& drawing : drawings)
+    if (style_.transparent) drawing.background.a = 0;
+  return drawings;
+}
+
+std::vector<viz::Drawing> FigureMaker::whole(const Excerpt& e, const std::vector<int>& steps,
+                                             const viz::PaperSize& size) {
+  Drawings drawings;
+  double width = 0, height = 0;
+  for (const int step : steps) {
+    drawings.push_back(on_paper(e, e.walk, step, size, style_.title).figure.drawing);
+    width = std::max(width, drawings.back().width), height = std::max(height, drawings.back().height);
+  }
+  for (viz::Drawing& drawing : drawings) drawing = viz::centred(std::move(drawing), width, height);
+  return drawings;
+}
+
+std::vector<viz::Drawing> FigureMaker::cropped_to_paper(
+    const std::function<Drawings(const viz::PaperSize&)>& draw) const {
+  constexpr int most_rounds = 12;
+  constexpr double widest = 4, near = 0.05;
+  const viz::PaperSize& asked = *style_.paper;
+  const double margin = viz::paper_theme(style_.theme, asked.text_size).sizes.margin;
+  const bool for_width = style_.sides != Style::Sides::height, for_height = style_.sides != Style::Sides::width;
+  viz::PaperSize size = asked;
+  Drawings best;
+  double best_over = INFINITY;
+  for (int round = 0; round < most_rounds; ++round) {
+    const Drawings now = viz::cropped(draw(size), margin);
+    const double wide = for_width ? now.front().width - asked.width : 0;
+    const double high = for_height ? now.front().height - asked.height : 0;
+    const double over = !for_height ? wide : !for_width ? high : std::max(wide, high);
+    // Too large is worse than too small; among those too small the largest is best.
+    const bool better = over > near ? over < best_over : best_over > near || over > best_over;
+    if (better) best = now, best_over = over;
+    if (std::abs(over) <= near && (!for_width || !for_height || std::min(wide, high) >= -near)) break;
+    if (for_width) size.width -= wide;
+    if (for_height) size.height -= high;
+    if (!for_width) size.width = asked.width / asked.height * size.height;
+    if (!(size.width > 0.2 * asked.width && size.width < widest * asked.width)) break;
+    if (for_height && !(size.height > 0.2 * asked.height && size.height < widest * asked.height)) break;
+  }
+  const double width = for_width ? std::max(asked.width, best.front().width - near) : best.front().width;
+  const double height = for_height ? std::max(asked.height, best.front().height - near) : best.front().height;
+  for (viz::Drawing& drawing : best) drawing = viz::centred(std::move(drawing), width, height);
+  return best;
+}
+
+bool FigureMaker::is_widened(double width) const {
+  constexpr double more = 0.1;
+  return style_.sides != Style::Sides::height && width > style_.paper->width + more;
+}
+
+void FigureMaker::tell_widened(const std::string& which, double width) {
+  if (is_widened(width)) widened_.push_back(told(which, width));
+}
+
+viz::OnPaper FigureMaker::on_paper(const Excerpt& e, const viz::Walk& walk, int step, viz::PaperSize size, bool title) {
+  const auto camera = [&](double aspect) { return paper_camera(e, walk.steps[step], aspect); };
+  if (!(size.height > 0) && !walk.steps[step].scene.chart) {
+    const double usual = viz::paper_layout(walk, step, style_.theme, size, title).height;
+    size.height = usual + size.width * (1 / shape_of(e, walk) - 1 / widest_shape);
+  }
+  auto made = viz::readable_figure(walk, step, style_.theme, size, title, camera);
+  if (!made)
+    throw viz::BadInput(
+        fmt::format("width: at {:.1f} cm the labels of {} meet or leave it, and at 8 times that, too; "
+                    "give more, or a smaller --text-size",
+                    size.width / points_a_cm, folder_of(e) + ", " + walk.steps[step].slug));
+  return std::move(*made);
+}
+
+viz::Drawing FigureMaker::draw_strip(const Excerpt& e, int columns, bool fewer, bool captions) {
+  const auto at = [&](const viz::PaperSize& size) { return whole_strip(e, columns, captions, size); };
+  const auto drawn = [&] {
+    if (!style_.crop) return at(*style_.paper);
+    return cropped_to_paper([&](const viz::PaperSize& size) { return Drawings{at(size)}; }).front();
+  };
+  viz::Drawing drawing = drawn();
+  while (fewer && columns > 1 && is_widened(drawing.width)) --columns, drawing = drawn();
+  tell_widened(folder_of(e), drawing.width);
+  if (style_.transparent) drawing.background.a = 0;
+  return drawing;
+}
+
+viz::Drawing FigureMaker::whole_strip(const Excerpt& e, int columns, bool captions, const viz::PaperSize& size) {
+  const viz::Theme theme = viz::paper_theme(style_.theme, size.text_size);
+  const double gap = strip_gap * size.text_size;
+  viz::PaperSize each = size;
+  each.width = (each.width - (columns - 1) * gap) / columns;
+  viz::Walk part = e.walk;  // rows that none of these steps needs are omitted
+  part.steps.clear();
+  for (const int step : e.steps) part.steps.push_back(e.walk.steps[step]);
+  std::vector<viz::Frame> frames;
+  for (std::size_t i = 0; i < part.steps.size(); ++i) {  // all get the width of the one that needs most
+    viz::OnPaper made = on_paper(e, part, static_cast<int>(i), each, false);
+    if (made.size.width > each.width) {
+      each = made.size, frames.clear(), i = static_cast<std::size_t>(-1);
+      continue;
+    }
+    const viz::Step& step = part.steps[i];
+    frames.push_back({std::move(made.figure), captions ? with_caption(*e.lesson, step) : step.title});
+  }
+  return viz::strip(frames, columns, theme, gap).drawing;
+}
+
+viz::Imprint FigureMaker::imprint_of(const FigureInfo& info, const viz::Drawing& drawing) const {
+  viz::Imprint imprint;
+  imprint.title = info.imprint, imprint.alt = info.alt, imprint.letters = style_.letters;
+  if (style_.paper) imprint.width_pt = drawing.width, imprint.dpi = style_.dpi;
+  return imprint;
+}
+
+viz::Metadata FigureMaker::metadata_of(const FigureInfo& info) const {
+  viz::Metadata data = info.metadata;
+  data.emplace("style", style_.words);
+  return data;
+}
+
+std::string FigureMaker::write(const FigureInfo& info, const viz::Drawing& drawing, const viz::Format& format) {
+  const double scale = pixels_a_unit();
+  if (format.pixels)
+    need_pixels_in_bounds(drawing.width * drawing.height * scale * scale,
+                          "give a smaller --size or fewer --dpi, or --format svg or pdf");
+  return format.write(drawing, metadata_of(info), imprint_of(info, drawing),
+                      [&](const viz::Drawing& d) { return offscreen_->render(d, scale); });
+}
+
+std::string FigureMaker::film(const FigureInfo& info, const std::vector<viz::Drawing>& drawings, double seconds,
+                              const viz::Format& format) {
+  const double scale = pixels_a_unit();
+  const viz::Drawing& first = drawings.front();
+  need_pixels_in_bounds(static_cast<double>(drawings.size()) * first.width * first.height * scale * scale,
+                        "give a smaller --size, or fewer steps");
+  std::vector<viz::Picture> pictures;
+  for (const viz::Drawing& drawing : drawings)
+    pictures.push_back(viz::pixels_of(drawing, [&](const viz::Drawing& d) { return offscreen_->render(d, scale); }));
+  return format.film(pictures, seconds, metadata_of(info), imprint_of(info, first));
+}
+
+std::string FigureMaker::renderer(const viz::Format& format) const {
+  return format.pixels ? offscreen_->driver() : "cairo";
+}
+
+void say_widened(const FigureMaker& maker) {
+  const std::vector<std::string>& all = maker.widened();
+  if (all.empty()) return;
+  say(fmt::format("width: at this text size the labels of {} figure{} would meet or leave the picture, so {} wider:",
+                  all.size(), all.size() == 1 ? "" : "s", all.size() == 1 ? "it is" : "they are"));
+  constexpr std::size_t enough = 12;
+  for (std::size_t i = 0; i < std::min(enough, all.size()); ++i) say("  " + all[i]);
+  if (all.size() > enough) say(fmt::format("  and {} others; manifest.json has every width", all.size() - enough));
+  say("Give a smaller --text-size to have them narrower.");
+}
+
+}  // namespace isect::program

@@ -1,0 +1,63 @@
+#pragma once
+// Draws the figures of one run: a step of an excerpt, in a style, as a drawing and as a file's bytes.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/figures/figure_info.h"
+#include "app/figures/style.h"
+#include "viz/compose/paper.h"
+#include "viz/gl/offscreen.h"
+
+namespace isect::program {
+
+class FigureMaker {
+ public:
+  /// Starts a rendering back end only if a format needs one. Throws viz::NoBackend.
+  FigureMaker(const Style&, const std::string& backend);
+
+  /// Draws a step. On paper it is no narrower than its labels need; say_widened reports that once all are drawn. Empty
+  /// margins are cropped before the size on paper is fitted.
+  viz::Drawing draw(const Excerpt&, int step);
+  /// Draws several steps, all of one size: each in the middle of it.
+  std::vector<viz::Drawing> draw(const Excerpt&, const std::vector<int>& steps);
+  /// Draws several steps as one drawing, side by side, each above its letter and title; on paper only. `columns` per
+  /// row, or `fewer` if the strip would be wider than was asked for.
+  viz::Drawing draw_strip(const Excerpt&, int columns, bool fewer, bool captions);
+  std::string write(const FigureInfo&, const viz::Drawing&, const viz::Format&);
+  /// Writes several steps into one file, one after the other.
+  std::string film(const FigureInfo&, const std::vector<viz::Drawing>&, double seconds, const viz::Format&);
+  std::string renderer(const viz::Format&) const;
+  /// Returns the figures that are wider than was asked for: "ray-sphere/tangent/03-distance: 4.1 cm".
+  const std::vector<std::string>& widened() const { return widened_; }
+
+ private:
+  using Drawings = std::vector<viz::Drawing>;
+  /// Draws a step on paper; if no height is given, as high as the walk's pictures need.
+  viz::OnPaper on_paper(const Excerpt&, const viz::Walk&, int step, viz::PaperSize, bool title);
+  Drawings whole(const Excerpt&, const std::vector<int>& steps, const viz::PaperSize&);
+  viz::Drawing whole_strip(const Excerpt&, int columns, bool captions, const viz::PaperSize&);
+  /// Returns what `draw` makes at the size at which the cropped result is as large as asked for.
+  Drawings cropped_to_paper(const std::function<Drawings(const viz::PaperSize&)>& draw) const;
+  bool is_widened(double width) const;
+  void tell_widened(const std::string& which, double width);
+  viz::Imprint imprint_of(const FigureInfo&, const viz::Drawing&) const;
+  viz::Metadata metadata_of(const FigureInfo&) const;
+  double pixels_a_unit() const { return style_.paper ? style_.dpi / 72 : 1; }
+
+  const Style& style_;
+  std::unique_ptr<viz::Offscreen> offscreen_;
+  std::vector<std::string> widened_;
+};
+
+/// Reports the figures that could not be as narrow as was asked: they are wider, so that no labels meet.
+void say_widened(const FigureMaker&);
+
+/// Returns the camera for a picture of this step with this `aspect`, width / height: the one of the preset's file,
+/// which shows as much from the middle to the top edge as where it was copied; otherwise at one scale for all presets
+/// of the lesson, but nearer where that leaves the picture empty.
+viz::Camera camera_for(const Excerpt&, const viz::Step&, double aspect);
+
+}  // namespace isect::program

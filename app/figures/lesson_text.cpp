@@ -1,0 +1,307 @@
+#include "app/figures/lesson_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/figures/lesson_opening.h"
+#include "app/pages/blocks.h"
+#include "app/shell/terminal.h"
+#include "viz/chart/case_map.h"
+#include "viz/chart/chart.h"
+#include "viz/text/rich_text.h"
+#include "viz/text/utf8.h"
+#include "viz/walk/alt_text.h"
+#include "viz/walk/closing.h"
+
+namespace isect::program {
+
+namespace {
+
+using viz::count_characters;
+using viz::plain;
+
+/// Returns "Title" over a line of `rule`.
+std::string heading(const std::string& text, char rule, std::size_t width) {
+  return inked(Ink::bold, wrapped(text, width, 0)) + std::string(std::min(count_characters(text), width), rule) + "\n";
+}
+
+class LessonWriter {
+ public:
+  LessonWriter(const Excerpt& e, const TextOptions& how) : e_(e), how_(how) {}
+
+  std::string all() {
+    std::string out = opening();
+    for (const int step : e_.steps) out += how_.brief ? line_of(step) : whole(step);
+    if (!answers_.empty()) out += heading("Answers", '-', how_.columns) + answers_ + "\n";
+    if (out.ends_with("\n\n")) out.pop_back();
+    return out;
+  }
+
+ private:
+  std::string paragraph(const std::string& text, std::size_t indent = 0) const {
+    return wrapped(text, how_.columns, indent);
+  }
+
+  std::string opening() const {
+    const viz::Lesson& lesson = *e_.lesson;
+    std::string out =
+        heading(fmt::format("{}: {}", plain(lesson.title), e_.folder), '=', how_.columns) + paragraph(lesson.summary);
+    if (!e_.walk.method.empty()) out += paragraph("Method: " + plain(e_.walk.method));
+    return out + "\n" + lesson_opening(e_, how_);
+  }
+
+  std::string title(int index) const {
+    return fmt::format("Step {} of {}: {}", index + 1, e_.walk.steps.size(), plain(e_.walk.steps[index].title));
+  }
+
+  static std::string first_sentence(const std::string& text) {
+    const std::size_t line = std::min(text.find('\n'), text.size()), stop = text.find(". ");
+    return text.substr(0, std::min(line, stop == std::string::npos ? line : stop + 1));
+  }
+
+  /// Returns what a step decides or computes; else the first sentence of its caption.
+  std::string line_of(int index) const {
+    const viz::Step& step = e_.walk.steps[index];
+    std::string out = viz::as_sentence(title(index)) + " ";
+    if (step.slug == viz::closing_slug) return paragraph(out + plain(e_.lesson->closing->result));
+    if (step.slug == viz::case_map_slug) return paragraph(out + "This setting: " + branch() + ".");
+    const std::string formula = plain(step.formula);
+    const bool decided = step.verdict.kind != viz::Verdict::Kind::open;
+    if (!formula.empty() && formula != plain(step.title)) out += viz::as_sentence(formula) + " ";
+    if (step.comparison) out += comparison(step);
+    if (formula.empty() && !step.comparison && !decided) out += first_sentence(plain(step.caption));
+    if (decided) out += " Verdict: " + plain(step.verdict.text) + ".";
+    return paragraph(out);
+  }
+
+  std::string whole(int index) {
+    const viz::Step& step = e_.walk.steps[index];
+    std::string out = step.question ? question(index) : "";  // a title may tell the answer
+    if (told_ && goes_on(*std::exchange(told_, &step), step)) return out + again(index);
+    told_ = &step;
+    out += heading(title(index), '-', how_.columns);
+    if (step.slug == viz::closing_slug) return out + closing();
+    out += paragraph(step.slug == viz::case_map_slug ? map_in_words() : plain(step.caption)) + "\n";
+    if (step.line >= 0) out += line(step);
+    if (!step.formula.empty()) out += paragraph(plain(step.formula), 5) + "\n";
+    out += values(step) + points(step) + rows(step);
+    if (step.comparison) out += paragraph(comparison(step)) + "\n";
+    if (step.verdict.kind != viz::Verdict::Kind::open)
+      out += inked(Ink::bold, paragraph("Verdict: " + plain(step.verdict.text))) + "\n";
+    if (index == viz::outcome(e_.walk)) out += paragraph("Picture: " + plain(e_.walk.alt)) + "\n" + side_by_side();
+    return out + source(step);
+  }
+
+  /// Returns the source if it differs from the one before.
+  std::string source(const viz::Step& step) {
+    if (step.source.empty() || step.source == source_) return {};
+    source_ = step.source;
+    return paragraph("Source: " + source_) + "\n";
+  }
+
+  /// Whether a step does the same at the same line as the one before, with other numbers.
+  static bool goes_on(const viz::Step& before, const viz::Step& step) {
+    return step.line >= 0 && step.line == before.line &&
+           without_numbers(step.caption) == without_numbers(before.caption) && step.verdict.text == before.verdict.text;
+  }
+  static std::string without_numbers(std::string text) {
+    std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == ','; });
+    return text;
+  }
+
+  /// Returns such a step in one paragraph: what is new.
+  std::string again(int index) {
+    const viz::Step &step = e_.walk.steps[index], &before = e_.walk.steps[index - 1];
+    std::string out = viz::as_sentence(title(index));
+    if (step.caption != before.caption) out += " " + plain(step.caption);
+    if (!step.formula.empty()) out += " " + plain(step.formula) + ".";
+    const std::vector<std::string> digits = viz::shown(step.values);
+    for (std::size_t i = 0; i < digits.size(); ++i)
+      if (const viz::Value& v = step.values[i];
+          v.fresh && !is_in_formula(v, step) && plain(step.title) != plain(v.name) + " = " + viz::shown(v.value))
+        out += " " + plain(v.name) + " = " + digits[i] + ".";
+    if (step.comparison) out += " " + comparison(step);
+    std::ranges::replace(out, '\n', ' ');
+    return paragraph(out) + "\n" + points(step);
+  }
+
+  std::string line(const viz::Step& step) const {
+    const std::string code = viz::unindented(e_.walk.pseudocode.at(step.line));
+    return inked(Ink::mark, fmt::format("  ▸ line {}:  {}{}", step.line + 1, code,
+                                        std::ranges::count(step.refused, step.line) > 0 ? "   (no)" : "")) +
+           "\n\n";
+  }
+
+  static bool is_in_formula(const viz::Value& v, const viz::Step& step) {
+    const std::string formula = plain(step.formula);
+    return formula.starts_with(plain(v.name) + " = ") && formula.ends_with("= " + viz::shown(v.value));
+  }
+
+  /// Returns the values that this step computes; known ones were told before, so only the first step told has all.
+  std::string values(const viz::Step& step) const {
+    const bool all = &step == &e_.walk.steps[e_.steps.front()];
+    const auto told = [&](const viz::Value& v) { return (v.fresh || all) && !is_in_formula(v, step); };
+    std::size_t widest = 0;
+    for (const viz::Value& v : step.values)
+      if (told(v)) widest = std::max(widest, count_characters(plain(v.name)));
+    std::string out;
+    const std::vector<std::string> digits = viz::shown(step.values);
+    for (std::size_t i = 0; i < digits.size(); ++i)
+      if (told(step.values[i])) {
+        const std::string name = plain(step.values[i].name);
+        out += fmt::format("     {}{} = {}\n", std::string(widest - count_characters(name), ' '), name, digits[i]);
+      }
+    return out.empty() ? out : out + "\n";
+  }
+
+  /// Returns where the points lie that the picture names and that are no parameters, when they first appear.
+  std::string points(const viz::Step& step) {
+    const auto five_digits = [&](const viz::Vec3& p) {
+      const std::string xy = viz::shown(p.x()) + ", " + viz::shown(p.y());
+      return "(" + xy + (e_.lesson->flat ? ")" : ", " + viz::shown(p.z()) + ")");
+    };
+    std::string list;
+    for (const viz::Item& item : step.scene.items) {
+      const auto* label = std::get_if<viz::Label>(&item);
+      if (!label || label->until || !label->text.starts_with("**") || !is_marked(step.scene, label->at)) continue;
+      const std::string told = plain(label->text) + " " + five_digits(label->at);
+      if (label->text.ends_with("′")) continue;  // an image: where it is drawn is not where it lies
+      if (is_parameter(label->at) || !placed_.insert(told).second) continue;
+      list += (list.empty() ? "" : ", ") + told;
+    }
+    return list.empty() ? list : paragraph("In the picture: " + list + ".") + "\n";
+  }
+
+  /// Returns the rows of a card.
+  std::string rows(const viz::Step& step) const {
+    std::string out;
+    if (viz::is_card(step.scene))
+      for (const viz::Card::Row& row : std::get<viz::Card>(step.scene.chart->kind).rows)
+        out += paragraph(plain(row.head) + ": " + plain(row.text), 5);
+    return out.empty() ? out : out + "\n";
+  }
+
+  bool is_parameter(const viz::Vec3& p) const {
+    return std::ranges::any_of(e_.parameters, [&](const auto& given) { return given.second == viz::Setting(p); });
+  }
+
+  static bool is_marked(const viz::Scene& scene, const viz::Vec3& at) {
+    return std::ranges::any_of(scene.items, [&](const viz::Item& item) {
+      const auto* dot = std::get_if<viz::Dot>(&item);
+      const auto* edge = std::get_if<viz::Line>(&item);  // the edge asked for
+      return (dot && dot->at == at) ||
+             (edge && edge->pen == viz::Pen::highlight && (edge->from == at || edge->to == at));
+    });
+  }
+
+  static std::string comparison(const viz::Step& step) {
+    const viz::Comparison& c = *step.comparison;
+    const std::string meaning = c.meaning.empty() ? "" : ": " + plain(c.meaning);
+    return fmt::format("Is {}? {} ({}){}.", plain(c.text), c.holds ? "Yes" : "No", viz::sides(c, "and"), meaning);
+  }
+
+  std::string map_in_words() const {
+    const viz::CaseMap& map = *e_.lesson->map;
+    std::string regions;
+    for (const std::string& branch : map.branches) regions += (regions.empty() ? "" : "; ") + plain(branch);
+    return fmt::format("A map of all cases. Across: {}. Up: {}.\n{}\nThe lesson's cases: {}.\nThis setting: {}.",
+                       plain(map.x_title), plain(map.y_title), plain(map.told), regions, branch());
+  }
+  /// Returns where this setting lies on the lesson's map.
+  std::string branch() const {
+    const viz::CaseMap& map = *e_.lesson->map;
+    return plain(map.branches.at(static_cast<std::size_t>(map.branch(e_.parameters))));
+  }
+
+  /// Returns what the methods say that should agree.
+  std::string side_by_side() const {
+    if (!e_.lesson->opinions) return {};
+    const std::vector<viz::Opinion> opinions = e_.lesson->opinions(e_.parameters);
+    if (opinions.empty()) return {};
+    std::size_t widest = 0;
+    for (const viz::Opinion& o : opinions) widest = std::max(widest, count_characters(plain(o.method)));
+    std::string out = "Methods side by side:\n";
+    for (const viz::Opinion& o : opinions) {
+      const std::string method = plain(o.method);
+      std::string row = fmt::format(" {} {}{}  {}", o.agrees ? "✓" : "✗", method,
+                                    std::string(widest - count_characters(method), ' '), plain(o.says));
+      if (count_characters(row) > how_.columns)
+        row = fmt::format(" {} {}:\n", o.agrees ? "✓" : "✗", method) + paragraph(plain(o.says), 5);
+      else
+        row += "\n";
+      out += o.agrees ? row : inked(Ink::bold, row);
+    }
+    return out + "\n";
+  }
+
+  /// Returns the question. What is known was told before it; if the step before was not, it comes with the question.
+  std::string question(int index) {
+    const viz::Question& q = *e_.walk.steps[index].question;
+    const bool known = index == 0 || told_ == &e_.walk.steps[index - 1];
+    const bool again = question_ && question_->choices == q.choices;
+    const bool same_reason = again && question_->because == q.because;
+    question_ = &q;
+    std::string out =
+        paragraph(fmt::format("Question {}: {}{}", ++asked_, plain(known ? prompt(q) : prompt(e_.walk, index)),
+                              again ? " (The same choices.)" : ""));
+    for (std::size_t i = 0; i < q.choices.size() && !again; ++i)
+      out += paragraph(fmt::format("({}) {}", choice_letter(i), plain(q.choices[i])), 4);
+    const auto answer = static_cast<std::size_t>(q.answer);
+    const std::string right = fmt::format("({}) {}.", choice_letter(answer), plain(q.choices.at(answer))),
+                      because = same_reason ? "" : " " + plain(q.because);
+    if (how_.answers) return out + paragraph("Answer: " + right + because) + "\n";
+    answers_ += paragraph(fmt::format("Question {}: {}{}", asked_, right, because));
+    return out + "\n";
+  }
+
+  std::string closing() {
+    const viz::Closing& c = *e_.lesson->closing;
+    std::string out;
+    for (const auto& [head, text] : viz::card_rows(*e_.lesson)) out += paragraph(head + ": " + plain(text));
+    out += paragraph(fmt::format("See it: --preset {}", c.bug_preset), 2) + "\nTo read:\n";
+    for (const std::string& source : c.reading) out += paragraph(plain(source), 2);
+    out += "\n";
+    for (std::size_t i = 0; i < c.exercises.size(); ++i) {
+      out += paragraph(fmt::format("Exercise {}: {}", i + 1, plain(prompt(c.exercises[i]))));
+      const std::string solution = plain(c.exercises[i].solution);
+      if (how_.answers)
+        out += paragraph("Solution: " + solution) + "\n";
+      else
+        answers_ += paragraph(fmt::format("Exercise {}: {}", i + 1, solution));
+    }
+    return out + (how_.answers ? "" : "\n");
+  }
+
+  const Excerpt& e_;
+  const TextOptions how_;
+  const viz::Step* told_ = nullptr;  ///< the step told last
+  std::string source_;
+  const viz::Question* question_ = nullptr;  ///< the question told last
+  int asked_ = 0;
+  std::string answers_;           ///< to the questions so far
+  std::set<std::string> placed_;  ///< points told
+};
+
+}  // namespace
+
+std::string lesson_text(const Excerpt& e, const TextOptions& how) { return LessonWriter(e, how).all(); }
+
+std::string exercises_text(const viz::Lesson& lesson, const TextOptions& how) {
+  std::string out = heading(plain(lesson.title) + ": exercises", '=', how.columns);
+  if (!lesson.closing) return out;
+  int number = 0;
+  for (const viz::Exercise& e : lesson.closing->exercises) {
+    out += wrapped(fmt::format("{}. {}", ++number, plain(e.prompt)), how.columns, 0);
+    if (!e.preset.empty()) out += wrapped(fmt::format("Start: --preset {}", e.preset), how.columns, 3);
+    std::string way;  // the whole way
+    for (const auto& [name, value] : e.by) way += fmt::format(" --set {}={}", name, value);
+    if (!way.empty()) out += wrapped("One way:" + way, how.columns, 3);
+    out += wrapped("Solution: " + plain(e.solution), how.columns, 3) + "\n";
+  }
+  out.pop_back();
+  return out;
+}
+
+}  // namespace isect::program

@@ -1,0 +1,38 @@
+#include "app/figures/question_figure.h"
+
+#include <fmt/format.h>
+
+#include "app/figures/ownership.h"
+#include "app/pages/blocks.h"
+#include "viz/text/rich_text.h"
+#include "viz/walk/alt_text.h"
+#include "viz/walk/question_scene.h"
+
+namespace isect::program {
+
+bool has_picture(const viz::Walk& walk, int step) {
+  const viz::Scene scene = viz::question_scene(walk, step);
+  return !scene.chart && !scene.items.empty();
+}
+
+std::string file_of_question(const Excerpt& e, int step) { return file_of(e, step) + "-question"; }
+
+Excerpt asking(const Excerpt& e, int step) {
+  Excerpt asked = e;
+  asked.steps = {static_cast<int>(e.walk.steps.size())};
+  asked.walk.steps.push_back(viz::asking_step(e.walk, step));
+  return asked;
+}
+
+FigureInfo info_of_question(const Excerpt& e, int step) {
+  const int number = number_of_question(e.walk, step);
+  FigureInfo info = info_of(e, step);
+  info.stem = info.metadata["file"] = file_of_question(e, step);
+  info.title = fmt::format("Question {}", number);
+  info.caption = prompt(e.walk, step);
+  info.imprint = fmt::format("{}: question {}", viz::plain(e.lesson->title), number);
+  info.alt = viz::drawn_text(e.walk, viz::question_scene(e.walk, step), false);
+  return info;
+}
+
+}  // namespace isect::program

@@ -1,0 +1,189 @@
+// What can be taken hold of: corners of polygons, points of clouds, the end of a segment.
+
+#include "viz/player/dragging.h"
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+#include "tests/viz/window_driver.h"
+#include "viz/player/reader_state.h"
+
+namespace dragging_test {
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+const Handle& handle(const Player& player, const std::string& name) {
+  for (const Handle& h : player.scene().handles)
+    if (h.parameter == name) return h;
+  throw std::runtime_error("no handle " + name);
+}
+
+}  // namespace
+
+TEST_CASE("every corner and every point that a lesson draws can be dragged with the pointer", "[window]") {
+  const auto [lesson, preset, count] =
+      GENERATE(table<const char*, const char*, int>({{"crossings", "inside", 5},
+                                                     {"crossings", "hole", 8},
+                                                     {"concave-polygon", "slabs", 9},
+                                                     {"concave-polygon", "hierarchy", 9},
+                                                     {"convex-hull", "scattered", 8}}));
+  INFO(lesson << " " << preset);
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at(lesson, preset));
+  for (int i = 0; i < count; ++i) {
+    const std::string name = "v" + std::to_string(i);
+    INFO(name);
+    const Rect before = window.rect("handle " + name);
+    CHECK((before.width() >= 24 && before.height() >= 24));
+    CHECK_FALSE(window.player().parameters().contains(name));
+    window.drag("handle " + name, 3, -2);
+    CHECK(window.player().parameters().contains(name));
+    window.frames(60);
+    CHECK(window.player().undo());
+    window.frames(60);
+    CHECK_FALSE(window.player().parameters().contains(name));
+  }
+  CHECK_FALSE(window.has("handle v" + std::to_string(count)));
+}
+
+TEST_CASE("who drops a handle out of sight is told how to see it again", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("crossings", "inside"));
+  window.drag("handle v0", 12, 8);
+  CHECK(window.ui.message().empty());
+  const Rect scene = window.rect("scene"), corner = window.rect("handle v0");
+  window.drag("handle v0", scene.right + 60 - corner.middle_x(), 0);
+  CHECK(window.ui.message() == "It is out of sight: F shows all of the scene");
+  window.type("f");
+  window.frames(60);
+  const Rect again = window.rect("handle v0");
+  CHECK((again.left >= scene.left && again.right <= scene.right));
+}
+
+TEST_CASE("a corner of a polygon in space stays in its plane under the pointer and under the keys", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("ray-polygon", "hit"));
+  const auto& parameters = [&]() -> const Parameters& { return window.player().parameters(); };
+  const Vec3 across(1, 0, 0.5), up(0.125, 1, -0.0625);
+  for (const std::string name : {"p0", "p1", "p2", "p3", "p4"}) {
+    INFO(name);
+    const Rect before = window.rect("handle " + name);
+    CHECK((before.width() >= 24 && before.height() >= 24));
+    window.drag("handle " + name, 11, -7);
+    REQUIRE(parameters().contains(name));
+    window.frames(60);
+    const Rect after = window.rect("handle " + name);
+    CHECK(after.middle_x() == Approx(before.middle_x() + 11).margin(1.5));  // the grid is a pixel wide
+    CHECK(after.middle_y() == Approx(before.middle_y() - 7).margin(1.5));
+    const Handle& corner = handle(window.player(), name);
+    CHECK(corner.at.dot(across.cross(up)) == 0);
+    CHECK(window.player().undo());
+    window.frames(60);
+    CHECK_FALSE(parameters().contains(name));
+  }
+  const std::size_t steps = window.player().walk().steps.size();
+  window.drag("handle p3", 0, -40);  // the notch is gone
+  CHECK(window.player().walk().steps.size() == steps);
+  CHECK_FALSE(parameters().at("p3") == Setting(Vec3(0, 0, 0)));
+}
+
+TEST_CASE("an arrow key moves a handle along the view, and what it does not mean stays to the last bit", "[player]") {
+  Player player(lessons::all_lessons(), place_at("sphere-sphere", "touching"));
+  const View view(Camera{.azimuth = 0.6, .elevation = 0.4}, 800, 600);
+  const Handle ball = handle(player, "b");
+  const Vec3 along_x = {1, 0, 0};
+  const Vec2 way = (view.project(ball.at + along_x).at - view.project(ball.at).at).normalized();
+  CHECK(nudge(player, View(Camera{.azimuth = 0, .elevation = 0}, 800, 600), ball, {1, 0}, false).refused.empty());
+  const Vec3 there = handle(player, "b").at;
+  CHECK(there.x() > ball.at.x());
+  CHECK(there.y() == ball.at.y());
+  CHECK(there.z() == ball.at.z());
+  CHECK(nudge(player, view, handle(player, "b"), way, false).refused.empty());
+  CHECK(handle(player, "b").at != there);
+}
+
+TEST_CASE("a handle on the image plane stays on it, under the pointer", "[player]") {
+  const auto [lesson, preset, name] = GENERATE(
+      table<const char*, const char*, const char*>({{"picking", "front", "pointer"}, {"ray-tracing", "lit", "pixel"}}));
+  INFO(lesson);
+  Player player(lessons::all_lessons(), place_at(lesson, preset));
+  const View view(player.camera().now(), 800, 600);
+  const Handle before = handle(player, name);
+  const Vec2 pixel = view.project(before.at).at + Vec2(7, -5);
+  CHECK(drag_to(player, before, before.at, brought(view, before, pixel), false).refused.empty());
+  const Handle& after = handle(player, name);
+  CHECK(after.at != before.at);
+  CHECK(std::get<Vec3>(player.parameters().at(name)).x() == before.at.x());
+  CHECK((view.project(after.at).at - pixel).norm() < 1e-6);
+}
+
+TEST_CASE("Snap stands on the short number where a border is one", "[player]") {
+  Player player(lessons::all_lessons(), place_at("rays", "segment"));
+  const auto shown = [&] {
+    return std::ranges::any_of(player.scene().handles, [](const Handle& h) { return h.parameter == "wall"; });
+  };
+  for (int step = 0; !shown(); ++step) REQUIRE((player.go_to(step), step < 10));
+  const Handle wall = handle(player, "wall");
+  for (const double to : {0.4, 0.6}) {
+    drag_to(player, wall, wall.at, {to, wall.at.y(), 0}, true);
+    CHECK(std::get<double>(player.parameters().at("wall")) == 0.5);  // where the segment ends
+  }
+}
+
+TEST_CASE("corners that would enclose no area are refused", "[player]") {
+  const auto lessons = lessons::all_lessons();
+  Player player(lessons, place_at("ray-polygon", "hit"));
+  for (const auto& [name, to] :
+       {std::pair{"p1", Vec3(0, 1, 0)}, {"p2", Vec3(0, 2, 0)}, {"p3", Vec3(0, 3, 0)}, {"p4", Vec3(0, 4, 0)}})
+    player.edit(name, to);
+  CHECK_THROWS_WITH(player.edit("p0", Vec3(0, 5, 0)), isect::test::Contains("enclose an area"));
+}
+
+TEST_CASE("a moved corner is kept by the other rule and in a copied state, and forgotten with its polygon",
+          "[player]") {
+  const auto lessons = lessons::all_lessons();
+  Player player(lessons, place_at("crossings", "inside"));
+  player.drag_handle(handle(player, "v2"), {1.5, 0.25, 0});
+  const Setting moved = Vec3(1.5, 0.25, 0);
+  CHECK(player.parameters().at("v2") == moved);
+  CHECK(handle(player, "v2").at == Vec3(1.5, 0.25, 0));
+  player.load_method("closed");
+  CHECK(player.parameters().at("v2") == moved);
+  CHECK(reader_state_from_json(to_json(player.reader_state()), lessons).parameters->at("v2") == moved);
+  player.edit("polygon", std::string("outside"));
+  CHECK_FALSE(player.parameters().contains("v2"));
+}
+
+TEST_CASE("a corner does not go where a method's polygon would no longer be simple, and that is said", "[player]") {
+  Player player(lessons::all_lessons(), place_at("concave-polygon", "slabs"));
+  const Parameters before = player.parameters();
+  const Condition* forbids = player.drag_handle(handle(player, "v2"), {-2, 1.25, 0});  // across the edge v7 v8
+  REQUIRE(forbids);
+  CHECK(forbids->allowed.find("no two edges cross") != std::string::npos);
+  CHECK(player.parameters() == before);
+  CHECK(player.drag_handle(handle(player, "v2"), {5, 0, 0}));  // beyond the frame
+  CHECK_FALSE(player.drag_handle(handle(player, "v2"), {-0.75, 0, 0}));
+  CHECK(player.parameters().contains("v2"));
+}
+
+TEST_CASE("where a moved corner makes edges cross, Jordan's theorem is no longer cited", "[player]") {
+  Player player(lessons::all_lessons(), place_at("crossings", "inside"));
+  const auto cites = [&] { return player.walk().steps[0].caption.find("(Jordan curve theorem)") != std::string::npos; };
+  CHECK(cites());
+  player.drag_handle(handle(player, "v0"), {2, 2.25, 0});
+  CHECK_FALSE(cites());
+  CHECK(player.walk().alt.find("that meets itself") != std::string::npos);
+}
+
+TEST_CASE("a segment's end is dragged along it, in lengths of the direction as given", "[player]") {
+  const std::string preset = GENERATE("segment-before", "segment-before-quadratic", "segment-inside-half-b");
+  Player player(lessons::all_lessons(), place_at("ray-sphere", preset));
+  const Vec3 o = handle(player, "origin").at, d = std::get<Vec3>(player.parameters().at("direction"));
+  player.drag_handle(handle(player, "t_max"), o + 1.5 * d);
+  CHECK(std::get<double>(player.parameters().at("t_max")) == Approx(1.5).epsilon(1e-12));
+  CHECK((handle(player, "t_max").at - (o + 1.5 * d)).norm() < 1e-9);
+  player.edit("extent", std::string("ray"));
+  CHECK_THROWS(handle(player, "t_max"));
+}
+
+}  // namespace dragging_test

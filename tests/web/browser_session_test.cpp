@@ -1,0 +1,312 @@
+// The session behind a live page: requests and their results.
+
+#include "web/scenes.h"
+
+#include <isect/sphere_sphere.h>
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+#include "viz/lesson.h"
+#include "viz/walk/question_scene.h"
+
+namespace browser_session_test {
+using isect::test::Contains;
+using isect::web::BrowserSession;
+using Json = BrowserSession::Json;
+
+BrowserSession fresh() { return BrowserSession(isect::lessons::all_lessons(), isect::web::read_scene); }
+
+Json ask(BrowserSession& session, const Json& request) { return Json::parse(session.answer(request.dump())); }
+
+Json open(BrowserSession& session, const std::string& lesson, const std::string& preset = {}) {
+  Json request = {{"do", "open"}, {"lesson", lesson}};
+  if (!preset.empty()) request["preset"] = preset;
+  return ask(session, request);
+}
+
+Json handle(const Json& frame, const std::string& name) {
+  for (const Json& h : frame.at("handles"))
+    if (h.at("name").get<std::string>().starts_with(name + "/")) return h;
+  FAIL("no handle " << name);
+  return {};
+}
+
+isect::Point<double, 3> point(const Json& values, const char* name) {
+  isect::Point<double, 3> p;
+  std::istringstream in(values.at(name).get<std::string>());
+  char comma = ',';
+  in >> p[0] >> comma >> p[1] >> comma >> p[2];
+  return p;
+}
+
+/// What the exact test says of the values that a page shows.
+bool meet(const Json& values) {
+  const auto number = [&](const char* name) { return std::stod(values.at(name).get<std::string>()); };
+  return intersects(isect::Sphere<double, 3>{point(values, "a"), number("r_a")},
+                    isect::Sphere<double, 3>{point(values, "b"), number("r_b")});
+}
+
+TEST_CASE("every preset opens, and each of its stations has words and a picture", "[session]") {
+  BrowserSession session = fresh();
+  for (const isect::viz::Lesson* lesson : isect::lessons::all_lessons()) {
+    const Json first = open(session, lesson->id);
+    INFO(lesson->id);
+    REQUIRE_FALSE(first.contains("wrong"));
+    CHECK(first.at("parameters").size() == lesson->parameters.size());
+    const Json frame = ask(session, {{"do", "go"}, {"at", 1}});
+    CHECK(frame.at("at") == 1);
+    CHECK_THAT(frame.at("picture").get<std::string>(),
+               Contains("<svg") && Contains("</svg>") && !Contains("class=\"fill-"));
+    CHECK_THAT(frame.at("below").get<std::string>(), Contains("<div class=\"words\">"));
+    CHECK(frame.at("place").at("changes").empty());
+  }
+}
+
+TEST_CASE("a dragged handle changes its value alone, and the verdict is the exact one", "[session]") {
+  BrowserSession session = fresh();
+  Json frame = open(session, "sphere-sphere", "disjoint");
+  frame = ask(session, {{"do", "go"}, {"at", frame.at("count").get<int>() - 2}});
+  const Json before = frame.at("values"), b = handle(frame, "b");
+  ask(session, {{"do", "take"}, {"handle", b.at("name")}, {"x", b.at("x")}, {"y", b.at("y")}});
+  int met = 0;
+  for (int i = 0; i < 12; ++i) {
+    frame = ask(session, {{"do", "drag"}, {"x", b.at("x").get<double>() - 8 * i}, {"y", b.at("y")}});
+    const bool truth = meet(frame.at("values"));
+    met += truth;
+    const std::string words = frame.at("below");
+    INFO(words);
+    CHECK((words.find("verdict yes") != words.npos) == truth);
+    CHECK(frame.at("values").at("a") == before.at("a"));
+    CHECK_FALSE(frame.contains("algorithm"));  // what stays is not sent again
+  }
+  CHECK(met > 0);
+  CHECK(met < 12);
+  frame = ask(session, {{"do", "drop"}});
+  CHECK(frame.at("place").at("preset") == "");
+  CHECK(frame.at("place").at("changes").size() == 1);
+  frame = ask(session, {{"do", "undo"}});
+  CHECK(frame.at("values") == before);
+  frame = ask(session, {{"do", "redo"}});
+  CHECK(frame.at("values") != before);
+}
+
+TEST_CASE("a drag at the first step tells the verdict at once", "[session]") {
+  BrowserSession session = fresh();
+  const Json opened = open(session, "sphere-sphere", "disjoint"), b = handle(opened, "b");
+  ask(session, {{"do", "take"}, {"handle", b.at("name")}, {"x", b.at("x")}, {"y", b.at("y")}});
+  int met = 0;
+  for (int i = 0; i < 12; ++i) {
+    const Json frame = ask(session, {{"do", "drag"}, {"x", b.at("x").get<double>() - 8 * i}, {"y", b.at("y")}});
+    const bool truth = meet(frame.at("values"));
+    met += truth;
+    CHECK(frame.at("at") == 0);
+    const std::string told = frame.at("outcome");
+    CHECK((told.find("disjoint") == told.npos) == truth);
+    CHECK((told.find("verdict no") == told.npos) == truth);
+  }
+  CHECK(met > 0);
+  CHECK(met < 12);
+}
+
+TEST_CASE("a verdict that other methods contradict says so", "[session]") {
+  BrowserSession session = fresh();
+  int differ = 0;
+  for (const isect::viz::Lesson* lesson : isect::lessons::all_lessons()) {
+    if (!lesson->opinions) continue;
+    for (const isect::viz::Preset& preset : lesson->presets) {
+      const auto all = lesson->opinions(preset.parameters);
+      const bool one = std::ranges::any_of(all, [](const isect::viz::Opinion& o) { return !o.agrees; });
+      differ += one;
+      INFO(lesson->id << " " << preset.id);
+      const std::string told = open(session, lesson->id, preset.id).at("outcome");
+      CHECK((told.find(" methods differ") != told.npos) == one);
+    }
+  }
+  CHECK(differ > 5);
+}
+
+TEST_CASE("while a question is open, code and values are those of the step that it asks for", "[session]") {
+  BrowserSession session = fresh();
+  int asked = 0;
+  for (const isect::viz::Lesson* lesson : isect::lessons::all_lessons()) {
+    Json frame = open(session, lesson->id);
+    const isect::viz::Walk walk = lesson->walk(lesson->presets.front().parameters);
+    for (int at = 0; at < frame.at("count"); ++at) {
+      frame = ask(session, {{"do", "go"}, {"at", at}});
+      if (!frame.at("asks").get<bool>()) continue;
+      const isect::viz::Step shown = isect::viz::asking_step(walk, frame.at("step"));
+      INFO(lesson->id << ", station " << at);
+      CHECK(frame.at("line") == -1);
+      CHECK(frame.at("refused") == shown.refused);
+      CHECK(frame.at("untaken") == shown.untaken);
+      const std::string below = frame.at("below");
+      const std::size_t rows = shown.values.size() - shown.question->given.size();
+      std::size_t told = 0;
+      for (std::size_t from = 0; (from = below.find("<th scope=\"row\">", from)) != below.npos; ++from) ++told;
+      CHECK(told == rows);
+      if (!shown.question->given.empty()) CHECK_THAT(below, Contains("Given: "));
+      ++asked;
+    }
+  }
+  CHECK(asked > 20);
+}
+
+TEST_CASE("what changes nothing in a setting is named, and when it would is told", "[session]") {
+  BrowserSession session = fresh();
+  const Json opened = open(session, "ray-sphere", "tangent");
+  CHECK(opened.at("idle") == Json{"t_max"});
+  const auto& all = opened.at("parameters");
+  const auto t_max = std::ranges::find_if(all, [](const Json& p) { return p.at("name") == "t_max"; });
+  CHECK(t_max->at("where") == "Counts where extent is segment");
+  CHECK(ask(session, {{"do", "set"}, {"name", "extent"}, {"text", "segment"}}).at("idle").empty());
+}
+
+TEST_CASE("what the place says opens the same setting at the same station", "[session]") {
+  BrowserSession session = fresh(), other = fresh();
+  Json frame = open(session, "ray-sphere", "tangent");
+  ask(session, {{"do", "set"}, {"name", "radius"}, {"text", "1,25"}});
+  ask(session, {{"do", "set"}, {"name", "origin"}, {"text", "-4, 1/4, 0"}});
+  ask(session, {{"do", "turn"}, {"x", 9}, {"y", 4}});
+  frame = ask(session, {{"do", "go"}, {"at", 4}});
+  const Json& place = frame.at("place");
+  CHECK(place.at("changes").size() == 2);
+  const Json again = ask(other, {{"do", "open"},
+                                 {"lesson", "ray-sphere"},
+                                 {"preset", place.at("origin")},
+                                 {"step", frame.at("step")},
+                                 {"asks", frame.at("asks")},
+                                 {"changes", place.at("changes")},
+                                 {"camera", place.at("camera")}});
+  REQUIRE_FALSE(again.contains("wrong"));
+  for (const char* same : {"values", "above", "below", "picture", "place", "at"})
+    CHECK(again.at(same) == frame.at(same));
+  CHECK(again.at("values").at("radius") == "1.25");
+}
+
+TEST_CASE("what can't be had is told, and changes nothing", "[session]") {
+  BrowserSession session = fresh();
+  CHECK(ask(session, {{"do", "go"}, {"at", 0}}).contains("wrong"));
+  const Json before = open(session, "sphere-sphere");
+  const Json all[] = {{{"do", "dance"}},
+                      {{"do", "set"}, {"name", "r_a"}, {"text", "round"}},
+                      {{"do", "set"}, {"name", "r_a"}, {"text", "-1"}},
+                      {{"do", "set"}, {"name", "b"}, {"text", "1, 2"}},
+                      {{"do", "set"}, {"name", "nothing"}, {"text", "1"}},
+                      {{"do", "load"}, {"preset", "nothing"}},
+                      {{"do", "take"}, {"handle", "nothing/0"}, {"x", 0}, {"y", 0}},
+                      {{"do", "open"}, {"lesson", "nothing"}},
+                      {{"do", "open"}, {"lesson", "sphere-sphere"}, {"camera", "1,2"}},
+                      {{"do", "open"}, {"lesson", "sphere-sphere"}, {"changes", {{"r_a", "nan"}}}}};
+  for (const Json& request : all) {
+    INFO(request.dump());
+    CHECK(ask(session, request).value("wrong", "").size() > 5);
+    const Json now = ask(session, {{"do", "go"}, {"at", 0}});
+    CHECK(now.at("values") == before.at("values"));
+    CHECK(now.at("picture") == before.at("picture"));
+  }
+  CHECK(Json::parse(session.answer("no JSON")).contains("wrong"));
+}
+
+TEST_CASE("a drag over the map moves the setting to the case there", "[session]") {
+  BrowserSession session = fresh();
+  open(session, "sphere-sphere", "disjoint");
+  Json frame = ask(session, {{"do", "look"}, {"map", true}});
+  REQUIRE(frame.at("map").at("own") == false);
+  CHECK_THAT(frame.at("map").at("here").get<std::string>(), Contains("disjoint"));
+  ask(session, {{"do", "take"}, {"x", 60}, {"y", 60}});
+  frame = ask(session, {{"do", "drag"}, {"x", 50}, {"y", 90}});
+  CHECK(meet(frame.at("values")));
+  CHECK_THAT(frame.at("map").at("here").get<std::string>(), !Contains("disjoint"));
+}
+
+TEST_CASE("a name lights what bears it, and tells what is known of it", "[session]") {
+  BrowserSession session = fresh();
+  const Json frame = open(session, "sphere-sphere");
+  CHECK_THAT(frame.at("below").get<std::string>(), Contains("<span data-name=\"l\"><b>l</b></span>"));
+  Json lit = ask(session, {{"do", "light"}, {"names", {"l"}}});
+  CHECK_THAT(lit.at("marks").get<std::string>(), Contains("<path"));
+  lit = ask(session, {{"do", "light"}, {"handle", handle(frame, "r_a").at("name")}});
+  CHECK(lit.at("names") == Json{"r_a"});
+  CHECK_THAT(lit.at("sum").get<std::string>(), Contains("1.52"));
+  const Json a = handle(frame, "a");
+  CHECK(ask(session, {{"do", "point"}, {"x", a.at("x")}, {"y", a.at("y")}}).at("names") == Json{"a"});
+  CHECK(ask(session, {{"do", "point"}, {"x", 1}, {"y", 1}}).at("names").empty());
+}
+
+TEST_CASE("a link to a step or a question that is not there opens the setting and says so", "[session]") {
+  BrowserSession session = fresh();
+  const auto at = [&](double step, bool asks) {
+    return ask(session, {{"do", "open"}, {"lesson", "sphere-sphere"}, {"step", step}, {"asks", asks}});
+  };
+  Json frame = at(2147483647, false);
+  CHECK(frame.at("told") == "There is no step 2147483648 here.");
+  CHECK(at(1e30, true).at("told").get<std::string>().starts_with("Nothing is asked at step 1000000000000000"));
+  frame = at(99, false);
+  CHECK(frame.at("told") == "There is no step 100 here.");
+  CHECK((frame.at("at") == 0 && frame.contains("picture")));
+  frame = at(0, true);
+  CHECK(frame.at("told") == "Nothing is asked at step 1 here.");
+  CHECK(frame.at("asks") == false);
+  CHECK(at(1, false).at("told") == "");
+}
+
+TEST_CASE("a step is copied for LaTeX and Markdown with its words", "[session]") {
+  BrowserSession session = fresh();
+  open(session, "sphere-sphere");
+  const Json copied = ask(session, {{"do", "copy"}});
+  CHECK_THAT(copied.at("latex").get<std::string>(),
+             Contains("\\includegraphics[width=8cm,alt={") && Contains("\\caption{From centre to centre."));
+  const std::string latex = copied.at("latex").get<std::string>();
+  CHECK_THAT(latex.substr(0, latex.find("\\caption")), !Contains("$"));  // read out, not set
+  CHECK_THAT(copied.at("markdown").get<std::string>(), Contains("](sphere-sphere-01-difference.svg)"));
+  CHECK_THAT(copied.at("svg").get<std::string>(), Contains("<svg") && !Contains("var("));
+  const Json whole = ask(session, {{"do", "whole"}});
+  CHECK_THAT(whole.at("html").get<std::string>(), Contains("id=\"live/6\"") && Contains("<svg"));
+}
+
+TEST_CASE("a scene's text opens, follows what is dragged, and opens again as it was left", "[session]") {
+  BrowserSession session = fresh();
+  const std::string text =
+      "{\"title\": \"Two balls\",  // apart\n"
+      " \"objects\": [{\"sphere\": \"a\", \"center\": [0, 0, 0], \"radius\": 1},\n"
+      "             {\"sphere\": \"b\", \"center\": [4, 0, 0], \"radius\": 1}],\n"
+      " \"ask\": [[\"a\", \"b\"]]}\n";
+  Json frame = ask(session, {{"do", "open"}, {"scene", text}, {"step", 1}});
+  REQUIRE_FALSE(frame.contains("wrong"));
+  CHECK(frame.at("scene") == text);
+  CHECK(frame.at("place").at("preset title") == "Two balls");
+  CHECK(frame.at("parameters").size() == 4);
+  const Json a = handle(frame, "a.center"), b = handle(frame, "b.center");
+  ask(session, {{"do", "take"}, {"handle", b.at("name")}, {"x", b.at("x")}, {"y", b.at("y")}});
+  int met = 0;
+  for (int i = 0; i < 12; ++i) {
+    const auto between = [&](const char* x) {
+      return b.at(x).get<double>() + i / 11.0 * (a.at(x).get<double>() - b.at(x).get<double>());
+    };
+    frame = ask(session, {{"do", "drag"}, {"x", between("x")}, {"y", between("y")}});
+    const Json& values = frame.at("values");
+    const bool truth = intersects(isect::Sphere<double, 3>{point(values, "a.center"), 1},
+                                  isect::Sphere<double, 3>{point(values, "b.center"), 1});
+    met += truth;
+    CHECK((frame.at("below").get<std::string>().find("verdict yes") != std::string::npos) == truth);
+  }
+  CHECK(met > 0);
+  CHECK(met < 12);
+  frame = ask(session, {{"do", "drop"}});
+  const std::string kept = frame.at("scene");
+  CHECK(kept != text);
+  CHECK_THAT(kept, Contains("// apart") && Contains("\"sphere\": \"a\", \"center\": [0, 0, 0], \"radius\": 1"));
+  BrowserSession other = fresh();
+  const Json again = ask(other, {{"do", "open"}, {"scene", kept}, {"step", 1}});
+  CHECK(again.at("values") == frame.at("values"));
+  CHECK(again.at("below") == frame.at("below"));
+
+  const Json wrong =
+      ask(session, {{"do", "open"}, {"scene", "{\"objects\": [\n{\"sphere\": \"a\", \"radius\": -1}]}"}});
+  CHECK_THAT(wrong.value("wrong", ""), Contains("line 2"));
+  CHECK(ask(session, {{"do", "go"}, {"at", 1}}).at("scene") == kept);
+  CHECK_FALSE(open(session, "sphere-sphere").contains("scene"));
+  BrowserSession lessons_only(isect::lessons::all_lessons());
+  CHECK(ask(lessons_only, {{"do", "open"}, {"scene", text}}).contains("wrong"));
+}
+
+}  // namespace browser_session_test

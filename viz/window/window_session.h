@@ -1,0 +1,174 @@
+#pragma once
+// State that the parts of the window share while it is open.
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "viz/course.h"
+#include "viz/formats/formats.h"
+#include "viz/player/player.h"
+#include "viz/window/widgets.h"
+
+namespace isect::viz {
+
+/// The smallest window, in px of the layout.
+constexpr int least_width = 800, least_height = 500;
+/// The range for the size of everything: large for a lecture hall, say.
+constexpr double least_size = 0.5, most_size = 4;
+/// The range for the width of a figure on paper.
+constexpr double least_width_cm = 2, most_width_cm = 60;
+
+/// A reader's results in a lesson.
+struct Score {
+  std::map<std::string, bool> answers = {};  ///< by question: whether the last answer was right
+  bool finished = false;                     ///< read to its end
+  int right() const {
+    return static_cast<int>(std::ranges::count_if(answers, [](const auto& answer) { return answer.second; }));
+  }
+};
+constexpr std::size_t recent_kept = 5, saved_kept = 100;
+
+/// The contents of the second of two panes: a method, or a preset.
+struct Beside {
+  std::string lesson, method, preset;  ///< one of the latter two is empty
+  bool operator==(const Beside&) const = default;
+};
+/// Returns the contents of the second pane of a place that has one.
+inline std::optional<Beside> beside_of(const ReaderState& state) {
+  if (!state.beside) return {};
+  return Beside{state.lesson, state.beside->method, state.beside->preset};
+}
+/// The first pane or the only one; a second that a reader's hand moves along with it; one that stays as it is.
+enum class Pane { lead, along, fixed };
+
+/// What is kept between runs.
+struct Settings {
+  ThemeName theme = ThemeName::dark;
+  std::string save_format = formats().front().name;
+  ThemeName save_theme = ThemeName::print;
+  bool parameters_open = false;
+  double speed = 1;
+  bool nonstop = false;            ///< play passes over questions
+  int width = 1280, height = 800;  ///< px of the layout, whatever the screen's density
+  bool reduced_motion = false;
+  bool map = false;          ///< of cases, beside the scene
+  double size = 1;           ///< of everything
+  double save_width_cm = 0;  ///< of a saved figure on paper; 0: a picture for a screen
+  std::optional<ReaderState> reader_state = {};
+  std::optional<Beside> beside = {};
+  std::map<std::string, Score> scores = {};  ///< by lesson
+  std::vector<std::string> recent = {};      ///< ids of the lessons last opened
+  std::vector<std::string> saved = {};       ///< whole paths of presets, the last saved first, wherever they lie
+};
+
+/// Returns the file in the user's state folder; empty if there is no home.
+std::string settings_file();
+/// Reads the settings. A missing or damaged file gives the defaults, a damaged field its default.
+Settings read_settings(const std::string& file, const std::vector<const Lesson*>&);
+/// Renames a file that can't be read as settings, which would be overwritten at the end, to a new name beside it.
+/// Returns the message about it; empty if there was nothing to do.
+std::string set_spoilt_settings_aside(const std::string& file);
+/// Returns the settings as the file holds them.
+std::string text_of(const Settings&);
+/// Writes the settings. Throws FileError.
+void write_settings(const std::string& file, const Settings&);
+
+/// The sheets that may cover the window.
+enum class Sheet { none, keys, picker, save, terms };
+
+struct WindowSession {
+  Player& player;
+  Ui& ui;
+  Settings& settings;
+  const Course& course;
+  std::string figures;  ///< folder for saved figures
+  /// Writes the setting into the scene's file, from which the lesson is then made; null: there is no file.
+  std::function<void(const Parameters&)> save_scene = {};
+  bool panels = true;
+  Sheet open_next = Sheet::none;  ///< asked for by a key or a button, opened at the end of the frame
+  /// The figure as the sheet would save it, while that is open: drawn between two frames.
+  struct Preview {
+    bool wanted = false;  ///< the sheet is open
+    ImTextureID picture = {};
+    float width = 0, height = 0;  ///< of the figure, in any unit
+    std::string why = {};         ///< why there is none
+  } preview = {};
+  /// A lesson's picture in the picker, also drawn between two frames.
+  struct Pictured {
+    const Lesson* lesson = nullptr;  ///< the lesson wanted; null: none
+    ImTextureID picture = {};        ///< nothing until it has been drawn
+  } pictured = {};
+  bool save_now = false;                      ///< save this frame's figure as a file
+  bool save_preset = false;                   ///< save the setting as a preset file
+  bool close = false;                         ///< the reader wants to close the window
+  std::optional<unsigned> told_unsaved = {};  ///< revision of a scene that was unsaved when the reader wanted to close
+  bool full_screen = false;
+  std::string search = {};                ///< words in the picker, or among the terms
+  std::string width_text = {};            ///< typed into the sheet that saves figures
+  std::string width_wrong = {};           ///< why it is refused
+  std::vector<std::string> presets = {};  ///< files of saved presets, as the picker found them
+  float fields_height = 0;                ///< of the parameters' fields, as the last frame found it
+  float question_height = 120;            ///< of the question over the scene, as the last frame found it
+  /// The words below the scene, as high as the fullest step of the lesson so far, so that the scene keeps its size.
+  struct Lecture {
+    const Lesson* lesson = nullptr;
+    float width = 0, height = 0;
+  } lecture = {};
+  /// The height that the scene leaves free for the verdicts of a walk, which may have thousands of steps.
+  struct SteadyHead {
+    unsigned walk = 0;
+    float width = 0, height = 0, alarm = 0;
+    double size = 0;
+    float tallest = 0;
+    bool operator==(const SteadyHead&) const = default;
+  } steady_head = {};
+  double zoom = 1;  ///< asked for by a key
+  Pane pane = Pane::lead;
+  bool paired = false;                       ///< with two panes lines and values replace headings and counts
+  int parted_line = -1, parted_value = -1;   ///< where two panes part: a line, one of the step's values
+  unsigned words_seen = 0;                   ///< the revision whose words are shown
+  std::set<const Exercise*> solutions = {};  ///< those that are shown
+
+  /// A number that is being typed into a field, and why the last one was refused.
+  struct Typing {
+    std::string field, text;
+    int frames = 0;      ///< without the keyboard, so far
+    bool begun = false;  ///< the field has the keyboard
+  } typing = {};
+  struct Refused {
+    std::string field, why;
+    unsigned revision = 0;  ///< the player's; shown until something changes
+  } refused = {};
+
+  struct Toast {
+    std::string text;
+    bool error = false;
+    double seconds_left = 0;
+    std::optional<std::pair<unsigned, int>> at = {};  ///< its revision and step, if it is about no others
+  } toast = {};
+
+  void say(const std::string& words) { toast = {words, false, 5}; }
+  /// Says what holds only for this setting and step: the message ends with them.
+  void say_here(const std::string& words) { toast = {words, false, 5, here()}; }
+  std::pair<unsigned, int> here() const { return {player.revision(), player.index()}; }
+  void complain(const std::string& words) { toast = {words, true, 12}; }
+  /// Runs an action that may be refused, and shows why it was.
+  template <class Action>
+  void attempt(Action&& action) {
+    try {
+      action();
+    } catch (const BadInput& wrong) {
+      complain(wrong.what());
+    } catch (const FileError& failed) {
+      complain(failed.what());
+    }
+  }
+};
+
+}  // namespace isect::viz
