@@ -13,6 +13,9 @@ set(isect_moved
   interval_interval_methods=methods/interval_interval
   kdop_kdop_methods=methods/kdop_kdop
   motion=many/motion
+  numbers/filter=numbers/arithmetic
+  numbers/found_once=numbers/memo
+  numbers/threefold=numbers/triple_double
   obb_obb_methods=methods/obb_obb
   orient_methods=methods/orient
   overlapping_pairs=many/overlapping_pairs
