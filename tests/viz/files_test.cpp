@@ -278,6 +278,24 @@ TEST_CASE("a picture survives as PNG, with and without transparency", "[files]")
   CHECK(read_png(png(noise(1, 1))).rgba == noise(1, 1).rgba);
 }
 
+TEST_CASE("a picture of at most 256 colours survives as PNG with a table, which weighs less", "[files]") {
+  Picture p = noise(64, 48, true);
+  const std::size_t weight = png(p).size();
+  for (std::uint8_t& channel : p.rgba) channel |= 63;  // four levels a channel, alpha stays
+  for (std::size_t i = 0; i < p.rgba.size(); i += 4) p.rgba[i + 2] = 9;
+  for (int width : {64, 1}) {
+    const Picture cut{width, 48, {p.rgba.begin(), p.rgba.begin() + std::ptrdiff_t{4} * width * 48}};
+    const std::string bytes = png(cut, {{"step", "3"}});
+    CHECK(bytes[25] == 3);  // IHDR's type of colours
+    CHECK(read_png(bytes).rgba == cut.rgba);
+    CHECK(png_metadata(bytes) == Metadata{{"step", "3"}});
+    CHECK(bytes.size() < weight / 3);
+  }
+  p.rgba[3] = 254;
+  CHECK(png(p)[25] == 6);
+  CHECK(read_png(png(p)).rgba == p.rgba);
+}
+
 TEST_CASE("the same picture and metadata give the same bytes", "[files]") {
   const Metadata metadata = {{"lesson", "ray_sphere"}, {"step", "3"}};
   CHECK(png(noise(20, 20), metadata) == png(noise(20, 20), metadata));
@@ -385,6 +403,18 @@ TEST_CASE("the gate lets 24 strong and 256 weak pixels pass, and not one more", 
   CHECK(compare(a, changed(256, 2)).passes());
   CHECK_FALSE(compare(a, changed(257, 2)).passes());
   CHECK(compare(a, changed(1200, 1)).passes());
+}
+
+TEST_CASE("with a slack only what lies beyond it is a difference", "[files]") {
+  const Picture a = plain_picture(40, 30, 100);
+  Picture b = a;
+  for (const std::size_t pixel : {0, 1, 2}) b.rgba[4 * pixel] = static_cast<std::uint8_t>(111 + 4 * pixel);
+  const Difference d = compare(a, b, 10);  // by 11, 15, 19
+  CHECK(d.over_1 == 2);
+  CHECK(d.over_8 == 1);
+  CHECK(compare(a, b, 19).over_1 == 0);
+  CHECK(difference_picture(a, b, 19).rgba == difference_picture(a, b, 20).rgba);
+  CHECK_FALSE(difference_picture(a, b, 18).rgba == difference_picture(a, b, 19).rgba);
 }
 
 TEST_CASE("pictures of different size never pass", "[files]") {

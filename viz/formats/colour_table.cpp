@@ -1,6 +1,8 @@
 #include "viz/formats/colour_table.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <functional>
 #include <map>
 
 namespace isect::viz {
@@ -45,16 +47,54 @@ struct ColourGroup {
   }
 };
 
+Rgb pixel(const Picture& picture, std::size_t i) { return {picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]}; }
+
+std::map<Rgb, int> counts_in(const Picture& picture) {
+  std::map<Rgb, int> counts;
+  auto last = counts.end();
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+    if (last == counts.end() || last->first != pixel(picture, i)) last = counts.try_emplace(pixel(picture, i)).first;
+    ++last->second;
+  }
+  return counts;
+}
+
+std::vector<Counted> counted(const std::map<Rgb, int>& counts) {
+  std::vector<Counted> colours;
+  for (const auto& [colour, count] : counts) colours.push_back({colour, static_cast<double>(count)});
+  return colours;
+}
+
+/// Whether no channel differs by more than `slack`.
+bool near(const Rgb& a, const Rgb& b, int slack) {
+  return std::ranges::equal(a, b, [&](int x, int y) { return std::abs(x - y) <= slack; });
+}
+
 bool errs_less(const ColourGroup& a, const ColourGroup& b) { return a.error[a.widest()] < b.error[b.widest()]; }
 
 }  // namespace
 
+std::optional<ColourTable> own_colours(const Picture& picture) {
+  ColourTable table;
+  table.places.reserve(picture.rgba.size() / 4);
+  std::map<Rgb, std::uint8_t> place;
+  auto last = place.end();
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+    const Rgb colour = pixel(picture, i);
+    if (last == place.end() || last->first != colour) {
+      const auto [found, is_new] = place.try_emplace(colour, static_cast<std::uint8_t>(place.size()));
+      if (is_new) table.colours.push_back(colour);
+      if (table.colours.size() > 256) return {};
+      last = found;
+    }
+    table.places.push_back(last->second);
+  }
+  return table;
+}
+
 ColourTable colour_table(const Picture& picture, int most) {
-  const auto pixel = [&](std::size_t i) { return Rgb{picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]}; };
-  std::map<Rgb, int> counts;
-  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) ++counts[pixel(i)];
-  std::vector<Counted> colours;
-  for (const auto& [colour, count] : counts) colours.push_back({colour, static_cast<double>(count)});
+  std::map<Rgb, int> counts = counts_in(picture);
+  std::vector<Counted> colours = counted(counts);
 
   std::vector<ColourGroup> groups = {{colours.begin(), colours.end()}};
   while (groups.size() < std::min(static_cast<std::size_t>(most), colours.size())) {
@@ -71,8 +111,24 @@ ColourTable colour_table(const Picture& picture, int most) {
     table.colours.push_back(group.representative());
   }
   for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
-    table.places.push_back(static_cast<std::uint8_t>(counts[pixel(i)]));
+    table.places.push_back(static_cast<std::uint8_t>(counts[pixel(picture, i)]));
   return table;
+}
+
+Picture with_fewer_colours(const Picture& picture, int slack) {
+  std::vector<Counted> colours = counted(counts_in(picture));
+  std::ranges::stable_sort(colours, std::greater(), &Counted::count);
+  std::vector<Rgb> kept;
+  std::map<Rgb, Rgb> kept_for;
+  for (const Counted& c : colours) {
+    const auto first = std::ranges::find_if(kept, [&](const Rgb& k) { return near(k, c.colour, slack); });
+    kept_for[c.colour] = first == kept.end() ? kept.emplace_back(c.colour) : *first;
+  }
+
+  Picture result = picture;
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
+    std::ranges::copy(kept_for[pixel(picture, i)], result.rgba.begin() + static_cast<std::ptrdiff_t>(i));
+  return result;
 }
 
 }  // namespace isect::viz

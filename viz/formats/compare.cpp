@@ -5,7 +5,7 @@
 
 namespace isect::viz {
 
-Difference compare(const Picture& a, const Picture& b) {
+Difference compare(const Picture& a, const Picture& b, int slack) {
   Difference difference;
   if (a.width != b.width || a.height != b.height || a.rgba.size() != b.rgba.size()) {
     difference.same_size = false;
@@ -15,8 +15,8 @@ Difference compare(const Picture& a, const Picture& b) {
   for (std::size_t i = 0; i + 3 < a.rgba.size(); i += 4) {
     int most = 0;
     for (std::size_t c = i; c < i + 4; ++c) most = std::max(most, std::abs(a.rgba[c] - b.rgba[c]));
-    difference.over_8 += most > 8;
-    difference.over_1 += most > 1;
+    difference.over_8 += most > slack + 8;
+    difference.over_1 += most > slack + 1;
   }
   return difference;
 }
@@ -35,7 +35,7 @@ Picture see_through(const Picture& on_black, const Picture& on_white) {
   return out;
 }
 
-Picture difference_picture(const Picture& a, const Picture& b) {
+Picture difference_picture(const Picture& a, const Picture& b, int slack) {
   Picture out{std::max(a.width, b.width), std::max(a.height, b.height), {}};
   const auto pixel = [](const Picture& p, int x, int y) {
     const bool inside = x < p.width && y < p.height;
@@ -50,9 +50,9 @@ Picture difference_picture(const Picture& a, const Picture& b) {
       const std::uint8_t* shown = p ? p : q;
       const int light = shown ? (299 * shown[0] + 587 * shown[1] + 114 * shown[2]) / 1000 : 255;
       const auto pale = static_cast<std::uint8_t>(170 + light / 5);  // the picture's ghost, for orientation
-      if (most > 8)
+      if (most > slack + 8)
         out.rgba.insert(out.rgba.end(), {200, 0, 120, 255});
-      else if (most > 0)
+      else if (most > slack)
         out.rgba.insert(out.rgba.end(), {255, 150, 40, 255});
       else
         out.rgba.insert(out.rgba.end(), {pale, pale, pale, 255});

@@ -62,12 +62,15 @@ Metadata pdf_metadata(const std::string& bytes);
 /// The gate of picture comparison; its limits were measured in the snapshot tests' own notes.
 struct Difference {
   bool same_size = true;
-  int over_8 = 0, over_1 = 0;  ///< pixels that differ by more than 8 / by more than 1 in any channel
+  int over_8 = 0, over_1 = 0;  ///< pixels that differ by more than 8 / by more than 1 in any channel, beyond the slack
   bool passes() const { return same_size && over_8 <= 24 && over_1 <= 256; }
 };
-Difference compare(const Picture& a, const Picture& b);
+/// A colour of `a` stands for all within `slack` of it in every channel: only what lies beyond them counts. So what
+/// passes without a slack passes if `a` gave up colours by no more than it.
+Difference compare(const Picture& a, const Picture& b, int slack = 0);
 /// Returns the picture without its ground, from how it looks on black and on white.
 Picture see_through(const Picture& on_black, const Picture& on_white);
-Picture difference_picture(const Picture& a, const Picture& b);  ///< grey where equal, strong where not
+/// Returns a picture that is grey where the two are equal, and strong where not.
+Picture difference_picture(const Picture& a, const Picture& b, int slack = 0);
 
 }  // namespace isect::viz

@@ -2,11 +2,13 @@
 // crosses C++ frames.
 
 #include <png.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "viz/formats/animation.h"
+#include "viz/formats/colour_table.h"
 #include "viz/formats/png_metadata.h"
 
 namespace isect::viz {
@@ -40,6 +42,10 @@ bool opaque(const Picture& picture) {
   return true;
 }
 
+std::string density(const Imprint& imprint) {
+  return png_density_chunk(imprint.dpi > 0 ? imprint.dpi : 96);  // as in CSS: as wide on a page as an SVG of its size
+}
+
 std::string encode(const Picture& picture, const Imprint& imprint, bool rgb) {
   const std::vector<std::uint8_t> pixels = rgb ? without_alpha(picture.rgba) : picture.rgba;
   Image png;
@@ -51,8 +57,31 @@ std::string encode(const Picture& picture, const Imprint& imprint, bool rgb) {
   if (!png_image_write_to_memory(&png.image, bytes.data(), &size, 0, pixels.data(), 0, nullptr))
     throw FileError(std::string("cannot write PNG: ") + png.image.message);
   bytes.resize(size);
-  const double dpi = imprint.dpi > 0 ? imprint.dpi : 96;  // as in CSS: as wide on a page as an SVG of its size
-  return bytes.insert(png_signature_size + header_chunk_size, png_density_chunk(dpi));
+  return bytes.insert(png_signature_size + header_chunk_size, density(imprint));
+}
+
+std::string packed(const std::string& bytes) {
+  uLongf size = ::compressBound(static_cast<uLong>(bytes.size()));
+  std::string out(size, '\0');
+  if (::compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                  static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION) != Z_OK)
+    throw FileError("cannot write PNG: no memory");
+  out.resize(size);
+  return out;
+}
+
+/// Returns a PNG with a table of colours, without filters, which rather hinder there. libpng's simplified interface
+/// does not compress as well.
+std::string encode(const Picture& picture, const Imprint& imprint, const ColourTable& table) {
+  std::string colours, rows;
+  for (const auto& colour : table.colours) colours.append(colour.begin(), colour.end());
+  for (auto row = table.places.begin(); row != table.places.end(); row += picture.width)
+    rows.append(1, '\0').append(row, row + picture.width);
+  const std::string header = big_endian(static_cast<std::uint32_t>(picture.width)) +
+                             big_endian(static_cast<std::uint32_t>(picture.height)) + std::string("\10\3\0\0\0", 5);
+  return std::string(png_signature) + png_chunk("IHDR", header) + density(imprint) +
+         png_chunk("sRGB", std::string(1, '\0')) + png_chunk("PLTE", colours) + png_chunk("IDAT", packed(rows)) +
+         png_chunk("IEND", {});
 }
 
 void need_size(const Picture& picture) {
@@ -76,7 +105,9 @@ std::string frame_control(std::uint32_t number, const Picture& picture, double s
 
 std::string png(const Picture& picture, const Metadata& metadata, const Imprint& imprint) {
   need_size(picture);
-  return encode(picture, imprint, opaque(picture))
+  const bool rgb = opaque(picture);
+  const std::optional<ColourTable> table = rgb ? own_colours(picture) : std::nullopt;
+  return (table ? encode(picture, imprint, *table) : encode(picture, imprint, rgb))
       .insert(png_signature_size + header_chunk_size, png_text_chunks(metadata, imprint));
 }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -109,10 +108,7 @@ std::string png_chunk(const std::string& type, const std::string& data) {
   return big_endian(static_cast<std::uint32_t>(data.size())) + body + big_endian(crc(body));
 }
 
-bool is_png(const std::string& bytes) {
-  static constexpr unsigned char signature[png_signature_size] = {137, 'P', 'N', 'G', 13, 10, 26, 10};
-  return bytes.size() >= png_signature_size && std::memcmp(bytes.data(), signature, png_signature_size) == 0;
-}
+bool is_png(const std::string& bytes) { return bytes.starts_with(png_signature); }
 
 std::string png_text_chunks(const Metadata& metadata, const Imprint& imprint) {
   std::string chunks;

@@ -22,6 +22,7 @@ std::string big_endian(std::uint32_t);
 std::string png_density_chunk(double dpi);
 
 constexpr std::size_t png_signature_size = 8;
+inline constexpr std::string_view png_signature("\x89PNG\r\n\x1a\n", png_signature_size);
 
 /// A chunk and its place in a file.
 struct PngChunk {

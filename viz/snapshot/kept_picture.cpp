@@ -1,0 +1,31 @@
+#include "viz/snapshot/kept_picture.h"
+
+#include <charconv>
+
+#include "viz/formats/colour_table.h"
+
+namespace isect::viz {
+namespace {
+
+constexpr int least_slack = 10;
+
+}  // namespace
+
+std::string kept_png(const Picture& picture, Metadata metadata) {
+  int slack = least_slack;
+  Picture kept = with_fewer_colours(picture, slack);
+  while (!own_colours(kept)) kept = with_fewer_colours(picture, ++slack);
+  metadata["slack"] = std::to_string(slack);
+  return png(kept, metadata);
+}
+
+KeptPicture read_kept_png(const std::string& bytes) {
+  KeptPicture kept = {read_png(bytes)};
+  if (own_colours(kept.picture)) kept.slack = least_slack;
+  const Metadata metadata = png_metadata(bytes);
+  if (const auto found = metadata.find("slack"); found != metadata.end())
+    std::from_chars(found->second.data(), found->second.data() + found->second.size(), kept.slack);
+  return kept;
+}
+
+}  // namespace isect::viz
