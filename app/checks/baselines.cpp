@@ -9,6 +9,7 @@
 #include "app/figures/figure_maker.h"
 #include "viz/compose/compose.h"
 #include "viz/player/reader_state.h"
+#include "viz/snapshot/kept_picture.h"
 #include "viz/walk/closing.h"
 
 namespace isect::program {
@@ -48,6 +49,13 @@ Failure lfs_pointer(const std::string& baseline) {
   return f;
 }
 
+/// Returns what an accepted picture carries: neither a scene's texts nor the version, which change where no pixel does.
+viz::Metadata kept_metadata(const Excerpt& e, int step) {
+  viz::Metadata data = metadata_of(e, step);
+  data.erase("scene"), data.erase("version");
+  return data;
+}
+
 std::vector<std::string> in_words(const std::vector<viz::Change>& changes) {
   std::vector<std::string> lines;
   for (const viz::Change& c : changes)
@@ -72,6 +80,7 @@ std::string drawn(const std::vector<viz::Change>& changes, int step) {
 bool is_own(const Excerpt& e) { return !e.path.empty() || e.folder != e.preset; }
 
 bool has_picture(const Excerpt& e, int step) {
+  if (e.lesson->closing && e.walk.steps[step].slug == viz::closing_slug) return false;
   if (is_own(e) || step == viz::outcome(e.walk)) return true;
   const std::vector<viz::Preset>& presets = e.lesson->presets;
   const std::string& group = viz::preset(*e.lesson, e.preset).group;
@@ -189,26 +198,26 @@ std::optional<Failure> Baselines::compare_with_baseline(const viz::Picture& now,
   if (viz::blank(now)) return failure(Kind::blank, "the picture is blank", baseline);
   if (!viz::is_there(baseline)) return failure(Kind::missing, "no picture was accepted yet", baseline);
   std::string bytes;
-  viz::Picture accepted;
+  viz::KeptPicture accepted;
   try {
     bytes = viz::read_regular_file(baseline);
     if (is_lfs_pointer(bytes)) return lfs_pointer(baseline);
-    accepted = viz::read_png(bytes);
+    accepted = viz::read_kept_png(bytes);
   } catch (const viz::FileError& error) {
     return failure(Kind::unreadable, error.what(), baseline);
   }
   Failure f = failure(Kind::picture, {}, baseline);
   f.accepted_png = std::move(bytes);
-  f.pixels = viz::compare(accepted, now);
+  f.pixels = viz::compare(accepted.picture, now, accepted.slack);
   if (f.pixels.passes()) return {};
   if (!f.pixels.same_size) {
     f.kind = Kind::size;
-    f.what = fmt::format("the accepted picture is {}x{}, the new one {}x{}", accepted.width, accepted.height, now.width,
-                         now.height);
+    f.what = fmt::format("the accepted picture is {}x{}, the new one {}x{}", accepted.picture.width,
+                         accepted.picture.height, now.width, now.height);
     return f;
   }
-  f.what = fmt::format("{} pixels differ by more than 8 (24 may), {} by more than 1 (256 may)", f.pixels.over_8,
-                       f.pixels.over_1);
+  f.what = fmt::format("{} pixels differ by more than {} (24 may), {} by more than {} (256 may)", f.pixels.over_8,
+                       accepted.slack + 8, f.pixels.over_1, accepted.slack + 1);
   return f;
 }
 
@@ -231,14 +240,17 @@ void Baselines::check_picture(const Excerpt& e, int index, const viz::Drawing& d
   const bool beside = f && !replaced && !absent;  // are the pictures written beside the baseline?
   const bool shown = f && (beside || keep_pictures_);
   std::string png;
-  if (replaced || shown) png = viz::png(now, metadata_of(e, index));
+  if (replaced || shown) png = viz::kept_png(now, kept_metadata(e, index));
   if (replaced) viz::write_file(baseline, png);
   if (!f || replaced) remove_failure_pictures(baseline, folder);
   if (!f) return;
 
   f->fresh_png = std::move(png);
-  if (shown && f->kind == Kind::picture)
-    f->difference_png = viz::png(viz::difference_picture(viz::read_png(f->accepted_png), now), metadata_of(e, index));
+  if (shown && f->kind == Kind::picture) {
+    const viz::KeptPicture accepted = viz::read_kept_png(f->accepted_png);
+    f->difference_png =
+        viz::png(viz::difference_picture(accepted.picture, now, accepted.slack), kept_metadata(e, index));
+  }
   if (beside) write_failure_pictures(*f, folder);
   if (!keep_pictures_) f->accepted_png.clear(), f->fresh_png.clear(), f->difference_png.clear();
   found.push_back(about(e, index, *f));

@@ -46,8 +46,9 @@ Update update_named(const std::string&);
 /// Whether the preset is a user's own, from a file, whatever its name is.
 bool is_own(const Excerpt&);
 
-/// Whether a step has a picture: all steps do of the first preset of each group and of a user's own presets. Of the
-/// other presets, whose whole traces are kept, the last picture is enough.
+/// Whether a step has a picture: all steps do of the first preset of each group and of a user's own presets, but for
+/// the closing card, whose texts the trace tells. Of the other presets, whose whole traces are kept, the last picture
+/// is enough.
 bool has_picture(const Excerpt&, int step);
 
 class Baselines {

@@ -38,7 +38,10 @@ FigurePlace place_in_figure(const Program& program, const std::string& path, con
                       "last removed it. "
                       "Name its place instead: {}--preset P --step N",
                       program.only ? "" : "LESSON "));
-    if (data.contains("scene")) to.push_back(&scene::kept_lesson_of(data.at("scene"), ""));
+    if (data.contains("scene"))
+      to.push_back(&scene::kept_lesson_of(data.at("scene"), ""));
+    else if (data.contains("lesson") && data.at("lesson") == "scene")
+      throw viz::BadInput("this baseline shows a scene, but does not hold it; name the scene's file instead");
     viz::ReaderState state = viz::reader_state_from_metadata(data, to);
     const std::string folder = folder_in(data, state.lesson);
     return {std::move(state), steps_of(data), folder, data.contains("style") ? data.at("style") : ""};

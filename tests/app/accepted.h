@@ -95,7 +95,7 @@ inline void accept_with(const Accepted& shell, const std::string& parameter, dou
               .status == 0);
   for (const auto& folder : fs::directory_iterator(shell.work() / "other" / id))
     for (const auto& file : fs::directory_iterator(folder))
-      if (file.path().extension() == ".png")
+      if (file.path().extension() == ".png" && fs::exists(shell.file(file.path().filename())))
         write(shell.file(file.path().filename()), as_of(contents(file), shell.subject, file.path().filename()));
   fs::remove_all(shell.work() / "other");
 }

@@ -109,7 +109,7 @@ TEST_CASE("a preset's file may be called as one of the lesson's own, and is guar
   const auto files = [&](const std::string& name) {
     return isect::test::files_in(shell.work() / name / "snapshots/intervals" / name);
   };
-  CHECK(files("touching").size() == 1 + 6);  // the trace, and a picture of each step
+  CHECK(files("touching").size() == 1 + 5);  // the trace, and a picture of each step but the card
   CHECK(files("touching") == files("my-touching"));
 
   // The lesson's own data stands in the trace of its first preset, not in that of a file of the same name.

@@ -10,6 +10,7 @@ using isect::test::accept_command;
 using isect::test::accept_other_interval;
 using isect::test::accept_with;
 using isect::test::Accepted;
+using isect::test::all_in;
 using isect::test::ball;
 using isect::test::baselines;
 using isect::test::check;
@@ -24,7 +25,7 @@ TEST_CASE("what was accepted passes, from any locale and with CI set", "[check]"
   const Accepted shell;
   const Ran r = shell(check);
   CHECK(r.status == 0);
-  CHECK_THAT(r.out, StartsWith("ok: 6 pictures of 1 preset\n"));
+  CHECK_THAT(r.out, StartsWith("ok: 5 pictures of 1 preset\n"));
   CHECK(r.err.empty());
   CHECK(shell("CI=1 LC_ALL=C LANG=de_DE.UTF-8 " + check + " --backend egl").status == 0);
 }
@@ -135,6 +136,40 @@ TEST_CASE("baselines made by another renderer or font are named", "[check]") {
   CHECK_THAT(r.out, Contains("renderer was softpipe, is llvmpipe"));
 }
 
+TEST_CASE("a text that no picture shows is accepted without a change of any picture", "[check]") {
+  const Accepted shell;
+  const auto before = all_in(shell.work() / baselines);
+  for (const std::string mode : {"failed", "all"}) {
+    std::string trace = contents(shell.file("trace.json"));
+    for (const std::string text : {"\"caption\": \"", "\"alt\": \""})
+      trace.insert(trace.find(text) + text.size(), "It was said otherwise. ");
+    write(shell.file("trace.json"), trace);
+    const Ran r = shell(check);
+    CHECK(r.status == 1);
+    CHECK_THAT(r.out, Contains("caption was") && Contains("alt text was") && !Contains(".png"));
+    CHECK(shell(check + " --update=" + mode).status == 0);
+    CHECK(all_in(shell.work() / baselines) == before);
+  }
+}
+
+TEST_CASE("a scene's texts are not in its pictures' files", "[check]") {
+  const Shell shell;
+  const auto titled = [&](const std::string& title) {
+    write(shell.work() / "s/balls.json", R"({"title": ")" + title + R"(", "objects": [
+      {"sphere": "A", "center": [0, 0, 0], "radius": 1}, {"point": "p", "at": [0.5, 0, 0]}], "ask": [["p", "A"]]})");
+  };
+  titled("A ball");
+  REQUIRE(shell("isect check --dir s --update=missing").status == 0);
+  auto before = all_in(shell.work() / "s/snapshots");
+  titled("A ball and a point");
+  CHECK(shell("isect check --dir s --update=all").status == 0);
+  auto after = all_in(shell.work() / "s/snapshots");
+  CHECK(std::erase_if(before, [](const auto& file) { return !file.first.ends_with(".png"); }) == 1);
+  std::erase_if(after, [](const auto& file) { return !file.first.ends_with(".png"); });
+  CHECK(before == after);
+  CHECK_THAT(shell("isect show s/snapshots/scene/balls/01-objects.png").err, Contains("name the scene's file instead"));
+}
+
 TEST_CASE("check refuses wrong names and unwritable places", "[check]") {
   const Shell shell;
   CHECK_THAT(shell("isect check ray-spere").err, Contains("mean \"ray-sphere\""));
@@ -146,10 +181,10 @@ TEST_CASE("check refuses wrong names and unwritable places", "[check]") {
   CHECK(shell(check + " --report /proc/nowhere/r.html").status == 4);
 }
 
-TEST_CASE("the first preset of a group has a picture of each step, the others of the last", "[check]") {
+TEST_CASE("the first preset of a group has a picture of each step but the card, the others of the last", "[check]") {
   const Shell shell;
-  CHECK_THAT(shell("isect check points --preset copied --update").out, Contains("ok: 6 pictures of 1 preset;"));
-  CHECK_THAT(shell("isect check points --preset chain --update").out, Contains("ok: 5 pictures of 1 preset;"));
+  CHECK_THAT(shell("isect check points --preset copied --update").out, Contains("ok: 5 pictures of 1 preset;"));
+  CHECK_THAT(shell("isect check points --preset chain --update").out, Contains("ok: 4 pictures of 1 preset;"));
   CHECK_THAT(shell("isect check points --preset nan --update").out, Contains("ok: 1 picture of 1 preset;"));
 }
 
