@@ -8,7 +8,7 @@ set(viz_file_sources
   formats/gif.cpp formats/metadata_text.cpp formats/mp4.cpp formats/pdf.cpp formats/png.cpp formats/png_metadata.cpp
   formats/svg.cpp formats/svg_metadata.cpp formats/tikz.cpp
   gl/resources.cpp
-  snapshot/kept_picture.cpp
+  snapshot/baseline_picture.cpp
   text/text.cpp text/typeset.cpp)
 # Lessons, scenes, composition: what needs no machine of its own. That is all but the above, OpenGL and the window.
 file(GLOB_RECURSE viz_sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/*.cpp)

@@ -9,7 +9,7 @@
 #include "app/figures/figure_maker.h"
 #include "viz/compose/compose.h"
 #include "viz/player/reader_state.h"
-#include "viz/snapshot/kept_picture.h"
+#include "viz/snapshot/baseline_picture.h"
 #include "viz/walk/closing.h"
 
 namespace isect::program {
@@ -198,11 +198,11 @@ std::optional<Failure> Baselines::compare_with_baseline(const viz::Picture& now,
   if (viz::blank(now)) return failure(Kind::blank, "the picture is blank", baseline);
   if (!viz::is_there(baseline)) return failure(Kind::missing, "no picture was accepted yet", baseline);
   std::string bytes;
-  viz::KeptPicture accepted;
+  viz::BaselinePicture accepted;
   try {
     bytes = viz::read_regular_file(baseline);
     if (is_lfs_pointer(bytes)) return lfs_pointer(baseline);
-    accepted = viz::read_kept_png(bytes);
+    accepted = viz::read_baseline_png(bytes);
   } catch (const viz::FileError& error) {
     return failure(Kind::unreadable, error.what(), baseline);
   }
@@ -240,14 +240,14 @@ void Baselines::check_picture(const Excerpt& e, int index, const viz::Drawing& d
   const bool beside = f && !replaced && !absent;  // are the pictures written beside the baseline?
   const bool shown = f && (beside || keep_pictures_);
   std::string png;
-  if (replaced || shown) png = viz::kept_png(now, kept_metadata(e, index));
+  if (replaced || shown) png = viz::baseline_png(now, kept_metadata(e, index));
   if (replaced) viz::write_file(baseline, png);
   if (!f || replaced) remove_failure_pictures(baseline, folder);
   if (!f) return;
 
   f->fresh_png = std::move(png);
   if (shown && f->kind == Kind::picture) {
-    const viz::KeptPicture accepted = viz::read_kept_png(f->accepted_png);
+    const viz::BaselinePicture accepted = viz::read_baseline_png(f->accepted_png);
     f->difference_png =
         viz::png(viz::difference_picture(accepted.picture, now, accepted.slack), kept_metadata(e, index));
   }

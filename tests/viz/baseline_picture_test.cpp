@@ -1,6 +1,6 @@
 // Pictures as baselines keep them: lighter, and still a gate.
 
-#include "viz/snapshot/kept_picture.h"
+#include "viz/snapshot/baseline_picture.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include "tests/catch.h"
 #include "viz/formats/colour_table.h"
 
-namespace kept_picture_test {
+namespace baseline_picture_test {
 using namespace isect::viz;
 
 namespace {
@@ -35,7 +35,8 @@ int farthest(const Picture& a, const Picture& b) {
 
 }  // namespace
 
-TEST_CASE("with fewer colours no channel is off by more than the slack, and what covers most stays", "[kept_picture]") {
+TEST_CASE("with fewer colours no channel is off by more than the slack, and what covers most stays",
+          "[baseline_picture]") {
   const Picture all = shaded();
   CHECK(with_fewer_colours(all, 0).rgba == all.rgba);
   for (const int slack : {8, 30}) {
@@ -48,16 +49,16 @@ TEST_CASE("with fewer colours no channel is off by more than the slack, and what
 }
 
 TEST_CASE("a kept picture has a table of colours, says by how much they are off, and passes as what it is of",
-          "[kept_picture]") {
+          "[baseline_picture]") {
   const Picture all = shaded();
-  const std::string bytes = kept_png(all, {{"step", "3"}});
-  const KeptPicture kept = read_kept_png(bytes);
+  const std::string bytes = baseline_png(all, {{"step", "3"}});
+  const BaselinePicture kept = read_baseline_png(bytes);
   CHECK(own_colours(kept.picture));
   CHECK(kept.slack > 10);  // 256 colours are too few for 10
   CHECK(farthest(all, kept.picture) == kept.slack);
   CHECK(compare(kept.picture, all, kept.slack).over_1 == 0);
   CHECK(png_metadata(bytes).at("step") == "3");
-  CHECK(kept_png(all, {{"step", "3"}}) == bytes);
+  CHECK(baseline_png(all, {{"step", "3"}}) == bytes);
 
   Picture dot = all;  // five pixels wide: found in spite of the slack
   for (int pixel = 0; pixel < 25; ++pixel) dot.rgba[4 * (128 * (40 + pixel / 5) + 40 + pixel % 5)] = 190;
@@ -65,13 +66,13 @@ TEST_CASE("a kept picture has a table of colours, says by how much they are off,
 }
 
 TEST_CASE("a picture kept with all its colours has no slack, one that lost its metadata the usual one",
-          "[kept_picture]") {
-  CHECK(read_kept_png(png(shaded())).slack == 0);
-  CHECK(read_kept_png(png(shaded(), {{"slack", "much"}})).slack == 0);
+          "[baseline_picture]") {
+  CHECK(read_baseline_png(png(shaded())).slack == 0);
+  CHECK(read_baseline_png(png(shaded(), {{"slack", "much"}})).slack == 0);
   const Picture kept = with_fewer_colours(shaded(), 40);
   for (const Metadata& lost : {Metadata(), Metadata{{"slack", "much"}}})
-    CHECK(read_kept_png(png(kept, lost)).slack == 10);
-  CHECK_THROWS_AS(read_kept_png("no picture"), FileError);
+    CHECK(read_baseline_png(png(kept, lost)).slack == 10);
+  CHECK_THROWS_AS(read_baseline_png("no picture"), FileError);
 }
 
-}  // namespace kept_picture_test
+}  // namespace baseline_picture_test

@@ -1,4 +1,4 @@
-#include "viz/snapshot/kept_picture.h"
+#include "viz/snapshot/baseline_picture.h"
 
 #include <charconv>
 
@@ -11,7 +11,7 @@ constexpr int least_slack = 10;
 
 }  // namespace
 
-std::string kept_png(const Picture& picture, Metadata metadata) {
+std::string baseline_png(const Picture& picture, Metadata metadata) {
   int slack = least_slack;
   Picture kept = with_fewer_colours(picture, slack);
   while (!own_colours(kept)) kept = with_fewer_colours(picture, ++slack);
@@ -19,8 +19,8 @@ std::string kept_png(const Picture& picture, Metadata metadata) {
   return png(kept, metadata);
 }
 
-KeptPicture read_kept_png(const std::string& bytes) {
-  KeptPicture kept = {read_png(bytes)};
+BaselinePicture read_baseline_png(const std::string& bytes) {
+  BaselinePicture kept = {read_png(bytes)};
   if (own_colours(kept.picture)) kept.slack = least_slack;
   const Metadata metadata = png_metadata(bytes);
   if (const auto found = metadata.find("slack"); found != metadata.end())
