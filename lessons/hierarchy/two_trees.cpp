@@ -36,7 +36,7 @@ class Colliding {
   }
 
   Walk tell() {
-    using namespace bvh_pairs;
+    using bvh_pairs::Pruned, bvh_pairs::Tested, bvh_pairs::Visited;
     script_.value("pairs of boxes", static_cast<double>(a_.boxes.size() * b_.boxes.size()), "tests");
     count();
     show(0, 0, State::waiting);
