@@ -66,14 +66,34 @@ ISECT_INLINE DoubleDouble two_times(double x, double y) {
   if (nothing(y)) return {0, 0};
   return two_product<fused>(x, y);
 }
-}  // namespace detail
-
 template <bool fused>
-ISECT_INLINE TripleDouble<fused> operator+(const TripleDouble<fused>& x, const TripleDouble<fused>& y) {
-  using namespace detail;
+ISECT_INLINE TripleDouble<fused> sum(const TripleDouble<fused>& x, const TripleDouble<fused>& y) {
   const DoubleDouble s = two_sum(x.hi, y.hi), a = two_plus(x.lo, y.lo), b = two_plus(a.hi, s.lo);
   return {s.hi, b.hi, plus(plus(plus(x.rest, y.rest), a.lo), b.lo)};
 }
+template <bool fused>
+ISECT_INLINE TripleDouble<fused> product(const TripleDouble<fused>& x, const TripleDouble<fused>& y) {
+  const DoubleDouble p = two_product<fused>(x.hi, y.hi), a = two_times<fused>(x.hi, y.lo),
+                     b = two_times<fused>(y.hi, x.lo), c = two_plus(a.hi, b.hi), d = two_plus(c.hi, p.lo);
+  const double second = plus(plus(times(x.lo, y.lo), times(x.hi, y.rest)), times(y.hi, x.rest));
+  return {p.hi, d.hi, plus(plus(plus(plus(second, a.lo), b.lo), c.lo), d.lo)};
+}
+}  // namespace detail
+
+// Only old machines have no fused products. Sums and products stay calls there: they would be a sixth of all code.
+ISECT_INLINE TripleDouble<true> operator+(const TripleDouble<true>& x, const TripleDouble<true>& y) {
+  return detail::sum(x, y);
+}
+[[gnu::noinline]] inline TripleDouble<false> operator+(const TripleDouble<false>& x, const TripleDouble<false>& y) {
+  return detail::sum(x, y);
+}
+ISECT_INLINE TripleDouble<true> operator*(const TripleDouble<true>& x, const TripleDouble<true>& y) {
+  return detail::product(x, y);
+}
+[[gnu::noinline]] inline TripleDouble<false> operator*(const TripleDouble<false>& x, const TripleDouble<false>& y) {
+  return detail::product(x, y);
+}
+
 template <bool fused>
 ISECT_INLINE TripleDouble<fused> operator-(const TripleDouble<fused>& x) {
   return {-x.hi, -x.lo, -x.rest};
@@ -81,14 +101,6 @@ ISECT_INLINE TripleDouble<fused> operator-(const TripleDouble<fused>& x) {
 template <bool fused>
 ISECT_INLINE TripleDouble<fused> operator-(const TripleDouble<fused>& x, const TripleDouble<fused>& y) {
   return x + (-y);
-}
-template <bool fused>
-ISECT_INLINE TripleDouble<fused> operator*(const TripleDouble<fused>& x, const TripleDouble<fused>& y) {
-  using namespace detail;
-  const DoubleDouble p = two_product<fused>(x.hi, y.hi), a = two_times<fused>(x.hi, y.lo),
-                     b = two_times<fused>(y.hi, x.lo), c = two_plus(a.hi, b.hi), d = two_plus(c.hi, p.lo);
-  const double second = plus(plus(times(x.lo, y.lo), times(x.hi, y.rest)), times(y.hi, x.rest));
-  return {p.hi, d.hi, plus(plus(plus(plus(second, a.lo), b.lo), c.lo), d.lo)};
 }
 
 /// hi + lo + rest in two doubles, within u^2 (|lo| + |rest|) of it.
