@@ -19,7 +19,7 @@ struct Candidate {
 };
 
 /// Differences below this are ties, however a machine rounds: in pixels, in costs, and for a direction's part.
-constexpr double slack = 1e-6;
+constexpr double tie = 1e-6;
 
 struct Fit {
   double cost;
@@ -29,7 +29,7 @@ struct Fit {
 double overlap(const TextBox& a, const TextBox& b) {
   const double w = std::min(a.right, b.right) - std::max(a.left, b.left);
   const double h = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
-  return w > slack && h > slack ? w * h : 0;
+  return w > tie && h > tie ? w * h : 0;
 }
 
 /// Returns half the extent of a box along a direction.
@@ -66,7 +66,7 @@ std::vector<Candidate> beside_segment(const Wanted& wanted, const Vec2& half, co
   double effort = 0;
   for (const double ring : {0.08, 0.25, 0.6, 1.4}) {
     for (const double share : {0.5, 0.38, 0.62, 0.25, 0.75}) {
-      const double above = across.y() <= slack ? 1 : -1;
+      const double above = across.y() <= tie ? 1 : -1;
       for (const double side : {above, -above}) {
         const Vec2 anchor = wanted.from + share * (wanted.to - wanted.from);
         const double reach = support(half, across) + wanted.keep_off + ring * sizes.label_offset;
@@ -87,7 +87,7 @@ double distance(const Vec2& p, const TextBox& box) {
 /// Whether a label without a leader stands about as near to another point as to its own point.
 bool is_ambiguous(const Candidate& candidate, const TextBox& box, const std::vector<Vec2>& others, const Sizes& sizes) {
   const double near = distance(candidate.anchor, box) + sizes.label_clear;
-  return !candidate.far && std::ranges::any_of(others, [&](const Vec2& p) { return distance(p, box) < near - slack; });
+  return !candidate.far && std::ranges::any_of(others, [&](const Vec2& p) { return distance(p, box) < near - tie; });
 }
 
 /// Whether the label or its leader meets another label's leader, or its leader meets another label.
@@ -169,7 +169,7 @@ bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 
 // Slabs, N12 per axis.
 double length_inside(const Vec2& from, const Vec2& to, const TextBox& b) {
-  const double low[2] = {b.left - slack, b.top - slack}, high[2] = {b.right + slack, b.bottom + slack};
+  const double low[2] = {b.left - tie, b.top - tie}, high[2] = {b.right + tie, b.bottom + tie};
   for (int i = 0; i < 2; ++i)  // most are far off
     if ((from[i] < low[i] && to[i] < low[i]) || (from[i] > high[i] && to[i] > high[i])) return 0;
   double lo = 0, hi = 1;
@@ -205,7 +205,7 @@ std::vector<PlacedLabel> place_labels(const std::vector<Wanted>& labels, const s
     const Candidate* best = nullptr;
     Fit best_fit = {std::numeric_limits<double>::infinity(), false};
     for (const Candidate& candidate : candidates) {
-      const double enough = best_fit.cost - slack;  // of equal places the first one wins
+      const double enough = best_fit.cost - tie;  // of equal places the first one wins
       const Fit f = fit(candidate, half, wanted.others, placed, near, bounds, sizes, enough);
       if (f.cost < enough) best = &candidate, best_fit = f;
     }
