@@ -16,7 +16,7 @@ VERSION = {
     "CITATION.cff": r"^version: (\S+)",
     "conanfile.py": r'^    version = "(.*)"',
     "vcpkg.json": r'"version": "(.*)"',
-    "examples/ports/vcpkg/isect/vcpkg.json": r'"version": "(.*)"',
+    "core/ports/isect/vcpkg.json": r'"version": "(.*)"',
 }
 DAY = {"CHANGELOG.md": r"^## \[[0-9.]+\] - (\S+)", "CITATION.cff": r"^date-released: (\S+)"}
 

@@ -1,6 +1,6 @@
 # The core of the isect that this port lies in:
-#   vcpkg install isect --overlay-ports=examples/ports/vcpkg
-get_filename_component(SOURCE_PATH ${CMAKE_CURRENT_LIST_DIR}/../../../.. ABSOLUTE)
+#   vcpkg install isect --overlay-ports=core/ports
+get_filename_component(SOURCE_PATH ${CMAKE_CURRENT_LIST_DIR}/../../.. ABSOLUTE)
 set(VCPKG_BUILD_TYPE release)  # header-only
 vcpkg_cmake_configure(SOURCE_PATH ${SOURCE_PATH} OPTIONS -DISECT_VIZ=OFF -DISECT_BENCH=OFF -DBUILD_TESTING=OFF)
 vcpkg_cmake_install()
