@@ -16,6 +16,7 @@
 #include "app/shell/named_file.h"
 #include "app/shell/options.h"
 #include "app/shell/terminal.h"
+#include "viz/chart/case_map.h"
 #include "viz/formats/files.h"
 #include "viz/player/reader_state.h"
 #include "viz/text/spelling.h"
@@ -215,6 +216,8 @@ void walk(Excerpt& e, const std::string& asked, bool one_of_many) {
                                     e.folder, e.walk.steps.size(), spelling::listed(names)))));
   }
   e.steps = wanted->of(e.walk);
+  const auto shows_map = [&](int step) { return e.walk.steps[step].slug == viz::case_map_slug; };
+  if (std::ranges::any_of(e.steps, shows_map)) viz::sweep_map(e.walk, *e.lesson, e.parameters);
 }
 
 /// Prints one line on what was asked for and is missing in some presets.

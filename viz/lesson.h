@@ -209,8 +209,8 @@ struct Lesson {
   std::vector<SharedIdea> (*shared)(const Lesson&) = nullptr;
   std::string made_from = {};  ///< the text of the scene file that it was made from; empty: it is built in
 
-  /// Returns all steps for a setting: the lesson's own, its map of cases, its closing card. The lesson must outlive the
-  /// walk. Throws as `steps` does.
+  /// Returns all steps for a setting: the lesson's own, its map of cases, its closing card. The map lacks its regions,
+  /// as walks are made far more often than maps are shown: see viz/chart/case_map.h. Throws as `steps` does.
   Walk walk(const Parameters&) const;
 };
 

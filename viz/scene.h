@@ -12,9 +12,9 @@
 #include <variant>
 #include <vector>
 
-#include "viz/deferred_chart.h"
-
 namespace isect::viz {
+
+struct Chart;
 
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
@@ -207,7 +207,7 @@ struct Scene {
   std::vector<Item> items;
   std::vector<Handle> handles;
   std::optional<Axis> axis;
-  DeferredChart chart = {};  ///< drawn in place of the items, flat, whatever the camera
+  std::shared_ptr<const Chart> chart = {};  ///< drawn in place of the items, flat, whatever the camera
 };
 
 }  // namespace isect::viz

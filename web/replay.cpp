@@ -8,6 +8,7 @@
 
 #include "app/query/query.h"
 #include "lessons/lessons.h"
+#include "viz/chart/case_map.h"
 #include "viz/compose/compose.h"
 #include "viz/snapshot/snapshot.h"
 
@@ -39,7 +40,7 @@ int replay(const std::string& snapshots) {
   int presets = 0, steps = 0, differ = 0, said = 0;
   for (const viz::Lesson* lesson : lessons::all_lessons()) {
     std::vector<viz::Walk> walks;
-    for (const viz::Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
+    for (const viz::Preset& p : lesson->presets) walks.push_back(viz::walk_with_map(*lesson, p.parameters));
     for (std::size_t i = 0; i < walks.size(); ++i) {
       const viz::Preset& p = lesson->presets[i];
       const std::string accepted = contents(snapshots + "/" + lesson->id + "/" + p.id + "/trace.json");

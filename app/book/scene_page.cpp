@@ -6,6 +6,7 @@
 #include "app/pages/html.h"
 #include "app/scene/lesson.h"
 #include "app/scene/written.h"
+#include "viz/chart/case_map.h"
 #include "viz/formats/svg_path.h"
 
 namespace isect::program::book {
@@ -18,7 +19,7 @@ Page scene_page(viz::PageColours& colours) {
     e.lesson = &scene::kept_lesson_of(example.text, "");
     e.folder = example.name;
     e.parameters = e.lesson->presets.front().parameters;
-    e.walk = e.lesson->walk(e.parameters);
+    e.walk = viz::walk_with_map(*e.lesson, e.parameters);
     const viz::Preset as = {example.name, e.lesson->title, "", e.parameters};
     const std::string text = viz::xml_escaped(example.text);
     walks += walk_section(e, as, walks.empty(), pictures,

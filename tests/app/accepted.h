@@ -10,6 +10,7 @@
 #include "lessons/lessons.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
+#include "viz/chart/case_map.h"
 #include "viz/compose/compose.h"
 #include "viz/formats/files.h"
 #include "viz/player/reader_state.h"
@@ -81,7 +82,7 @@ inline void accept_with(const Accepted& shell, const std::string& parameter, dou
   parameters[parameter] = value;
   const auto made = nlohmann::json::parse(contents(shell.file("trace.json")))["made with"];
   const viz::Stamp stamp{made["renderer"], made["font"], made["theme"], made["size"]};
-  const viz::Walk walk = lesson.walk(parameters);
+  const viz::Walk walk = viz::walk_with_map(lesson, parameters);
   std::vector<viz::Walk> walks;
   for (const viz::Preset& p : lesson.presets) walks.push_back(lesson.walk(p.parameters));
   constexpr viz::ThemeName theme = viz::ThemeName::screen;

@@ -58,7 +58,7 @@ TEST_CASE("alt text of a map of cases says that it is a map, its scales, its reg
   for (const Lesson* lesson : all_lessons()) {
     if (!lesson->map) continue;
     for (const Preset& preset : lesson->presets) {
-      const Walk walk = lesson->walk(preset.parameters);
+      const Walk walk = walk_with_map(*lesson, preset.parameters);
       const auto map = std::ranges::find(walk.steps, std::string(case_map_slug), &Step::slug);
       if (map == walk.steps.end()) continue;
       ++maps;

@@ -40,7 +40,7 @@ constexpr Page pages[] = {{ThemeName::screen, 480, 360}, {ThemeName::screen, 960
 TEST_CASE("labels neither meet nor leave the picture, in any preset, step, theme and size", "[every lesson]") {
   for (const Lesson* lesson : those_asked_for()) {
     std::vector<Walk> walks;
-    for (const Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
+    for (const Preset& p : lesson->presets) walks.push_back(walk_with_map(*lesson, p.parameters));
     for (const auto& [name, w, h] : pages) {
       for (std::size_t i = 0; i < walks.size(); ++i) {
         const double aspect = picture_aspect(walks[i], name, w, h);

@@ -7,6 +7,7 @@
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
+#include "viz/chart/case_map.h"
 #include "viz/compose/compose.h"
 #include "viz/text/text.h"
 
@@ -23,7 +24,7 @@ TEST_CASE("the table measures every text of every step within half a pixel of Pa
   std::set<std::pair<std::string, bool>> seen;
   for (const viz::Lesson* lesson : lessons::all_lessons())
     for (const viz::Preset& preset : lesson->presets) {
-      const viz::Walk walk = lesson->walk(preset.parameters);
+      const viz::Walk walk = viz::walk_with_map(*lesson, preset.parameters);
       for (const viz::Step& step : walk.steps)
         for (const viz::Shape& shape :
              viz::figure(step, viz::opening(*lesson), viz::ThemeName::screen, 960, 600).drawing.shapes) {

@@ -5,6 +5,7 @@
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
 #include "tests/viz/drawn.h"
+#include "viz/chart/case_map.h"
 #include "viz/chart/chart.h"
 #include "viz/compose/compose.h"
 #include "viz/compose/halos.h"
@@ -47,7 +48,7 @@ Box2 ink(const Drawing& drawing) {
 TEST_CASE("every picture uses 60 % of its frame's width or height", "[every lesson]") {
   for (const Lesson* lesson : those_asked_for()) {
     std::vector<Walk> walks;
-    for (const Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
+    for (const Preset& p : lesson->presets) walks.push_back(walk_with_map(*lesson, p.parameters));
     for (const ThemeName name : {ThemeName::screen, ThemeName::grey})
       for (std::size_t i = 0; i < walks.size(); ++i) {
         const PageLayout layout = page_layout(walks[i], name, 960, 600);
@@ -82,7 +83,7 @@ TEST_CASE("no card has smaller texts than a lecture hall can read", "[every less
 TEST_CASE("every text stands out from what lies under it, or has a halo", "[every lesson]") {
   for (const Lesson* lesson : those_asked_for()) {
     std::vector<Walk> walks;
-    for (const Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
+    for (const Preset& p : lesson->presets) walks.push_back(walk_with_map(*lesson, p.parameters));
     for (const ThemeName name : {ThemeName::screen, ThemeName::grey, ThemeName::dark})
       for (const Walk& walk : walks) {
         const double aspect = picture_aspect(walk, name, 960, 600);

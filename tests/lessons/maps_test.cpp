@@ -48,7 +48,7 @@ class Drawn {
   Drawn(const Lesson& lesson, const Parameters& setting, const Page& page, double rounding = 0)
       : map_(*lesson.map),
         setting_(setting),
-        chart_(rounded(*case_map(lesson, setting), rounding)),
+        chart_(rounded(case_map(lesson, setting), rounding)),
         cases_(std::get<Cases>(chart_.kind)),
         theme_(theme(page.theme, page.width, page.height)),
         height_(height_of(lesson.walk(setting), page)),
@@ -232,7 +232,7 @@ TEST_CASE("no leader of a map grazes another name or crosses another leader", "[
       if (!lesson->map || !spot_on(*lesson->map, preset.parameters)) continue;
       Step step;
       step.formula = step.verdict.text = "as in a walk";
-      step.scene.chart = case_map(*lesson, preset.parameters);
+      step.scene.chart = std::make_shared<const Chart>(case_map(*lesson, preset.parameters));
       for (const ThemeName name : {ThemeName::screen, ThemeName::grey})
         for (const auto& [width, height] : {Size{960, 600}, {640, 400}, {1280, 800}}) {
           const Figure drawn = figure(step, opening(*lesson), name, width, height);

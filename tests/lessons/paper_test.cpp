@@ -10,6 +10,7 @@
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
+#include "viz/chart/case_map.h"
 #include "viz/compose/labels.h"
 #include "viz/compose/paper.h"
 #include "viz/compose/strip.h"
@@ -61,7 +62,7 @@ TEST_CASE("every letter on paper has the size that is told, scripts the one belo
   int scripts = 0, figures = 0;
   for (const Lesson* lesson : all_lessons()) {
     std::vector<Walk> walks;
-    for (const Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
+    for (const Preset& p : lesson->presets) walks.push_back(walk_with_map(*lesson, p.parameters));
     for (std::size_t i = 0; i < (all_presets ? walks.size() : 1); ++i)
       for (const double width : {5, 8, 16})
         for (int step = 0; step < static_cast<int>(walks[i].steps.size()); ++step) {
@@ -93,7 +94,7 @@ TEST_CASE("labels on paper neither meet nor leave at 3, 5, 8, 12 and 16 cm, or t
   std::map<double, int> drawn, wider;
   for (const Lesson* lesson : all_lessons()) {
     std::vector<Walk> walks;
-    for (const Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
+    for (const Preset& p : lesson->presets) walks.push_back(walk_with_map(*lesson, p.parameters));
     const Walk& walk = walks.front();
     for (const double width : widths)
       for (int step = 0; step < static_cast<int>(walk.steps.size()); ++step) {
@@ -120,7 +121,7 @@ TEST_CASE("labels on paper neither meet nor leave at 3, 5, 8, 12 and 16 cm, or t
 TEST_CASE("no label of a strip meets another, with captions as without", "[paper]") {
   const Theme theme = paper_theme(ThemeName::print, usual_text_size);
   for (const Lesson* lesson : all_lessons()) {
-    const Walk walk = lesson->walk(lesson->presets.front().parameters);
+    const Walk walk = walk_with_map(*lesson, lesson->presets.front().parameters);
     for (const bool captions : {false, true}) {
       std::vector<Frame> frames;
       for (int step = 0; step < std::min(4, static_cast<int>(walk.steps.size())); ++step) {
@@ -142,7 +143,7 @@ TEST_CASE("no bold heading on paper stands on a line, so that it would cut a sha
   int headings = 0;
   for (const Lesson* lesson : all_lessons()) {
     std::vector<Walk> walks;
-    for (const Preset& p : lesson->presets) walks.push_back(lesson->walk(p.parameters));
+    for (const Preset& p : lesson->presets) walks.push_back(walk_with_map(*lesson, p.parameters));
     const bool compares = lesson->id == "relations";  // shapes of all kinds, each below its heading
     for (std::size_t i = 0; i < (compares ? walks.size() : 1); ++i)
       for (const double width : {5, 8, 16})

@@ -2,6 +2,7 @@
 
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
+#include "viz/chart/case_map.h"
 #include "viz/compose/compose.h"
 #include "viz/formats/files.h"
 
@@ -31,7 +32,7 @@ std::string values(const Step& step) {
 TEST_CASE("no two steps in a row have one picture, caption and values", "[every lesson]") {
   for (const Lesson* lesson : those_asked_for())
     for (const Preset& preset : lesson->presets) {
-      const Walk walk = lesson->walk(preset.parameters);
+      const Walk walk = walk_with_map(*lesson, preset.parameters);
       const Camera camera = frame_alike(lesson->camera, walk, {walk}, 960.0 / 430);
       std::string before;
       for (std::size_t i = 0; i < walk.steps.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
+#include "viz/chart/case_map.h"
 #include "viz/compose/compose.h"
 #include "viz/snapshot/snapshot.h"
 
@@ -28,7 +29,7 @@ std::string trace(const Lesson& lesson, const Preset& preset, Walk walk, const C
 TEST_CASE("a camera that differs by rounding gives the same trace of every preset", "[trace]") {
   for (const Lesson* lesson : all_lessons())
     for (const Preset& preset : lesson->presets) {
-      const Walk walk = lesson->walk(preset.parameters);
+      const Walk walk = walk_with_map(*lesson, preset.parameters);
       const Camera camera =
           frame_alike(lesson->camera, walk, {walk}, picture_aspect(walk, ThemeName::screen, 960, 600));
       Camera other = camera;

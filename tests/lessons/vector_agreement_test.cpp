@@ -6,6 +6,7 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/pixels.h"
+#include "viz/chart/case_map.h"
 #include "viz/compose/compose.h"
 #include "viz/formats/files.h"
 
@@ -63,7 +64,7 @@ double worst_window(const Picture& a, const Picture& b) {
 }
 
 double disagreement(const Lesson& lesson, const Preset& preset, const Page& page, int from_end) {
-  const Walk walk = lesson.walk(preset.parameters);
+  const Walk walk = walk_with_map(lesson, preset.parameters);
   const Camera camera =
       frame_alike(lesson.camera, walk, {walk}, picture_aspect(walk, page.theme, page.width, page.height));
   const auto last = static_cast<int>(walk.steps.size()) - 1;

@@ -4,6 +4,7 @@
 
 #include "tests/catch.h"
 #include "viz/chart/case_names.h"
+#include "viz/player/played_walk.h"
 
 namespace case_map_test {
 using namespace isect::viz;
@@ -50,7 +51,7 @@ double area(const Cases& cases, int of) {
 
 TEST_CASE("regions have the areas that the branches have", "[case_map]") {
   const Lesson l = lesson();
-  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters)->kind);
+  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters).kind);
   CHECK(std::abs(area(cases, disc) - 3.14159265) < 0.01);
   CHECK(std::abs(area(cases, right) - 2) < 0.005);
   CHECK(area(cases, rim) == 0);
@@ -75,7 +76,7 @@ TEST_CASE("corners of regions are as sharp as they are, also between two lines o
                          moved};
   Lesson l = lesson();
   l.map = &plane;
-  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters)->kind);
+  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters).kind);
   CHECK(std::abs(area(cases, 1) - 0.4 * 2.2 * 2.2) < 2e-4);
   CHECK(std::abs(area(cases, 2) - (0.3 * 4 + 0.25 * 0.06)) < 2e-4);
   for (const Vec2& corner : {Vec2(-1, 0.013), Vec2(1.2, 0.893), Vec2(1.2, -0.867), Vec2(1.45, 0.04), Vec2(1.7, 0.1)}) {
@@ -89,7 +90,7 @@ TEST_CASE("corners of regions are as sharp as they are, also between two lines o
 
 TEST_CASE("borders lie where the branch changes", "[case_map]") {
   const Lesson l = lesson();
-  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters)->kind);
+  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters).kind);
   REQUIRE_FALSE(cases.borders.empty());
   for (const std::vector<Vec2>& border : cases.borders)
     for (const Vec2& p : border) {
@@ -100,18 +101,18 @@ TEST_CASE("borders lie where the branch changes", "[case_map]") {
 
 TEST_CASE("presets on the map are marked once, with their own branch", "[case_map]") {
   const Lesson l = lesson();
-  const Cases cases = std::get<Cases>(case_map(l, preset_at("", -1.75, 1.75).parameters)->kind);
+  const Cases cases = std::get<Cases>(case_map(l, preset_at("", -1.75, 1.75).parameters).kind);
   REQUIRE(cases.presets.size() == 2);  // c lies beyond it, d where a is
   CHECK(cases.presets[0].branch == disc);
   CHECK(cases.presets[1].branch == rim);
   REQUIRE(cases.here);
   CHECK(cases.here->branch == outside);
-  CHECK_FALSE(std::get<Cases>(case_map(l, preset_at("", 9, 0).parameters)->kind).here);
+  CHECK_FALSE(std::get<Cases>(case_map(l, preset_at("", 9, 0).parameters).kind).here);
 }
 
 TEST_CASE("a map names its regions and its lines, inside its plane", "[case_map]") {
   const Lesson l = lesson();
-  const Chart chart = *case_map(l, l.presets[0].parameters);
+  const Chart chart = case_map(l, l.presets[0].parameters);
   for (const ThemeName name : {ThemeName::screen, ThemeName::print, ThemeName::grey, ThemeName::dark}) {
     const Theme styled = theme(name, 600, 400);
     const Composed composed = compose(chart, {0, 0}, 600, 400, styled);
@@ -129,42 +130,47 @@ TEST_CASE("a map names its regions and its lines, inside its plane", "[case_map]
   }
 }
 
-TEST_CASE("a deferred chart is made at the first look, once for all copies", "[case_map]") {
-  int made = 0;
-  const DeferredChart chart([&made] {
-    ++made;
-    return Chart{Bars{}};
-  });
-  const DeferredChart copy = chart;
-  CHECK(bool(copy));
-  CHECK(made == 0);
-  CHECK(std::holds_alternative<Bars>(copy->kind));
-  CHECK(&*copy == &*chart);
-  CHECK(made == 1);
-  CHECK_FALSE(copy.prepare());
-  CHECK(made == 1);
-  CHECK_FALSE(bool(DeferredChart()));
-  CHECK_FALSE(bool(DeferredChart(std::shared_ptr<const Chart>())));
+TEST_CASE("a map made in parts is the map made at once", "[case_map]") {
+  const Lesson l = lesson();
+  const auto next_part = case_map_in_parts(l, l.presets[0].parameters);
+  int parts = 1;
+  std::optional<Chart> made;
+  while (!(made = next_part())) ++parts;
+  CHECK(parts > 50);
+  const Cases cases = std::get<Cases>(made->kind), whole = std::get<Cases>(case_map(l, l.presets[0].parameters).kind);
+  CHECK(cases.borders == whole.borders);
+  CHECK(cases.patches.size() == whole.patches.size());
+  CHECK(cases.presets.size() == whole.presets.size());
+  CHECK(cases.here->at == whole.here->at);
 }
 
-TEST_CASE("a deferred chart is made in parts, by whichever copy is asked", "[case_map]") {
-  int parts = 0;
-  const DeferredChart chart([&parts]() -> std::optional<Chart> {
-    if (++parts < 5) return {};
-    return Chart{Bars{}};
-  });
-  const DeferredChart copy = chart;
-  CHECK(chart.prepare());
-  CHECK(copy.prepare());
-  CHECK(parts == 2);
-  CHECK(std::holds_alternative<Bars>(copy->kind));
-  CHECK(parts == 5);
-  CHECK_FALSE(chart.prepare());
+TEST_CASE("a walk's map gets its regions when it is swept, a played walk's in parts", "[case_map]") {
+  Lesson l = lesson();
+  l.steps = [](const Parameters&) {
+    Walk walk;
+    walk.steps.resize(1);
+    return walk;
+  };
+  l.parameters = {{"x", "x", "", 0.0}, {"y", "y", "", 0.0}};
+  const Parameters& here = l.presets[0].parameters;
+  const auto patches = [](const Walk& walk) {
+    return std::get<Cases>(walk.steps.at(1).scene.chart->kind).patches.size();
+  };
+  CHECK(patches(l.walk(here)) == 0);
+  const std::size_t all = patches(walk_with_map(l, here));
+  CHECK(all > 0);
+
+  PlayedWalk played(l, here);
+  CHECK_FALSE(played.prepare(0));  // which shows no map
+  CHECK(played.prepare(1));
+  CHECK(patches(played.walk()) == 0);
+  while (played.prepare(1)) continue;
+  CHECK(patches(played.walk()) == all);
 }
 
 TEST_CASE("the name of a region stands in no plane without room", "[case_map]") {
   const Lesson l = lesson();
-  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters)->kind);
+  const Cases cases = std::get<Cases>(case_map(l, l.presets[0].parameters).kind);
   for (const double width : {60.0, 0.0, -1e-7, -60.0}) {
     const CaseNames names(cases, {100, 100, 100 + width, 140});
     for (const int region : {outside, disc, right}) CHECK(names.place(region, {400, 20}).cost > 0);

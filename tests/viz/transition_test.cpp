@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
@@ -107,76 +108,89 @@ TEST_CASE("the current line can be read while its light comes on", "[window]") {
   CHECK(frames > 1);
 }
 
-TEST_CASE("a chart is made before its step comes, not while the scene is turned", "[window]") {
-  static int made = 0;
-  made = 0;
+namespace {
+
+/// A lesson of one step, then a map of cases whose branches are counted as they are asked for.
+struct Mapped {
+  Mapped() {
+    lesson.id = lesson.title = "mapped";
+    lesson.presets = {{"all", "all", "", {}}};
+    lesson.map = &map;
+    lesson.steps = [](const Parameters&) {
+      Walk walk;
+      walk.steps.resize(1);
+      walk.steps[0].slug = walk.steps[0].title = "ball", walk.steps[0].scene.items = {Ball{{0, 0, 0}, 1}};
+      return walk;
+    };
+    asked = 0;
+  }
+
+  static int branch(const Parameters&) {
+    ++asked;
+    if (slow) std::this_thread::sleep_for(std::chrono::microseconds(60));
+    return 0;
+  }
+  static Vec2 place(const Parameters&) { return Vec2::Zero(); }
+  static Parameters moved(const Parameters& p, const Vec2&) { return p; }
+
+  static constexpr int of_a_walk = 30;  ///< at most as many are asked for without the map, and for a walk or two
+  static inline int asked = 0;
+  static inline bool slow = false;
+  CaseMap map = {"x", "y", {-1, -1}, {1, 1}, {"everywhere"}, branch, place, moved};
   Lesson lesson;
-  lesson.id = lesson.title = "two-steps";
-  lesson.presets = {{"all", "all", "", {}}};
-  lesson.steps = [](const Parameters&) {
-    Walk walk;
-    walk.steps.resize(2);
-    walk.steps[0].slug = walk.steps[0].title = "ball", walk.steps[0].scene.items = {Ball{{0, 0, 0}, 1}};
-    walk.steps[1].slug = walk.steps[1].title = "chart";
-    walk.steps[1].scene.chart = DeferredChart([] {
-      ++made;
-      return Chart{Plot{}};
-    });
-    return walk;
-  };
-  const std::vector<const Lesson*> lessons = {&lesson};
+};
+
+}  // namespace
+
+TEST_CASE("a map is swept before its step comes, not while the scene is turned", "[window]") {
+  const Mapped mapped;
+  const std::vector<const Lesson*> lessons = {&mapped.lesson};
   WindowDriver window(lessons, 1280, 800, {}, {}, {.reduced_motion = false});
-  const int before = made;
   window.frames(60);
   REQUIRE(window.ui.rest() > 0);
-  CHECK(made == 1);
-  CHECK(before <= 1);
+  const int once = Mapped::asked;
+  CHECK(once > 10 * Mapped::of_a_walk);
+  window.player().go_to(1);
+  window.frames(10);
+  CHECK(Mapped::asked == once);
 
-  made = 0;
   window.player().restart();  // another walk
   const Rect scene = window.rect("scene");
   window.move(scene.middle_x() + 200, scene.middle_y() + 200);
   window.button(true);
-  made = 0;
+  Mapped::asked = 0;
   window.player().restart();
   for (int i = 0; i < 20; ++i) window.move(scene.middle_x() + 200 - static_cast<float>(i), scene.middle_y() + 200);
-  CHECK(made == 0);
+  CHECK(Mapped::asked <= Mapped::of_a_walk);
   window.button(false);
   window.frames(30);
-  CHECK(made == 1);
+  CHECK(Mapped::asked > 10 * Mapped::of_a_walk);
 }
 
-TEST_CASE("a chart that takes long is made a little in each frame, and no rest comes before it is there", "[window]") {
-  static int parts = 0;
-  constexpr int all = 12;
-  Lesson lesson;
-  lesson.id = lesson.title = "two-steps";
-  lesson.presets = {{"all", "all", "", {}}};
-  lesson.steps = [](const Parameters&) {
-    parts = 0;
-    Walk walk;
-    walk.steps.resize(2);
-    walk.steps[0].slug = walk.steps[0].title = "ball", walk.steps[0].scene.items = {Ball{{0, 0, 0}, 1}};
-    walk.steps[1].slug = walk.steps[1].title = "chart";
-    walk.steps[1].scene.chart = DeferredChart([]() -> std::optional<Chart> {
-      std::this_thread::sleep_for(std::chrono::milliseconds(4));
-      if (++parts < all) return {};
-      return Chart{Plot{}};
-    });
-    return walk;
-  };
-  const std::vector<const Lesson*> lessons = {&lesson};
+TEST_CASE("a map that takes long is swept a little in each frame, and no rest comes before it is there", "[window]") {
+  const Mapped mapped;
+  const std::vector<const Lesson*> lessons = {&mapped.lesson};
   WindowDriver window(lessons, 1280, 800, {}, {}, {.reduced_motion = true});
+  window.frames(60);
+  const int whole = std::exchange(Mapped::asked, 0);
+
+  Mapped::slow = true;
   window.player().restart();
-  for (int i = 1; i < all; ++i) {
-    const int before = parts;
+  constexpr int of_a_level = 61;
+  int frames = 0;
+  do {
+    const int before = Mapped::asked;
     window.frames();
-    CHECK(parts <= before + 1);
-    CHECK((window.ui.rest() == 0) == (parts < all));
-  }
+    CHECK(Mapped::asked <= before + of_a_level);
+    ++frames;
+  } while (window.ui.rest() == 0 && frames < 1000);
+  Mapped::slow = false;
+  CHECK(frames > 20);
+  const int asked = Mapped::asked;
+  CHECK(asked > whole / 2);
+  window.player().go_to(1);
   window.frames(10);
-  CHECK(parts == all);
-  CHECK(window.ui.rest() > 0);
+  CHECK(Mapped::asked == asked);
 }
 
 TEST_CASE("under reduced motion nothing moves by itself", "[window]") {

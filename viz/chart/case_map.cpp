@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 
 namespace isect::viz {
@@ -211,22 +212,28 @@ bool belongs(const CaseMap& map, const Parameters& here, const Parameters& prese
   return there == around(map, preset, at);
 }
 
+/// Returns the map without its regions, and without the presets on it.
+Cases map_without_regions(const CaseMap& map, const Parameters& here) {
+  Cases cases;
+  cases.x = {Scale::Kind::linear, map.lo.x(), map.hi.x(), map.x_title, ticks(map.lo.x(), map.hi.x())};
+  cases.y = {Scale::Kind::linear, map.lo.y(), map.hi.y(), map.y_title, ticks(map.lo.y(), map.hi.y())};
+  cases.branches = map.branches;
+  cases.one_scale = map.one_scale;
+  cases.here = spot_on(map, here);
+  return cases;
+}
+
 /// A map in the making.
-class MapInParts {
+class MapParts {
  public:
-  MapInParts(const Lesson& lesson, const Parameters& here)
+  MapParts(const Lesson& lesson, const Parameters& here)
       : lesson_(lesson), map_(*lesson.map), here_(here), sweep_(map_, here_, cases_) {}
-  MapInParts(const MapInParts&) = delete;
-  MapInParts& operator=(const MapInParts&) = delete;
+  MapParts(const MapParts&) = delete;
+  MapParts& operator=(const MapParts&) = delete;
 
   std::optional<Chart> next() {
     if (sweep_.next()) return {};
-    cases_.x = {Scale::Kind::linear, map_.lo.x(), map_.hi.x(), map_.x_title, ticks(map_.lo.x(), map_.hi.x())};
-    cases_.y = {Scale::Kind::linear, map_.lo.y(), map_.hi.y(), map_.y_title, ticks(map_.lo.y(), map_.hi.y())};
-    cases_.branches = map_.branches;
-    cases_.one_scale = map_.one_scale;
     for (const Preset& preset : lesson_.presets) mark(preset.parameters);
-    cases_.here = spot_on(map_, here_);
     return Chart{std::move(cases_)};
   }
 
@@ -242,7 +249,7 @@ class MapInParts {
   const Lesson& lesson_;
   const CaseMap& map_;
   Parameters here_;
-  Cases cases_;
+  Cases cases_ = map_without_regions(map_, here_);
   Sweep sweep_;
 };
 
@@ -254,8 +261,15 @@ std::optional<Cases::Spot> spot_on(const CaseMap& map, const Parameters& here) {
   return Cases::Spot{at, map.branch(here)};
 }
 
-DeferredChart case_map(const Lesson& lesson, const Parameters& here) {
-  return DeferredChart([map = std::make_shared<MapInParts>(lesson, here)] { return map->next(); });
+Chart case_map(const Lesson& lesson, const Parameters& here) {
+  MapParts parts(lesson, here);
+  std::optional<Chart> map;
+  while (!map) map = parts.next();
+  return std::move(*map);
+}
+
+std::function<std::optional<Chart>()> case_map_in_parts(const Lesson& lesson, const Parameters& here) {
+  return [parts = std::make_shared<MapParts>(lesson, here)] { return parts->next(); };
 }
 
 Step map_step(const Lesson& lesson, const Parameters& here, const Cases::Spot& spot, const Step& before) {
@@ -267,8 +281,20 @@ Step map_step(const Lesson& lesson, const Parameters& here, const Cases::Spot& s
   step.comparison.reset(), step.question.reset();
   for (Value& value : step.values) value.fresh = false;
   step.scene = {};
-  step.scene.chart = case_map(lesson, here);
+  step.scene.chart = std::make_shared<const Chart>(Chart{map_without_regions(*lesson.map, here)});
   return step;
+}
+
+void sweep_map(Walk& walk, const Lesson& lesson, const Parameters& here) {
+  if (!lesson.map) return;
+  const auto shown = std::ranges::find(walk.steps, case_map_slug, &Step::slug);
+  if (shown != walk.steps.end()) shown->scene.chart = std::make_shared<const Chart>(case_map(lesson, here));
+}
+
+Walk walk_with_map(const Lesson& lesson, const Parameters& here) {
+  Walk walk = lesson.walk(here);
+  sweep_map(walk, lesson, here);
+  return walk;
 }
 
 }  // namespace isect::viz

@@ -6,6 +6,9 @@
 // Between lines borders run straight; where they bend, lines are added until no bend shows or the lines lie closer than
 // 1/128 of the pitch.
 
+#include <functional>
+#include <optional>
+
 #include "viz/chart/chart.h"
 #include "viz/lesson.h"
 
@@ -17,10 +20,18 @@ inline constexpr const char* case_map_slug = "cases";
 /// Returns where this setting lies on the map, and its branch; none if it lies outside the map.
 std::optional<Cases::Spot> spot_on(const CaseMap&, const Parameters& here);
 
-/// Returns the map with the lesson's presets and this setting on it, made in some seventy parts. `lesson.map` must not
-/// be null, and the lesson must outlive the map.
-DeferredChart case_map(const Lesson& lesson, const Parameters& here);
-/// The step that shows where `here` lies among all cases; what `before` has told stays. The lesson must outlive it.
-Step map_step(const Lesson& lesson, const Parameters& here, const Cases::Spot& spot, const Step& before);
+/// Returns the map with the lesson's presets and this setting on it. `lesson.map` must not be null.
+Chart case_map(const Lesson& lesson, const Parameters& here);
+/// Returns what makes the map in some seventy parts, one at each call; the last call returns the map. The lesson must
+/// outlive it.
+std::function<std::optional<Chart>()> case_map_in_parts(const Lesson&, const Parameters& here);
+/// Returns the step that shows where `here` lies among all cases, on a map without regions; what `before` has told
+/// stays.
+Step map_step(const Lesson&, const Parameters& here, const Cases::Spot&, const Step& before);
+
+/// Sweeps the regions of the walk's map, if it has one.
+void sweep_map(Walk&, const Lesson&, const Parameters& here);
+/// Returns the lesson's walk with the regions of its map.
+Walk walk_with_map(const Lesson&, const Parameters& here);
 
 }  // namespace isect::viz

@@ -51,7 +51,7 @@ const Cases& MapBeside::find(const Player& player) {
   const CaseMap& map = *player.lesson().map;
   const Parameters elsewhere = map.moved(player.parameters(), (map.lo + map.hi) / 2);
   if (lesson_ != &player.lesson() || elsewhere != elsewhere_) {
-    cases_ = std::get<Cases>(case_map(player.lesson(), player.parameters())->kind);
+    cases_ = std::get<Cases>(case_map(player.lesson(), player.parameters()).kind);
     lesson_ = &player.lesson(), elsewhere_ = elsewhere;
     ++found_;
   }

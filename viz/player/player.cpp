@@ -13,13 +13,6 @@ constexpr double seconds_a_step = 1.6, seconds_to_read = 3.2;  ///< the latter t
 constexpr double seconds_to_light = 0.120;
 constexpr std::size_t memories_kept = 100;
 
-Walk walk_of(const Lesson& lesson, const Parameters& parameters) {
-  validate(lesson, parameters);
-  Walk walk = lesson.walk(parameters);
-  if (walk.steps.empty()) throw BadInput("lesson " + lesson.id + " has no step for these parameters");
-  return walk;
-}
-
 std::string matching_preset(const Lesson& lesson, const Parameters& parameters) {
   for (const Preset& p : lesson.presets)
     if (p.parameters == parameters) return p.id;
@@ -59,7 +52,7 @@ std::size_t Player::index_of(const std::string& lesson_id) const {
 std::shared_ptr<const Player::Overview> Player::overview_of(const Lesson& lesson, const Walk& walk,
                                                             const Parameters& parameters) {
   Overview overview;
-  for (const Preset& p : lesson.presets) overview.samples.push_back(walk_of(lesson, p.parameters));
+  for (const Preset& p : lesson.presets) overview.samples.push_back(checked_walk(lesson, p.parameters));
   if (overview.samples.empty()) overview.samples.push_back(walk);
   overview.methods = methods_of(lesson, parameters);
   return std::make_shared<const Overview>(std::move(overview));
@@ -72,8 +65,14 @@ int Player::step_in(const Walk& walk, const State& state) {
   return std::min(state.wanted, outcome(walk));
 }
 
+void Player::show_step(int step) {
+  at_ = step;
+  while (walk_->prepare(step)) continue;
+}
+
 void Player::choose(int step) {
-  state_.wanted = at_ = step;
+  show_step(step);
+  state_.wanted = step;
   state_.slug = walk().steps[step].slug;
   state_.outcome = step == outcome(walk()) && step > 0;
   look();
@@ -82,11 +81,11 @@ void Player::choose(int step) {
 /// Changes the state; nothing else does.
 void Player::show(State next, bool same_lesson) {
   const Lesson& lesson = *lessons_[next.lesson];
-  walk_ = std::make_shared<const Walk>(walk_of(lesson, next.parameters));
+  walk_ = std::make_shared<PlayedWalk>(lesson, next.parameters);
   ++walks_;
-  if (!same_lesson) overview_ = overview_of(lesson, *walk_, next.parameters), exercise_.reset();
+  if (!same_lesson) overview_ = overview_of(lesson, walk(), next.parameters), exercise_.reset();
   state_ = std::move(next);
-  at_ = step_in(*walk_, state_);
+  show_step(step_in(walk(), state_));
   opinions_ = lesson.opinions ? lesson.opinions(state_.parameters) : std::vector<Opinion>();
   preset_ = matching_preset(lesson, state_.parameters);
   asked_.clear();

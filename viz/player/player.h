@@ -12,6 +12,7 @@
 
 #include "viz/lesson.h"
 #include "viz/player/camera_rig.h"
+#include "viz/player/played_walk.h"
 #include "viz/window/window.h"
 
 namespace isect::viz {
@@ -32,9 +33,11 @@ class Player {
   const std::vector<const Lesson*>& lessons() const { return lessons_; }
   const Lesson& lesson() const { return *lessons_[state_.lesson]; }
   const Parameters& parameters() const { return state_.parameters; }
-  const Walk& walk() const { return *walk_; }
+  const Walk& walk() const { return walk_->walk(); }
   int count() const { return static_cast<int>(walk().steps.size()); }
   int index() const { return at_; }
+  /// Does part of the work that the next step's chart still takes; returns false if nothing is left to do.
+  bool prepare_next() { return !at_end() && walk_->prepare(index() + 1); }
   /// Returns the last step that was told.
   const Step& step() const { return walk().steps[index()]; }
   /// Returns step() or, while a question is open, what is known of the step that it asks about
@@ -209,15 +212,16 @@ class Player {
   bool travel(std::vector<Memory> Player::*from, std::vector<Memory> Player::*to);
   static int step_in(const Walk&, const State&);
   void choose(int step);  ///< of the walk that is shown
-  void look();            ///< towards what is drawn now, unless the reader has moved the camera
-  void begin_motion();    ///< from what is shown now
-  void ask(bool);         ///< about the next step, if it has a question
+  void show_step(int);
+  void look();          ///< towards what is drawn now, unless the reader has moved the camera
+  void begin_motion();  ///< from what is shown now
+  void ask(bool);       ///< about the next step, if it has a question
   /// Returns the lesson's view of the walk, at the scale that all presets share.
   Camera opening_view() const;
 
   std::vector<const Lesson*> lessons_;
   State state_;
-  std::shared_ptr<const Walk> walk_;  ///< shared with copies of this player, as the overview is
+  std::shared_ptr<PlayedWalk> walk_;  ///< shared with copies of this player, as the overview is
   std::shared_ptr<const Overview> overview_;
   std::vector<Opinion> opinions_;
   std::string preset_;

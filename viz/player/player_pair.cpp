@@ -19,7 +19,7 @@ void Player::follow(const Player& lead, const Parameters& parameters) {
   if (const int at = step_in(walk(), state_); at != at_) {
     begin_motion();
     ask(false);
-    at_ = at;
+    show_step(at);
     ++revision_;
   }
   // A question covers both scenes: neither shows more than the question does.
@@ -48,7 +48,7 @@ void Player::take_from(const Player& other, const Parameters& shared) {
 
 void Player::accompany(const Player* other) {
   const bool anew = (other == nullptr) != (beside_ == nullptr);
-  beside_ = other ? other->walk_ : nullptr;
+  beside_ = other ? std::shared_ptr<const Walk>(other->walk_, &other->walk()) : nullptr;
   if (anew && !moved_) camera_.glide(opening_view());
 }
 

@@ -66,7 +66,7 @@ Step closing_step(const Lesson& lesson, const Step& before) {
   step.comparison.reset(), step.question.reset();
   for (Value& value : step.values) value.fresh = false;
   step.scene = {};
-  step.scene.chart = DeferredChart([&lesson] { return Chart{Card{card_rows(lesson)}}; });
+  step.scene.chart = std::make_shared<const Chart>(Chart{Card{card_rows(lesson)}});
   return step;
 }
 

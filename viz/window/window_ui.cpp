@@ -139,14 +139,12 @@ struct WindowUi::Impl {
 
   /// Prepares the next step. A map of cases takes as long as a frame: it is made before its step comes, a little in
   /// each frame, but never while a hand moves something. Returns whether there is more to do.
-  bool prepare_next_step() const {
+  bool prepare_next_step() {
     const ImGuiIO& io = ImGui::GetIO();
-    if (player.at_end() || io.MouseDown[0] || io.MouseDown[1]) return false;
-    const DeferredChart& next = player.walk().steps[static_cast<std::size_t>(player.index()) + 1].scene.chart;
-    if (!next) return false;
+    if (io.MouseDown[0] || io.MouseDown[1]) return false;
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
-    while (next.prepare())
+    while (player.prepare_next())
       if (Clock::now() - begin > std::chrono::milliseconds(3)) return true;
     return false;
   }
