@@ -11,6 +11,7 @@
 #include "viz/compose/paper.h"
 #include "viz/formats/page_svg.h"
 #include "viz/formats/svg_path.h"
+#include "viz/player/camera_moves.h"
 #include "viz/player/lights.h"
 #include "viz/snapshot/snapshot.h"
 #include "viz/text/names.h"
@@ -167,7 +168,7 @@ program::book::WalkSection BrowserSession::section(program::book::WalkSection::P
 }
 
 Station BrowserSession::station() const {
-  return player_->asked() ? Station{player_->index() + 1, true} : Station{player_->index(), false};
+  return player_->quiz().asked() ? Station{player_->index() + 1, true} : Station{player_->index(), false};
 }
 
 void BrowserSession::stand_at(const Station& at) {
@@ -294,21 +295,21 @@ Json BrowserSession::push(const Json& request) {
 Json BrowserSession::turn(const Json& request) {
   const Vec2 middle = figure_.view.corner() + Vec2(figure_.view.width(), figure_.view.height()) / 2;
   if (player().lesson().flat)
-    player_->pan(figure_.view, middle, middle + way_in(request));
+    viz::pan(*player_, figure_.view, middle, middle + way_in(request));
   else
-    player_->orbit(way_in(request) / a_pixel);
+    viz::orbit(*player_, way_in(request) / a_pixel);
   return frame(Drawn::in_motion);
 }
 
 /// {"factor"}: above 1 closer
 Json BrowserSession::zoom(const Json& request) {
   const Vec2 middle = figure_.view.corner() + Vec2(figure_.view.width(), figure_.view.height()) / 2;
-  player().zoom(figure_.view, middle, std::clamp(request.at("factor").get<double>(), 0.2, 5.0));
+  viz::zoom(player(), figure_.view, middle, std::clamp(request.at("factor").get<double>(), 0.2, 5.0));
   return frame(Drawn::at_rest);
 }
 
 Json BrowserSession::frame_all(const Json&) {
-  player().frame_all();
+  viz::frame_all(player());
   return frame(Drawn::at_rest);
 }
 
@@ -454,8 +455,8 @@ Json BrowserSession::frame(Drawn how, const viz::Moved& moved) {
                 {"place", place()},
                 {"map", map_beside()},
                 {"has map", p.lesson().map && p.lesson().map->place(p.parameters()).allFinite()},
-                {"undo", p.can_undo()},
-                {"redo", p.can_redo()},
+                {"undo", p.history().can_undo()},
+                {"redo", p.history().can_redo()},
                 {"told", moved.told},
                 {"refuses", moved.refused}};
   if (how == Drawn::at_rest) {
@@ -510,11 +511,11 @@ Json BrowserSession::place() const {
     if (const auto was = before.find(name); was == before.end() || was->second != value)
       changes.push_back({name, viz::to_text(value)});
   Json place = {{"origin", player_->origin()},
-                {"preset", player_->preset_id()},
+                {"preset", player_->played().preset_id()},
                 {"preset title", html_text(scene_ ? lesson.title : viz::preset(lesson, player_->origin()).title)},
                 {"method", html_text(player_->walk().method)},
                 {"changes", changes}};
-  if (player_->camera_moved()) place["camera"] = camera_text(player_->camera().goal());
+  if (player_->camera().moved()) place["camera"] = camera_text(player_->camera().goal());
   return place;
 }
 
@@ -554,9 +555,9 @@ Json BrowserSession::map_beside() {
   viz::Drawing drawing{map_width, map_height, theme.background, {}};
   drawing.shapes = viz::compose_map(cases, Vec2::Zero(), map_width, map_height, theme).shapes;
   plane_ = viz::plane_of(cases, Vec2::Zero(), map_width, map_height, theme);
-  const std::string here = player_->asked() ? "here: after your answer"
-                           : cases.here     ? "here: " + cases.branches[cases.here->branch]
-                                            : "beyond this map";
+  const std::string here = player_->quiz().asked() ? "here: after your answer"
+                           : cases.here            ? "here: " + cases.branches[cases.here->branch]
+                                                   : "beyond this map";
   return {{"own", false},
           {"svg", viz::lone_svg(drawing, viz::plain(here), "map-")},
           {"here", html_text(here)},

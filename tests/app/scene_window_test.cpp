@@ -78,8 +78,8 @@ TEST_CASE("the handles of a walk through a scene are the scene's own, also while
 TEST_CASE("a ray's handle is dragged while a question of its walk is open", "[scene]") {
   const Lesson& scene = kept_lesson_of(read_file(ISECT_EXAMPLE_SCENES "/crates-and-a-ray.json"), ISECT_EXAMPLE_SCENES);
   WindowDriver window({&scene}, 1280, 800);
-  for (int i = 0; i < 20 && !window.player().asked(); ++i) window.key(key::right);
-  REQUIRE(window.player().asked());
+  for (int i = 0; i < 20 && !window.player().quiz().asked(); ++i) window.key(key::right);
+  REQUIRE(window.player().quiz().asked());
   window.frames(2);
   const Vec3 before = std::get<Vec3>(window.player().parameters().at("r.origin"));
   window.drag("handle r.origin", 20, 10);

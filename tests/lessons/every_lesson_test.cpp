@@ -70,7 +70,8 @@ TEST_CASE("a player shows all of what it draws, also while it asks", "[every les
             const Box2 box = extent(scene.items, camera);
             const Vec2 middle(camera.target.dot(view.right()), camera.target.dot(view.up()));
             const Vec2 half = camera.half_height * (1 + 1e-9) * Vec2(aspect, 1);
-            INFO(lesson->id << " " << preset.id << ", " << player.step().slug << (player.asked() ? ", asking" : ""));
+            INFO(lesson->id << " " << preset.id << ", " << player.step().slug
+                            << (player.quiz().asked() ? ", asking" : ""));
             CHECK(((box.lo - middle + half).minCoeff() >= 0 && (middle + half - box.hi).minCoeff() >= 0));
           }
           more = !player.at_end();

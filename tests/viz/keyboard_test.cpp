@@ -197,7 +197,7 @@ TEST_CASE("Enter presses what the keyboard holds: theme, speed, method, a number
   CHECK(window.ui.settings().theme == ThemeName::screen);
   hold(window, "speed");
   window.key(key::enter);
-  CHECK(window.player().speed() == 1.5);
+  CHECK(window.player().clock().speed() == 1.5);
 
   hold(window, "method");
   window.key(key::enter);
@@ -205,7 +205,7 @@ TEST_CASE("Enter presses what the keyboard holds: theme, speed, method, a number
   hold(window, "method distance");
   window.key(key::enter);
   window.frames(2);
-  CHECK(window.player().method() == "distance");
+  CHECK(window.player().played().method() == "distance");
   CHECK(window.ui.focus() == "method");  // where it was before the menu
 
   hold(window, "parameter r");
@@ -302,7 +302,7 @@ TEST_CASE("undo leaves the step where the reader has gone on, and redo does it a
   window.key(key::z, true);
   window.type("2");  // another change: there is nothing to do again
   window.key(key::y, true);
-  CHECK(window.player().preset_id() == "squared-outside");
+  CHECK(window.player().played().preset_id() == "squared-outside");
   window.key(key::z, true);  // a preset had chosen the first step, so that is taken back, too
   CHECK(window.player().index() == 1);
 }
@@ -311,18 +311,18 @@ TEST_CASE("presets beyond the ninth have keys", "[window]") {
   ReaderState state;
   state.lesson = "intervals";
   WindowDriver window(lessons::all_lessons(), 1280, 800, state);
-  const std::vector<const Preset*> group = window.player().group();
+  const std::vector<const Preset*> group = window.player().played().group();
   REQUIRE(group.size() >= 10);
   window.type("0");
-  CHECK(window.player().preset_id() == group[9]->id);
+  CHECK(window.player().played().preset_id() == group[9]->id);
   window.key(key::page_up);
-  CHECK(window.player().preset_id() == group[8]->id);
+  CHECK(window.player().played().preset_id() == group[8]->id);
   for (std::size_t i = 9; i < group.size(); ++i) {
     window.key(key::page_down);
-    CHECK(window.player().preset_id() == group[i]->id);
+    CHECK(window.player().played().preset_id() == group[i]->id);
   }
   window.key(key::page_down);
-  CHECK(window.player().preset_id() == group[0]->id);
+  CHECK(window.player().played().preset_id() == group[0]->id);
 }
 
 TEST_CASE("an exercise begun by keyboard hands over what there is to move", "[window]") {

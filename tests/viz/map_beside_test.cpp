@@ -186,7 +186,7 @@ TEST_CASE("the map keeps a question's answer to itself", "[window]") {
   Settings settings;
   settings.map = true;
   WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("sphere-sphere", "overlapping"), settings);
-  while (!window.player().asked()) window.key(key::right);
+  while (!window.player().quiz().asked()) window.key(key::right);
   CHECK(window.has("map"));
   CHECK_FALSE(window.has("map setting"));
   window.key(key::right);

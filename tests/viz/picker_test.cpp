@@ -166,7 +166,7 @@ TEST_CASE("what was answered and read to its end is kept, and stands in the pick
   int asked = 0, right = 0;
   while (!window.player().at_end()) {
     window.key(key::right);
-    const Question* q = window.player().asked();
+    const Question* q = window.player().quiz().asked();
     if (!q) continue;
     right += ++asked % 2;
     const int wrong = (q->answer + 1) % static_cast<int>(q->choices.size());
@@ -212,7 +212,7 @@ TEST_CASE("what was answered wrong is offered again at the end, until it is answ
   int step = -1;
   while (!window.player().at_end()) {
     window.key(key::right);
-    const Question* q = window.player().asked();
+    const Question* q = window.player().quiz().asked();
     if (!q || step >= 0) continue;
     step = window.player().index() + 1;
     window.type(std::string(1, static_cast<char>('a' + (q->answer + 1) % static_cast<int>(q->choices.size()))));
@@ -224,7 +224,7 @@ TEST_CASE("what was answered wrong is offered again at the end, until it is answ
   for (int i = 0; i < 60 && window.ui.focus() != again; ++i) window.key(key::down);
   REQUIRE(window.ui.focus() == again);
   window.key(key::enter);
-  const Question* q = window.player().asked();
+  const Question* q = window.player().quiz().asked();
   REQUIRE(q);
   CHECK(window.player().index() + 1 == step);
   window.type(std::string(1, static_cast<char>('a' + q->answer)));
@@ -255,7 +255,7 @@ TEST_CASE("presets that have no room in the bar have a menu, and cover no title"
   window.click("presets");
   window.frames(2);
   window.click("preset 10");
-  CHECK(window.player().preset_id() == window.player().group()[9]->id);
+  CHECK(window.player().played().preset_id() == window.player().played().group()[9]->id);
 }
 
 }  // namespace picker_test

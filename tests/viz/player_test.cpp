@@ -3,6 +3,7 @@
 #include "tests/catch.h"
 #include "tests/viz/sample_lesson.h"
 #include "viz/compose/compose.h"
+#include "viz/player/camera_moves.h"
 
 namespace player_test {
 using namespace isect::viz;
@@ -26,11 +27,11 @@ Handle handle(const Player& player, const std::string& name) {
 TEST_CASE("a player starts paused at the first step of the first lesson's first preset", "[player]") {
   const Player player(both);
   CHECK(player.lesson().id == "point-disc");
-  CHECK(player.preset_id() == "squared-inside");
+  CHECK(player.played().preset_id() == "squared-inside");
   CHECK(player.index() == 0);
   CHECK(player.count() == 5);
-  CHECK_FALSE(player.playing());
-  CHECK(player.asked() == nullptr);
+  CHECK_FALSE(player.clock().playing());
+  CHECK(player.quiz().asked() == nullptr);
 }
 
 TEST_CASE("a place opens lesson, preset, step, parameters and camera", "[player]") {
@@ -42,9 +43,9 @@ TEST_CASE("a place opens lesson, preset, step, parameters and camera", "[player]
   state.camera->half_height = 7;
   const Player player(both, state);
   CHECK(player.lesson().id == "point-ball");
-  CHECK(player.preset_id().empty());
+  CHECK(player.played().preset_id().empty());
   CHECK(player.index() == 2);
-  CHECK(player.method() == "distance");
+  CHECK(player.played().method() == "distance");
   CHECK(player.camera().now().half_height == 7);
   CHECK((*player.reader_state().parameters == *state.parameters));
 }
@@ -98,13 +99,13 @@ TEST_CASE("a question is asked before its step, and stepping on skips it", "[pla
   Player player(both);
   player.go_to(1);
   player.next();
-  REQUIRE(player.asked());
-  CHECK(player.asked()->prompt == "Where is **p**?");
+  REQUIRE(player.quiz().asked());
+  CHECK(player.quiz().asked()->prompt == "Where is **p**?");
   CHECK(player.index() == 1);
   player.next();
   CHECK(player.index() == 2);
-  CHECK_FALSE(player.asked());
-  CHECK_FALSE(player.answered());
+  CHECK_FALSE(player.quiz().asked());
+  CHECK_FALSE(player.quiz().answered());
 }
 
 TEST_CASE("a title to come is told where no question stands before it", "[player]") {
@@ -113,7 +114,7 @@ TEST_CASE("a title to come is told where no question stands before it", "[player
   CHECK((player.tells_title(0) && player.tells_title(1) && !player.tells_title(2) && player.tells_title(3)));
   player.go_to(1);
   player.next();
-  REQUIRE(player.asked());
+  REQUIRE(player.quiz().asked());
   CHECK((player.tells_title(1) && !player.tells_title(2) && !player.tells_title(3)));
   player.answer(0);
   CHECK((player.tells_title(2) && player.tells_title(3)));
@@ -124,19 +125,19 @@ TEST_CASE("an answer shows the step, and whether it was right", "[player]") {
   player.go_to(1);
   player.next();
   player.answer(7);  // no such choice
-  REQUIRE(player.asked());
+  REQUIRE(player.quiz().asked());
   player.answer(1);
   CHECK(player.index() == 2);
-  REQUIRE(player.answered());
-  CHECK_FALSE(player.answered()->right());
-  CHECK(player.answered()->question->answer == 0);
+  REQUIRE(player.quiz().answered());
+  CHECK_FALSE(player.quiz().answered()->right());
+  CHECK(player.quiz().answered()->question->answer == 0);
 
   player.restart();
-  CHECK_FALSE(player.answered());
+  CHECK_FALSE(player.quiz().answered());
   player.go_to(1);
   player.next();
   player.answer(0);
-  CHECK(player.answered()->right());
+  CHECK(player.quiz().answered()->right());
   player.back();
   player.next();
   CHECK(player.index() == 2);  // it is not asked twice
@@ -148,7 +149,7 @@ TEST_CASE("stepping back withdraws a question", "[player]") {
   player.next();
   player.back();
   CHECK(player.index() == 1);
-  CHECK_FALSE(player.asked());
+  CHECK_FALSE(player.quiz().asked());
 }
 
 TEST_CASE("play takes 1.6 s a step, waits for answers, and ends with the walk", "[player]") {
@@ -159,78 +160,78 @@ TEST_CASE("play takes 1.6 s a step, waits for answers, and ends with the walk", 
   player.advance(0.2);
   CHECK(player.index() == 1);
   player.advance(1.7);
-  REQUIRE(player.asked());
+  REQUIRE(player.quiz().asked());
   for (int i = 0; i < 10; ++i) player.advance(1.7);
   CHECK(player.index() == 1);
   player.answer(0);
-  player.set_speed(2);
+  player.clock().set_speed(2);
   player.advance(0.9);
   CHECK(player.index() == 2);  // there is time to read why
   player.advance(1.6);
   CHECK(player.index() == 3);
   player.advance(0.9);
   CHECK(player.index() == 4);
-  CHECK_FALSE(player.playing());
+  CHECK_FALSE(player.clock().playing());
   player.toggle_play();
   CHECK(player.index() == 0);
-  CHECK(player.playing());
+  CHECK(player.clock().playing());
 }
 
 TEST_CASE("play passes over questions where it is told to, and after a restart they are asked again", "[player]") {
   Player player(both);
-  player.stop_at_questions(false);
+  player.clock().stop_at_questions(false);
   player.next();
-  while (!player.asked()) player.next();
+  while (!player.quiz().asked()) player.next();
   const int before = player.index();
   player.toggle_play();
   CHECK(player.running());
   player.advance(1.7);
   CHECK(player.index() == before + 1);
-  CHECK_FALSE(player.answered());
-  for (int i = 0; i < 100 && player.playing(); ++i) player.advance(1.7);
+  CHECK_FALSE(player.quiz().answered());
+  for (int i = 0; i < 100 && player.clock().playing(); ++i) player.advance(1.7);
   CHECK(player.at_end());
   player.go_to(before);
-  player.stop_at_questions(true);
+  player.clock().stop_at_questions(true);
   player.restart();
   while (player.index() < before) player.next();
   player.next();
-  CHECK(player.asked());
+  CHECK(player.quiz().asked());
 }
 
 TEST_CASE("the speed goes round from 0.5x to 2x", "[player]") {
   Player player(both);
   std::vector<double> speeds;
   for (int i = 0; i < 5; ++i) {
-    speeds.push_back(player.speed());
-    player.next_speed();
+    speeds.push_back(player.clock().speed());
+    player.clock().next_speed();
   }
   CHECK(speeds == std::vector<double>{1, 1.5, 2, 0.5, 1});
 }
 
 TEST_CASE("presets of the present group are offered, and another method keeps the case", "[player]") {
   Player player(both);
-  REQUIRE(player.group().size() == 3);
-  player.load(*player.group()[1]);
-  CHECK(player.preset_id() == "squared-outside");
+  REQUIRE(player.played().group().size() == 3);
+  player.load(*player.played().group()[1]);
+  CHECK(player.played().preset_id() == "squared-outside");
   CHECK(player.step().slug == "way");
   CHECK(player.count() == 4);
 
-  REQUIRE(player.methods().size() == 2);
-  CHECK(player.methods()[1].title == "By distance");
+  REQUIRE(player.played().methods().size() == 2);
+  CHECK(player.played().methods()[1].title == "By distance");
   player.load_method("distance");
-  CHECK(player.preset_id() == "distance-outside");
-  CHECK(player.group()[1]->id == "distance-outside");
+  CHECK(player.played().preset_id() == "distance-outside");
+  CHECK(player.played().group()[1]->id == "distance-outside");
   CHECK_THROWS_AS(player.load_method("guess"), BadInput);
-  CHECK(player.method() == "distance");
+  CHECK(player.played().method() == "distance");
 }
 
 TEST_CASE("parameters changed by hand are no preset, until they are one again", "[player]") {
   Player player(both);
   player.edit("r", 1.0);
-  CHECK(player.preset_id().empty());
+  CHECK(player.played().preset_id().empty());
   CHECK(player.reader_state().preset.empty());
   player.edit("r", 1.5);
-  CHECK(player.preset_id() == "squared-inside");
+  CHECK(player.played().preset_id() == "squared-inside");
   CHECK_THROWS_AS(player.edit("r", -1.0), BadInput);
   CHECK_THROWS_AS(player.edit("q", 1.0), BadInput);
   CHECK_THROWS_AS(player.edit("r", Vec3(1, 1, 1)), BadInput);
@@ -263,11 +264,11 @@ TEST_CASE("a step that a drag took away comes back with its walk", "[player]") {
 
 TEST_CASE("restart returns to the preset loaded last", "[player]") {
   Player player(both);
-  player.load(*player.group()[2]);
+  player.load(*player.played().group()[2]);
   player.edit("r", 4.0);
   player.last();
   player.restart();
-  CHECK(player.preset_id() == "squared-on");
+  CHECK(player.played().preset_id() == "squared-on");
   CHECK(player.index() == 0);
 }
 
@@ -284,26 +285,26 @@ TEST_CASE("the lessons before and after go round", "[player]") {
 TEST_CASE("undo takes changes back one by one, a run of the same as one", "[player]") {
   Player player(both, {}, true);
   const Camera home = player.camera().now();
-  player.load(*player.group()[1]);
-  player.orbit({40, 0});
-  player.orbit({40, 10});
+  player.load(*player.played().group()[1]);
+  orbit(player, {40, 0});
+  orbit(player, {40, 10});
   player.end_action();
-  player.orbit({-5, 0});
+  orbit(player, {-5, 0});
   player.open_neighbour(1);
 
-  CHECK(player.can_undo());
-  CHECK_FALSE(player.can_redo());
+  CHECK(player.history().can_undo());
+  CHECK_FALSE(player.history().can_redo());
   REQUIRE(player.undo());
-  CHECK(player.can_redo());
+  CHECK(player.history().can_redo());
   CHECK(player.lesson().id == "point-disc");
-  CHECK(player.preset_id() == "squared-outside");
+  CHECK(player.played().preset_id() == "squared-outside");
   REQUIRE(player.undo());
   REQUIRE(player.undo());
   CHECK(player.camera().now().azimuth == home.azimuth);
   CHECK(player.camera().now().elevation == home.elevation);
   REQUIRE(player.undo());
-  CHECK(player.preset_id() == "squared-inside");
-  CHECK_FALSE(player.can_undo());
+  CHECK(player.played().preset_id() == "squared-inside");
+  CHECK_FALSE(player.history().can_undo());
   CHECK_FALSE(player.undo());
 }
 
@@ -311,13 +312,13 @@ TEST_CASE("zoom keeps the point under the pointer, pan moves it with the pointer
   const bool perspective = GENERATE(false, true);
   Player player(both, {}, true);
   player.set_aspect(1.5);
-  player.set_perspective(perspective);
+  set_perspective(player, perspective);
   const Vec2 at(130, 440), to(300, 120);
   const auto view = [&] { return View(player.camera().now(), 900, 600); };
   const Vec3 there = view().on_facing_plane(at, player.camera().now().target);
-  player.zoom(view(), at, 1.7);
+  zoom(player, view(), at, 1.7);
   CHECK((view().project(there).at - at).norm() < 1e-6);
-  player.pan(view(), at, to);
+  pan(player, view(), at, to);
   CHECK((view().project(there).at - to).norm() < 1e-6);
 }
 
@@ -325,7 +326,7 @@ TEST_CASE("a glide starts and ends where it should, and is a valid view on its w
   Player player(both);
   player.set_aspect(1.5);
   const Camera from = player.camera().now();
-  player.set_perspective(true);
+  set_perspective(player, true);
   CHECK(player.camera().goal().perspective);
   double last_opening = 0;
   for (int i = 0; i < 34; ++i) {
@@ -343,9 +344,9 @@ TEST_CASE("a glide starts and ends where it should, and is a valid view on its w
 
 TEST_CASE("orbit stops straight above and straight below", "[player]") {
   Player player(both, {}, true);
-  player.orbit({0, 1e5});
+  orbit(player, {0, 1e5});
   CHECK(player.camera().now().elevation == Approx(std::numbers::pi / 2));
-  player.orbit({0, -1e5});
+  orbit(player, {0, -1e5});
   CHECK(player.camera().now().elevation == Approx(-std::numbers::pi / 2));
 }
 
@@ -355,7 +356,7 @@ TEST_CASE("a view nobody has moved follows the window's shape, one that was move
   const double wide = player.camera().now().half_height;
   player.set_aspect(0.25);
   CHECK(player.camera().now().half_height > wide);
-  player.orbit({10, 0});
+  orbit(player, {10, 0});
   const double kept = player.camera().now().half_height;
   player.set_aspect(2);
   CHECK(player.camera().now().half_height == kept);

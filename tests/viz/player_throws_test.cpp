@@ -8,6 +8,7 @@
 #include "tests/catch.h"
 #include "tests/viz/sample_lesson.h"
 #include "tests/viz/scarce_memory.h"
+#include "viz/player/camera_moves.h"
 #include "viz/player/player.h"
 #include "viz/player/reader_state.h"
 
@@ -64,14 +65,14 @@ struct Seen {
 Seen seen(Player player) {
   Seen s = {to_json(player.reader_state()),
             player.revision(),
-            player.playing(),
-            player.asked() != nullptr,
-            player.answered().has_value(),
+            player.clock().playing(),
+            player.quiz().asked() != nullptr,
+            player.quiz().answered().has_value(),
             {},
             {},
             {}};
-  for (const Method& m : player.methods()) s.methods.push_back(m.title);
-  for (const Opinion& o : player.opinions()) s.opinions.push_back(o.method + o.says);
+  for (const Method& m : player.played().methods()) s.methods.push_back(m.title);
+  for (const Opinion& o : player.played().opinions()) s.opinions.push_back(o.method + o.says);
   while (player.undo()) s.behind.push_back(to_json(player.reader_state()));
   return s;
 }
@@ -85,7 +86,7 @@ Player busy() {
   player.next();
   player.toggle_play();
   player.remember("zoom");
-  player.orbit({40, 20});
+  orbit(player, {40, 20});
   return player;
 }
 
@@ -118,12 +119,12 @@ const std::vector<Action> actions = {
        p.go(state);
      }},
     {"another aspect", [](Player& p) { p.set_aspect(2); }},
-    {"frame all", [](Player& p) { p.frame_all(); }},
+    {"frame all", [](Player& p) { frame_all(p); }},
     {"turn",
      [](Player& p) {
-       p.end_action(), p.orbit({5, 5});
+       p.end_action(), orbit(p, {5, 5});
      }},
-    {"perspective", [](Player& p) { p.set_perspective(!p.camera().goal().perspective); }},
+    {"perspective", [](Player& p) { set_perspective(p, !p.camera().goal().perspective); }},
     {"remember", [](Player& p) { p.remember("a name that is too long for a string without memory"); }},
     {"answer", [](Player& p) { p.answer(0); }},
     {"skip the question", [](Player& p) { p.next(); }},

@@ -1,5 +1,6 @@
 // What a reader does in the window with a whole lesson: keeps a step under the hand, tries exercises, sees a line fail.
 
+#include "viz/player/practice.h"
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
@@ -117,7 +118,7 @@ TEST_CASE("a handle that is dragged back to where it was taken leaves the preset
   for (const Lesson* lesson : lessons::all_lessons()) {
     window.player().open(*lesson);
     window.frames(2);
-    const std::string preset = window.player().preset_id();
+    const std::string preset = window.player().played().preset_id();
     const std::vector<Handle> handles = window.player().scene().handles;
     for (const Handle& handle : handles) {
       INFO(lesson->id << ": " << handle.parameter);
@@ -128,7 +129,7 @@ TEST_CASE("a handle that is dragged back to where it was taken leaves the preset
       window.move(x + 37, y + 23);
       window.move(x, y);
       window.button(false);
-      CHECK(window.player().preset_id() == preset);
+      CHECK(window.player().played().preset_id() == preset);
       ++dragged;
     }
   }
@@ -219,13 +220,13 @@ TEST_CASE("an exercise is tried from its own preset, and found when the core say
   window.click("solution 2");
   window.click("try 1");
   window.frames(2);
-  CHECK(window.player().preset_id() == "overlapping");
+  CHECK(window.player().played().preset_id() == "overlapping");
   CHECK(window.player().index() == outcome(window.player().walk()));
   REQUIRE(window.has("exercise"));
-  CHECK_FALSE(window.player().exercise_solved());
+  CHECK_FALSE(exercise_solved(window.player()));
   find_it(window.ui.player());
   window.frames(2);
-  CHECK(window.player().exercise_solved());
+  CHECK(exercise_solved(window.player()));
   CHECK(window.player().step().verdict.kind == Verdict::Kind::on);
   window.click("end exercise");
   window.frames(2);
@@ -250,7 +251,7 @@ TEST_CASE("one key shows the published line fail", "[window]") {
   CHECK(window.has("see it fail"));
   window.type("e");
   window.frames(2);
-  CHECK(window.player().preset_id() == "touching");
+  CHECK(window.player().played().preset_id() == "touching");
   CHECK(window.player().walk().pseudocode[window.player().step().line] == spheres().errata.front().published);
   CHECK_FALSE(window.has("see it fail"));  // it does
   int shown = 0;
@@ -258,10 +259,10 @@ TEST_CASE("one key shows the published line fail", "[window]") {
     for (const Preset& preset : lesson->presets) {
       window.player().open(*lesson);
       window.player().load(preset);
-      for (int i = 0; i < window.player().count() && !window.player().erratum(); ++i) window.player().go_to(i);
-      if (!window.player().erratum()) continue;
+      for (int i = 0; i < window.player().count() && !erratum(window.player()); ++i) window.player().go_to(i);
+      if (!erratum(window.player())) continue;
       CAPTURE(lesson->id, preset.id);
-      window.player().show_erratum();
+      show_erratum(window.player());
       const bool first_line = window.player().step().line == 0;
       CHECK((window.player().index() > 0 || first_line));  // where its line stands, or where it has led
       ++shown;

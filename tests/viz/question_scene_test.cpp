@@ -625,25 +625,25 @@ TEST_CASE("a digit answers where it is an answer, and loads no preset while a qu
   WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("crossings", "inside"));
   window.player().first();
   window.key(key::right);
-  REQUIRE(window.player().asked());
-  const Question question = *window.player().asked();
-  const std::string preset = window.player().preset_id();
-  REQUIRE(window.player().group().size() > 1);
+  REQUIRE(window.player().quiz().asked());
+  const Question question = *window.player().quiz().asked();
+  const std::string preset = window.player().played().preset_id();
+  REQUIRE(window.player().played().group().size() > 1);
   const auto is_choice = [&](char c) {
     return std::ranges::any_of(question.choices, [&](const std::string& choice) { return plain(choice)[0] == c; });
   };
   for (char digit = '0'; digit <= '9'; ++digit)
     if (!is_choice(digit)) window.type(std::string(1, digit));
-  REQUIRE(window.player().asked());
-  CHECK(window.player().preset_id() == preset);
+  REQUIRE(window.player().quiz().asked());
+  CHECK(window.player().played().preset_id() == preset);
   const std::string right = plain(question.choices[static_cast<std::size_t>(question.answer)]);
   REQUIRE(right.size() == 1);
   window.type(right);
-  REQUIRE(window.player().answered());
-  CHECK(window.player().answered()->right());
-  CHECK(window.player().preset_id() == preset);
+  REQUIRE(window.player().quiz().answered());
+  CHECK(window.player().quiz().answered()->right());
+  CHECK(window.player().played().preset_id() == preset);
   window.type("2");  // the question is over
-  CHECK(window.player().preset_id() == window.player().group()[1]->id);
+  CHECK(window.player().played().preset_id() == window.player().played().group()[1]->id);
 }
 
 TEST_CASE("with the panels hidden a question stands with the numbers it needs", "[window]") {
@@ -655,7 +655,7 @@ TEST_CASE("with the panels hidden a question stands with the numbers it needs", 
   window.key(key::tab);
   window.key(key::right);
   window.frames(2);
-  REQUIRE(window.player().asked());
+  REQUIRE(window.player().quiz().asked());
   REQUIRE(window.has("known values"));
   const Rect card = window.rect("question over scene"), known = window.rect("known values");
   CHECK((known.top > card.top && known.bottom < window.rect("choice 0").top));
@@ -669,7 +669,7 @@ TEST_CASE("Right to a question about the next edge lights and names that edge", 
     const std::vector<Line> before = rules();
     const Picture picture = window.picture();
     window.key(key::right);
-    if (!window.player().asked()) continue;
+    if (!window.player().quiz().asked()) continue;
     const Step& next = window.player().walk().steps[static_cast<std::size_t>(window.player().index()) + 1];
     if (lit_lines(next.scene).empty()) continue;
     ++asked;
@@ -690,7 +690,7 @@ TEST_CASE("Right to a question about the next edge lights and names that edge", 
 TEST_CASE("clipping asks about a side that is drawn and lit", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, at("clipping", "both-ends-cut", 3));
   window.key(key::right);
-  REQUIRE(window.player().asked());
+  REQUIRE(window.player().quiz().asked());
   REQUIRE(lit_lines(window.player().scene()).size() == 1);
   const Line side = lit_lines(window.player().scene())[0];
   CHECK(side.from.x() == 2);  // the right one, and not the left one of the step before
@@ -703,17 +703,17 @@ TEST_CASE("with the panels hidden the question stands over the scene, and is ans
   CHECK_FALSE(window.has("question over scene"));
   window.key(key::right);
   window.frames(2);
-  REQUIRE(window.player().asked());
+  REQUIRE(window.player().quiz().asked());
   REQUIRE(window.has("question over scene"));
   REQUIRE(window.has("choice 1"));
   const Rect card = window.rect("question over scene"), choice = window.rect("choice 1"), scene = window.rect("scene");
   CHECK((choice.top > card.top && choice.bottom < card.bottom && choice.left > card.left && choice.right < card.right));
   CHECK((card.left >= scene.left && card.bottom <= window.rect("transport").top && card.top >= scene.top));
   const Camera camera = window.player().camera().goal();
-  const int right = window.player().asked()->answer;
+  const int right = window.player().quiz().asked()->answer;
   window.click("choice " + std::to_string(right));
-  REQUIRE(window.player().answered());
-  CHECK(window.player().answered()->right());
+  REQUIRE(window.player().quiz().answered());
+  CHECK(window.player().quiz().answered()->right());
   CHECK(window.player().camera().goal().azimuth == camera.azimuth);  // the click did not reach the scene
   window.frames(2);
   REQUIRE(window.has("question over scene"));  // it says whether that was right
@@ -723,14 +723,14 @@ TEST_CASE("with the panels hidden the question stands over the scene, and is ans
 
 TEST_CASE("what methods say waits for the outcome, and while a question is open", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, at("sphere-sphere", "touching", 2));
-  REQUIRE(window.player().methods_differ());
+  REQUIRE(window.player().played().methods_differ());
   CHECK_FALSE(window.has("alarm"));
   window.player().go_to(outcome(window.player().walk()));
   window.frames(2);
   CHECK(window.has("alarm"));
   window.player().go_to(2);
   window.key(key::right);
-  REQUIRE(window.player().asked());
+  REQUIRE(window.player().quiz().asked());
   window.frames(2);
   CHECK_FALSE(window.has("alarm"));
   CHECK_FALSE(window.has("methods side by side"));
@@ -749,7 +749,7 @@ TEST_CASE("while a question is open the step before it is told no more, as the p
   const std::array<int, 3> marked = ground();
   window.key(key::right);
   window.frames(2);
-  REQUIRE(window.player().asked());
+  REQUIRE(window.player().quiz().asked());
   REQUIRE(window.player().step().line == 4);
   CHECK(ground() != marked);
   const Rect words = window.rect("lesson words");
@@ -787,11 +787,11 @@ TEST_CASE("presets are numbers while a question is open, as their names may tell
   const Rect chip = window.rect("preset 2");
   CHECK(window.ui.title().find("two roots") != std::string::npos);
   window.key(key::right);
-  REQUIRE(window.player().asked());
+  REQUIRE(window.player().quiz().asked());
   window.frames(2);
   CHECK(window.ui.title() == "Ray and sphere, preset 1, step 5 of 13 – isect");
   CHECK(window.rect("preset 2").left == chip.left);  // nothing moves
-  for (const Preset* preset : window.player().group())
+  for (const Preset* preset : window.player().played().group())
     CHECK(window.player().told_title(*preset).find(plain(preset->title)) == std::string::npos);
   window.player().answer(0);
   window.frames(2);
@@ -818,8 +818,8 @@ TEST_CASE("play rests at a question without taking time, and says so by its icon
   window.type(" ");
   CHECK(window.ui.rest() > 1);  // until the next step
   CHECK(window.ui.rest() <= 1.6);
-  for (int i = 0; i < 9 && !window.player().asked(); ++i) window.wait(0.5f);
-  REQUIRE(window.player().asked());
+  for (int i = 0; i < 9 && !window.player().quiz().asked(); ++i) window.wait(0.5f);
+  REQUIRE(window.player().quiz().asked());
   CHECK_FALSE(window.player().running());
   CHECK(std::isinf(window.ui.rest()));
   const int before = window.player().index();
@@ -834,18 +834,18 @@ TEST_CASE("N and a button let play pass over questions, and that is kept", "[win
   CHECK(window.ui.message() == "Play passes over questions now");
   CHECK(window.ui.settings().nonstop);
   window.type(" ");
-  for (int i = 0; i < 200 && window.player().playing(); ++i) {
+  for (int i = 0; i < 200 && window.player().clock().playing(); ++i) {
     window.wait(0.5f);
-    CHECK_FALSE(window.player().asked());
+    CHECK_FALSE(window.player().quiz().asked());
   }
   CHECK(window.player().at_end());
 
   Settings kept;
   kept.nonstop = true;
   WindowDriver again(lessons::all_lessons(), 1280, 800, {}, kept);
-  CHECK_FALSE(again.player().stops_at_questions());
+  CHECK_FALSE(again.player().clock().stops_at_questions());
   again.click("pass questions");
-  CHECK(again.player().stops_at_questions());
+  CHECK(again.player().clock().stops_at_questions());
   CHECK_FALSE(again.ui.settings().nonstop);
 }
 
@@ -871,7 +871,7 @@ TEST_CASE("what came of an answer is in sight, whatever stands above it", "[wind
   ask_all(window, isect::lessons::all_lessons(), [&](const Question&) {
     window.player().answer(0);
     window.frames(4);
-    if (!window.player().answered()) return;
+    if (!window.player().quiz().answered()) return;
     ++answered;
     INFO(window.ui.title());
     const Rect told = window.rect("what came of it"), words = window.rect("lesson words");

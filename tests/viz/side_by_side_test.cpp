@@ -67,7 +67,7 @@ TEST_CASE("the alarm shows where methods differ, and keeps the setting as a pres
   WindowOptions options{.reduced_motion = true};
   options.figures = folder;
   WindowDriver window(lessons::all_lessons(), 1280, 1400, place_at("sphere-sphere", "overlapping"), {}, options);
-  CHECK_FALSE(window.player().methods_differ());
+  CHECK_FALSE(window.player().played().methods_differ());
   CHECK_FALSE(window.has("methods side by side"));  // the answer stays hidden until the outcome
   window.ui.player().go_to(outcome(window.player().walk()));
   window.frames(2);
@@ -78,7 +78,7 @@ TEST_CASE("the alarm shows where methods differ, and keeps the setting as a pres
   window.player().load(preset(window.player().lesson(), "touching"));
   window.ui.player().go_to(outcome(window.player().walk()));
   window.frames(2);
-  REQUIRE(window.player().methods_differ());
+  REQUIRE(window.player().played().methods_differ());
   CHECK(window.has("alarm"));
   window.click("save preset");
   window.frames(2);

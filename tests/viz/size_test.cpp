@@ -19,7 +19,7 @@ TEST_CASE("Ctrl and + or - changes the size of everything, Ctrl+0 takes it back"
   CHECK(window.rect("play").width() == play.width());  // px of a layout with fewer of them
   CHECK(window.picture().width == 1920);
   window.click("play");  // the pointer is where it seems
-  CHECK(window.player().playing());
+  CHECK(window.player().clock().playing());
   window.key(key::minus, true);
   CHECK(window.ui.settings().size == Approx(1.4));
   window.key(key::zero, true);

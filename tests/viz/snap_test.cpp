@@ -6,6 +6,7 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
+#include "viz/player/practice.h"
 #include "viz/player/snap.h"
 #include "viz/walk/closing.h"
 
@@ -195,9 +196,9 @@ TEST_CASE("a point snaps to a place that is unlike all about it, and so an exerc
   Player& player = window.player();
   player.last();
   window.frames(2);
-  player.begin_exercise(0);  // where does the closed rule err? only at the height of a corner
+  begin_exercise(player, 0);  // where does the closed rule err? only at the height of a corner
   window.frames(2);
-  CHECK_FALSE(player.exercise_solved());
+  CHECK_FALSE(exercise_solved(player));
   const Rect p = window.rect("handle p");
   const Vec3 from = std::get<Vec3>(player.parameters().at("p"));
   window.move(p.middle_x(), p.middle_y());
@@ -214,7 +215,7 @@ TEST_CASE("a point snaps to a place that is unlike all about it, and so an exerc
   CHECK(now.y() == -0.5);
   CHECK_THAT(window.ui.message(), Contains("Here exactly"));
   CHECK_THAT(window.ui.message(), Contains("Wrong: the truth is 1 crossing"));
-  CHECK(player.exercise_solved());
+  CHECK(exercise_solved(player));
 }
 
 TEST_CASE("a landmark is found where it is a case of its own, and the nearer border if there is one", "[snap]") {

@@ -69,15 +69,15 @@ TEST_CASE("a step takes 220 ms, its light 120, and then all is at rest", "[windo
   CHECK(std::isinf(window.ui.rest()));
   window.key(key::left);
   const auto at_start = window.picture().rgba;
-  CHECK(window.player().motion() < 1);
-  CHECK(window.player().light() < 1);
+  CHECK(window.player().motion().share() < 1);
+  CHECK(window.player().motion().light() < 1);
   CHECK(window.ui.rest() == 0);
   window.wait(0.11f);
-  CHECK(window.player().light() == 1);
-  CHECK(window.player().motion() < 1);
+  CHECK(window.player().motion().light() == 1);
+  CHECK(window.player().motion().share() < 1);
   const auto on_the_way = window.picture().rgba;
   window.wait(0.12f);
-  CHECK(window.player().motion() == 1);
+  CHECK(window.player().motion().share() == 1);
   CHECK(std::isinf(window.ui.rest()));
   CHECK(window.picture().rgba != on_the_way);
   CHECK(at_start != on_the_way);
@@ -90,7 +90,7 @@ TEST_CASE("the current line can be read while its light comes on", "[window]") {
   window.wait(1);
   window.key(key::left);
   int frames = 0;
-  for (; window.player().light() < 1; window.frames(), ++frames) {
+  for (; window.player().motion().light() < 1; window.frames(), ++frames) {
     const Rect line = window.rect("line " + std::to_string(window.player().step().line + 1));
     const Picture picture = window.picture();
     const auto at = [&](float x, float y) {
@@ -102,7 +102,7 @@ TEST_CASE("the current line can be read while its light comes on", "[window]") {
     double most = 1;
     for (float y = line.top + 2; y < line.bottom - 2; ++y)
       for (float x = line.left + 30; x < line.right - 40; ++x) most = std::max(most, contrast_ratio(at(x, y), ground));
-    INFO("light " << window.player().light());
+    INFO("light " << window.player().motion().light());
     CHECK(most > 3.5);
   }
   CHECK(frames > 1);
@@ -196,8 +196,8 @@ TEST_CASE("a map that takes long is swept a little in each frame, and no rest co
 TEST_CASE("under reduced motion nothing moves by itself", "[window]") {
   WindowDriver still(lessons::all_lessons(), 1280, 800, sides(), {}, reduced(true));
   still.key(key::left);
-  CHECK(still.player().motion() == 1);
-  CHECK(still.player().light() == 1);
+  CHECK(still.player().motion().share() == 1);
+  CHECK(still.player().motion().light() == 1);
   CHECK(std::isinf(still.ui.rest()));
 }
 
@@ -216,7 +216,7 @@ TEST_CASE("a drag is no motion: the scene follows at once", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, sides(), {}, reduced(false));
   window.wait(1);
   window.drag("handle p", 20, -10);
-  CHECK(window.player().motion() == 1);
+  CHECK(window.player().motion().share() == 1);
 }
 
 TEST_CASE("many new texts come in several frames, and all is there before the window rests", "[window]") {

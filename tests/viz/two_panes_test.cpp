@@ -117,9 +117,9 @@ TEST_CASE("in a small window a question covers neither pane's code", "[window]")
   WindowDriver window(lessons::all_lessons(), width, height, place_at("ray-sphere", "two-roots"));
   window.type("v");
   window.frames(2);
-  for (int i = 0; i < 12 && !window.player().asked(); ++i) window.key(key::right);
+  for (int i = 0; i < 12 && !window.player().quiz().asked(); ++i) window.key(key::right);
   window.frames(3);
-  REQUIRE(window.player().asked());
+  REQUIRE(window.player().quiz().asked());
   REQUIRE(window.has("other scene"));
   const Rect asked = window.rect("question over scene");
   CHECK(asked.bottom <= window.rect("scene").bottom);
@@ -202,7 +202,7 @@ TEST_CASE("with two methods a handle of either pane moves both, and one undo tak
   const Rect c = window.rect("handle c");
   window.drag("other handle c", 40, 20);
   CHECK(center(window) != before);
-  CHECK(window.player().method() == "squared");
+  CHECK(window.player().played().method() == "squared");
   window.frames();
   CHECK(window.rect("handle c").middle_x() == Approx(c.middle_x() + 40).margin(1));
   window.key(key::z, true);
@@ -231,7 +231,7 @@ TEST_CASE("a lesson without other methods sets the next preset beside this one, 
   ReaderState state;
   state.lesson = "sphere-sphere";
   WindowDriver window(lessons::all_lessons(), 1280, 800, state);
-  const auto group = window.player().group();
+  const auto group = window.player().played().group();
   window.type("v");
   CHECK(window.ui.settings().beside->preset == group[1]->id);
   window.type("v");

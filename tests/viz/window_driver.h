@@ -170,7 +170,7 @@ void ask_all(WindowDriver& window, const std::vector<const Lesson*>& lessons, co
     for (int i = 1; i < window.player().count(); ++i) {
       window.player().go_to(i - 1);
       window.player().next();
-      if (const Question* question = window.player().asked()) then(*question);
+      if (const Question* question = window.player().quiz().asked()) then(*question);
     }
   }
 }

@@ -11,6 +11,7 @@
 #include "tests/viz/sample_lesson.h"
 #include "tests/viz/window_driver.h"
 #include "viz/compose/item_names.h"
+#include "viz/player/camera_moves.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/utf8.h"
 #include "viz/walk/alt_text.h"
@@ -232,7 +233,7 @@ TEST_CASE("what says that a setting was changed covers no word", "[window][layou
     if (window.player().scene().handles.empty()) continue;
     const Handle handle = window.player().scene().handles.front();
     window.player().drag_handle(handle, handle.at + Vec3(0.11, 0.07, 0));
-    if (!window.player().preset_id().empty()) continue;
+    if (!window.player().played().preset_id().empty()) continue;
     for (int i = 0; i < window.player().count(); ++i) {
       window.player().go_to(i);
       window.frames(2);
@@ -514,7 +515,7 @@ TEST_CASE("the axes in the corner give way to what is named there", "[window]") 
   CHECK(window.has("tripod"));
   for (int k = 0; k < 25 && window.has("tripod"); ++k) {  // until the eye comes to lie there
     const Rect scene = window.rect("scene");
-    window.player().pan(View(window.player().camera().now(), scene.width(), scene.height()), {0, 0}, {0, 8});
+    pan(window.player(), View(window.player().camera().now(), scene.width(), scene.height()), {0, 0}, {0, 8});
     window.frames(2);
   }
   CHECK_FALSE(window.has("tripod"));

@@ -51,7 +51,7 @@ TEST_CASE("a pasted text that is no state is refused with its reason, and nothin
   CHECK_FALSE(window.ui.message().empty());
   if (*bad != '{') CHECK_THAT(window.ui.message(), !isect::test::Contains("parse error"));
   CHECK(window.has("message"));
-  CHECK(window.player().preset_id() == "squared-outside");
+  CHECK(window.player().played().preset_id() == "squared-outside");
   CHECK(window.player().index() == 1);
   window.wait(30);
   CHECK(window.ui.message().empty());
@@ -242,9 +242,9 @@ TEST_CASE("Ctrl+S writes a scene back into its file, says what failed, and saves
   CHECK(written.front() == window.player().parameters());
   CHECK(written.front() != disc.presets.front().parameters);
   CHECK(window.ui.message() == "Saved into the scene's file");
-  CHECK(window.player().preset_id() == scene.presets.front().id);  // nothing is "changed" any more
+  CHECK(window.player().played().preset_id() == scene.presets.front().id);  // nothing is "changed" any more
   window.drag("handle c", 30, 30);
-  CHECK(window.player().preset_id().empty());
+  CHECK(window.player().played().preset_id().empty());
   window.type("1");
   CHECK(window.player().parameters() == written.front());  // and not as it was once opened
 

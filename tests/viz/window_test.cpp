@@ -22,7 +22,7 @@ TEST_CASE("the keys step, jump and stop at questions", "[window]") {
   CHECK(window.player().index() == 1);
   window.key(key::right);
   CHECK(window.player().index() == 1);
-  REQUIRE(window.player().asked());
+  REQUIRE(window.player().quiz().asked());
   window.key(key::right);
   CHECK(window.player().index() == 2);
   window.key(key::left);
@@ -37,14 +37,14 @@ TEST_CASE("the keys step, jump and stop at questions", "[window]") {
 TEST_CASE("presets are loaded by chip and by number, and the method by its menu", "[window]") {
   WindowDriver window(both);
   window.click("preset 2");
-  CHECK(window.player().preset_id() == "squared-outside");
+  CHECK(window.player().played().preset_id() == "squared-outside");
   window.type("3");
-  CHECK(window.player().preset_id() == "squared-on");
+  CHECK(window.player().played().preset_id() == "squared-on");
   window.type("9");  // there is no ninth
-  CHECK(window.player().preset_id() == "squared-on");
+  CHECK(window.player().played().preset_id() == "squared-on");
   window.click("method");
   window.click("method distance");
-  CHECK(window.player().preset_id() == "distance-on");
+  CHECK(window.player().played().preset_id() == "distance-on");
 }
 
 TEST_CASE("a dragged handle changes its parameter and the verdict at once", "[window]") {
@@ -61,7 +61,7 @@ TEST_CASE("a dragged handle changes its parameter and the verdict at once", "[wi
   CHECK(window.player().step().verdict.kind == Verdict::Kind::no);  // while it is still held
   window.button(false);
   CHECK(center().norm() > 1);
-  CHECK(window.player().preset_id().empty());
+  CHECK(window.player().played().preset_id().empty());
   CHECK(window.has("changed"));
   const Rect now = window.rect("handle c");
   CHECK(now.middle_x() == Approx(grip.middle_x() + 240).margin(0.5));
@@ -69,7 +69,7 @@ TEST_CASE("a dragged handle changes its parameter and the verdict at once", "[wi
 
   window.key(key::z, true);
   CHECK(center() == Vec3(0, 0, 0));
-  CHECK(window.player().preset_id() == "squared-inside");
+  CHECK(window.player().played().preset_id() == "squared-inside");
 }
 
 TEST_CASE("a radius handle changes a number", "[window]") {
@@ -200,13 +200,13 @@ TEST_CASE("the transport's buttons do what the keys do", "[window]") {
   window.click("first");
   CHECK(window.player().index() == 0);
   window.click("speed");
-  CHECK(window.player().speed() == 1.5);
+  CHECK(window.player().clock().speed() == 1.5);
   window.click("play");
-  CHECK(window.player().playing());
+  CHECK(window.player().clock().playing());
   window.wait(1.2f);
   CHECK(window.player().index() == 1);
   window.type(" ");
-  CHECK_FALSE(window.player().playing());
+  CHECK_FALSE(window.player().clock().playing());
 }
 
 TEST_CASE("a question is answered by click or by letter, and the answer is told", "[window]") {
@@ -215,18 +215,18 @@ TEST_CASE("a question is answered by click or by letter, and the answer is told"
   window.key(key::right);
   REQUIRE(window.has("choice 1"));
   window.click("choice 1");
-  REQUIRE(window.player().answered());
-  CHECK_FALSE(window.player().answered()->right());
+  REQUIRE(window.player().quiz().answered());
+  CHECK_FALSE(window.player().quiz().answered()->right());
   CHECK(window.player().index() == 2);
   window.click("choice 0");  // too late
-  CHECK(window.player().answered()->choice == 1);
+  CHECK(window.player().quiz().answered()->choice == 1);
 
   window.type("r");
   window.player().go_to(1);
   window.key(key::right);
   window.type("a");
-  REQUIRE(window.player().answered());
-  CHECK(window.player().answered()->right());
+  REQUIRE(window.player().quiz().answered());
+  CHECK(window.player().quiz().answered()->right());
 }
 
 TEST_CASE("letters typed into a field are no commands", "[window]") {
@@ -234,7 +234,7 @@ TEST_CASE("letters typed into a field are no commands", "[window]") {
   window.key(key::o, true);
   window.frames(2);
   window.type("ball 2");
-  CHECK(window.player().preset_id() == "squared-inside");
+  CHECK(window.player().played().preset_id() == "squared-inside");
   window.type("");
   CHECK_FALSE(window.has("lesson point-disc"));
 }

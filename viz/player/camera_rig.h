@@ -19,8 +19,9 @@ class CameraRig {
   bool moving() const { return left_ > 0; }
 
   void jump(const Camera&);
-  /// Glides there in 350 ms, slow at both ends. Every moment in between is a valid camera.
-  void glide(const Camera&, double seconds = 0.350);
+  static constexpr double usual_glide = 0.350;  ///< seconds
+  /// Glides there, slow at both ends. Every moment in between is a valid camera.
+  void glide(const Camera&, double seconds = usual_glide);
   void advance(double seconds);
 
   /// Turns by a movement of the pointer in pixels; the elevation stops at straight up and straight down.

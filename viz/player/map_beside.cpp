@@ -55,7 +55,7 @@ const Cases& MapBeside::find(const Player& player) {
     lesson_ = &player.lesson(), elsewhere_ = elsewhere;
     ++found_;
   }
-  cases_.here = player.asked() ? std::nullopt : spot_on(map, player.parameters());
+  cases_.here = player.quiz().asked() ? std::nullopt : spot_on(map, player.parameters());
   return cases_;
 }
 

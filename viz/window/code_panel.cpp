@@ -124,11 +124,11 @@ void code_line(WindowSession& s, int line, const CodeLine& words, float pitch, c
   const int to = step_at_line(s.player, line);
   const Press p = press(ui, "line " + std::to_string(line + 1), r);
   if (current)
-    filled(r, c.highlight.with_alpha(s.player.light()), 5);
+    filled(r, c.highlight.with_alpha(s.player.motion().light()), 5);
   else if (p.hovered && to >= 0)
     filled(r, c.frame, 5);
 
-  const bool lit = current && s.player.light() > 0.5;  // until then the ink of other lines is easier to read
+  const bool lit = current && s.player.motion().light() > 0.5;  // until then the ink of other lines is easier to read
   if (line == s.parted_line) parted_mark(ui, "parted line", r, lit);
   const Colour& ink = lit ? c.on_highlight : has(step.untaken, line) ? c.muted : c.text;
   float y = r.top + pitch / 2;

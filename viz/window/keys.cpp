@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "viz/chart/case_map.h"
+#include "viz/player/camera_moves.h"
+#include "viz/player/practice.h"
 #include "viz/text/rich_text.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/map_view.h"
@@ -54,7 +56,7 @@ void with_control(WindowSession& s) {
 
 /// Loads the preset after the one loaded last, or before it.
 void neighbour_preset(WindowSession& s, int by) {
-  const std::vector<const Preset*> group = s.player.group();
+  const std::vector<const Preset*> group = s.player.played().group();
   const int count = static_cast<int>(group.size());
   if (count == 0) return;
   const auto at = std::ranges::find(group, s.player.origin(), &Preset::id);
@@ -97,14 +99,14 @@ void moving_keys(WindowSession& s) {
 }
 
 void load_number(WindowSession& s, std::size_t number) {
-  const std::vector<const Preset*> group = s.player.group();
+  const std::vector<const Preset*> group = s.player.played().group();
   if (number <= group.size()) s.attempt([&] { s.player.load(*group[number - 1]); });
 }
 
 /// Gives the answer that is this digit, unless another answer begins with it, too. Otherwise it does nothing: loading a
 /// preset would take the question away.
 void answer_with(Player& player, char digit) {
-  const std::vector<std::string>& choices = player.asked()->choices;
+  const std::vector<std::string>& choices = player.quiz().asked()->choices;
   const auto begins = [&](const std::string& choice) { return plain(choice).starts_with(digit); };
   const auto found =
       std::ranges::find_if(choices, [&](const std::string& c) { return plain(c) == std::string(1, digit); });
@@ -116,9 +118,9 @@ void answer_with(Player& player, char digit) {
 void character(WindowSession& s, char c) {
   Player& player = s.player;
   if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  if (c >= '0' && c <= '9' && player.asked()) return answer_with(player, c);
+  if (c >= '0' && c <= '9' && player.quiz().asked()) return answer_with(player, c);
   if (c >= '0' && c <= '9') return load_number(s, c == '0' ? 10 : static_cast<std::size_t>(c - '0'));
-  if (player.asked() && c >= 'a' && c - 'a' < static_cast<int>(player.asked()->choices.size()))
+  if (player.quiz().asked() && c >= 'a' && c - 'a' < static_cast<int>(player.quiz().asked()->choices.size()))
     return player.answer(c - 'a');
   switch (c) {
     case ' ':
@@ -128,7 +130,7 @@ void character(WindowSession& s, char c) {
     case ']':
       return s.attempt([&] { player.open_neighbour(1); });
     case 'e':
-      return s.attempt([&] { player.show_erratum(); });
+      return s.attempt([&] { show_erratum(player); });
     case 'g':
       s.open_next = Sheet::terms;
       return;
@@ -145,11 +147,11 @@ void character(WindowSession& s, char c) {
     case 'r':
       return s.attempt([&] { player.restart(); });
     case 'p':
-      return player.set_perspective(true);
+      return set_perspective(player, true);
     case 'o':
-      return player.set_perspective(false);
+      return set_perspective(player, false);
     case 'f':
-      return player.frame_all();
+      return frame_all(player);
     case '+':
     case '=':
       s.zoom *= 1.15;
@@ -185,7 +187,7 @@ void save_back(WindowSession& s) {
 }
 
 bool may_leave(WindowSession& s) {
-  const bool saved = !keeps_file(s) || !s.player.preset_id().empty() || s.told_unsaved == s.player.revision();
+  const bool saved = !keeps_file(s) || !s.player.played().preset_id().empty() || s.told_unsaved == s.player.revision();
   if (saved) return true;
   s.told_unsaved = s.player.revision();
   s.complain("This scene is not saved: Ctrl+S saves it; Ctrl+Q once more leaves it as its file is");
@@ -202,7 +204,7 @@ void show_map(WindowSession& s) {
 
 void pass_questions(WindowSession& s) {
   s.settings.nonstop = !s.settings.nonstop;
-  s.player.stop_at_questions(!s.settings.nonstop);
+  s.player.clock().stop_at_questions(!s.settings.nonstop);
   s.say(s.settings.nonstop ? "Play passes over questions now" : "Play stops at questions again");
 }
 

@@ -52,7 +52,7 @@ float lecture_height(WindowSession& s, float width, float room) {
 void lecture(WindowSession& s, const Rect& r) {
   Ui& ui = s.ui;
   begin_region(ui, "lecture", r);
-  if (s.player.asked()) {  // the question covers the scene
+  if (s.player.quiz().asked()) {  // the question covers the scene
     rule(ui, r.left, r.right, r.top);
     ImGui::End();
     return;

@@ -34,7 +34,7 @@ void formula_card(Column& c, const std::string& markup) {
 
 /// Draws what each method says of this setting, and a button to keep a setting in which they differ.
 void side_by_side(Column& c) {
-  const std::vector<Opinion>& said = c.s.player.opinions();
+  const std::vector<Opinion>& said = c.s.player.played().opinions();
   const bool known = c.s.player.index() >= outcome(c.s.player.walk());  // before that they would give the answer away
   if (said.empty() || !known) return;
   Ui& ui = c.s.ui;
@@ -49,7 +49,7 @@ void side_by_side(Column& c) {
     c.x -= 22, c.width += 22;
   }
   ui.rects["methods side by side"] = {c.x, top, c.x + c.width, c.y};
-  if (!c.s.player.methods_differ()) return;
+  if (!c.s.player.played().methods_differ()) return;
   c.y += 8;
   if (chip(ui, "save preset", {c.x, c.y, c.x + 180, c.y + 34}, "Save as preset", false)) c.s.save_preset = true;
   c.y += 34;
@@ -62,7 +62,7 @@ void lesson_text(WindowSession& s, const Rect& r, bool fresh, bool low) {
   const float top = ImGui::GetCursorScreenPos().y;  // moves with the scroll
   Column c{s, r.left + panel_margin, top + (low ? 10.0f : 18.0f), r.width() - 2 * panel_margin};
   exercise_on_hand(c);
-  if (s.player.asked()) {  // the scene is the next step's already: the words of this one would be taken for its
+  if (s.player.quiz().asked()) {  // the scene is the next step's already: the words of this one would be taken for its
     c.y -= 24;
   } else {
     c.paragraph(step.title, ink.text, 19, 26, true);
@@ -206,7 +206,7 @@ void lesson_panel(WindowSession& s, const Rect& r) {
   const float width = r.width() - 2 * panel_margin;
   const std::vector<Hint> hints = hints_of(s.player, shows_map(s));
   Parts at = parts_of(r, open, s.fields_height, r.height() > 420 ? hints_height(s, hints, width) : 0);
-  const bool bare = at.low && !open && s.player.asked();  // a question needs all the room
+  const bool bare = at.low && !open && s.player.quiz().asked();  // a question needs all the room
   if (bare) at.words.bottom = r.bottom;
   scrolling(s.ui, "words", at.words, [&] {
     const bool fresh = std::exchange(s.words_seen, s.player.revision()) != s.player.revision();

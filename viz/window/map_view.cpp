@@ -75,9 +75,10 @@ void MapDrag::follow(WindowSession& s, const Cases& cases, const Box2& plane, bo
 
 /// Adds to the trail. A preset begins a new trail, unless a drag leads back to the preset.
 void MapView::leave_trail(const Player& player) {
-  const bool preset = player.preset_id() != trail_from_ && !ImGui::GetIO().MouseDown[0];
-  if ((preset && !player.preset_id().empty()) || !map_.cases().here || trail_of_ != map_.lesson()) trail_.clear();
-  trail_of_ = map_.lesson(), trail_from_ = player.preset_id();
+  const bool preset = player.played().preset_id() != trail_from_ && !ImGui::GetIO().MouseDown[0];
+  if ((preset && !player.played().preset_id().empty()) || !map_.cases().here || trail_of_ != map_.lesson())
+    trail_.clear();
+  trail_of_ = map_.lesson(), trail_from_ = player.played().preset_id();
   if (!map_.cases().here || (!trail_.empty() && trail_.back().at == map_.cases().here->at)) return;
   trail_.push_back(*map_.cases().here);
   if (trail_.size() > trail_kept) trail_.pop_front();
@@ -167,7 +168,7 @@ void MapView::show(WindowSession& s, const Rect& r) {
 
   const float x = r.left + 20, y = r.top + 22;
   std::string told = "here: after your answer";
-  if (!s.player.asked())
+  if (!s.player.quiz().asked())
     told = map_.cases().here ? "here: " + map_.cases().branches[map_.cases().here->branch] : "beyond this map";
   const Paragraph words{.markup = told, .colour = map_.cases().here ? ui.palette.text : ui.palette.muted};
   ImGui::PushClipRect({x, r.top}, {r.right - 8, within.top}, true);

@@ -140,7 +140,7 @@ float choice(WindowSession& s, const Parameter& p, const std::string& value, con
   float x = r.left, y = r.top;
   for (const std::string& c : p.choices) {
     std::string title = c;
-    for (const Method& m : s.player.methods())
+    for (const Method& m : s.player.played().methods())
       if (p.name == s.player.lesson().group_by && m.choice == c) title = plain(m.title);
     title = fitted(s.ui.fonts.small, title, r.width() - 18);
     const float width = text_width(s.ui.fonts.small, title) + 18;

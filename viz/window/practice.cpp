@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "viz/player/practice.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
 #include "viz/window/column.h"
@@ -17,7 +18,7 @@ constexpr float button_sides = 28;  ///< beside its words, both
 /// Begins an exercise; if the keyboard began it, the keyboard focus moves to what can be moved.
 void begin_exercise(WindowSession& s, int index) {
   const bool by_keyboard = s.ui.focus.pressed();
-  s.attempt([&] { s.player.begin_exercise(index); });
+  s.attempt([&] { begin_exercise(s.player, index); });
   const std::vector<Handle>& handles = s.player.scene().handles;
   const Exercise* e = s.player.exercise();
   if (!by_keyboard || !e || handles.empty()) return;
@@ -42,7 +43,7 @@ bool Column::button(const std::string& name, const std::string& words, float& fr
 
 void erratum(Column& c) {
   Player& player = c.s.player;
-  const Erratum* e = player.erratum();
+  const Erratum* e = erratum(player);
   if (!e || line_of(*e, player.walk()) != player.step().line) return;
   const std::vector<std::string>& code = player.walk().pseudocode;
   const bool published = code[player.step().line] == e->published;
@@ -56,10 +57,10 @@ void erratum(Column& c) {
               : added   ? "This line is not in the note."
                         : "It read: " + as_markup(unindented(e->published)),
               ink.muted);
-  if (player.preset_id() == e->preset) return;  // the line fails in this setting
+  if (player.played().preset_id() == e->preset) return;  // the line fails in this setting
   c.y += 8;
   float x = c.x;
-  if (c.button("see it fail", "See it fail (E)", x)) c.s.attempt([&] { player.show_erratum(); });
+  if (c.button("see it fail", "See it fail (E)", x)) c.s.attempt([&] { show_erratum(player); });
   c.y += button_height;
 }
 
@@ -126,7 +127,7 @@ void exercise_on_hand(Column& c) {
   const Exercise* e = s.player.exercise();
   if (!e) return;
   const Palette& ink = s.ui.palette;
-  const bool solved = s.player.exercise_solved();
+  const bool solved = exercise_solved(s.player);
   const float top = c.y;
   c.paragraph(e->prompt, ink.text, 15, 23, true);
   if (solved) {
@@ -146,7 +147,7 @@ void exercise_on_hand(Column& c) {
   const bool back = c.button("end exercise", solved ? "Back to the exercises" : "Give up", x);
   c.y += button_height + 20;
   if (!back) return;
-  s.player.end_exercise();
+  s.player.set_exercise({});
   s.player.last();
 }
 

@@ -73,7 +73,7 @@ int choices(Column& c, const Question& question, int given) {
 void question(Column& c, bool fresh) {
   Player& player = c.s.player;
   const Palette& ink = c.s.ui.palette;
-  if (const Question* asked = player.asked()) {
+  if (const Question* asked = player.quiz().asked()) {
     c.y += 24;
     if (fresh) ImGui::SetScrollFromPosY(c.y - ImGui::GetWindowPos().y, 0);
     c.paragraph("Your turn", ink.text, 15, 23, true);
@@ -89,7 +89,7 @@ void question(Column& c, bool fresh) {
     if (pressed >= 0) player.answer(pressed);
     return;
   }
-  const auto answered = player.answered();
+  const auto answered = player.quiz().answered();
   if (!answered) return;
   c.y += 24;
   const float begin = c.y;
@@ -131,7 +131,7 @@ void question_within(WindowSession& s, Rect r) {
   ImGui::End();
 }
 
-bool has_question(const WindowSession& s) { return s.player.asked() || s.player.answered(); }
+bool has_question(const WindowSession& s) { return s.player.quiz().asked() || s.player.quiz().answered(); }
 
 }  // namespace
 
@@ -139,7 +139,7 @@ void question_over_scene(WindowSession& s, const Rect& scene, const Rect& words)
   if (!has_question(s)) return;
   // Once it is answered, the axes in the scene's corner and a ray's t-axis stay visible below it, if there is room.
   const float width = std::min(640.0f, scene.width() - 40), axes = scene.height() < 480 ? 0 : 94;
-  const float bottom = s.player.asked() ? words.bottom : scene.bottom - axes;
+  const float bottom = s.player.quiz().asked() ? words.bottom : scene.bottom - axes;
   question_within(s, {scene.left + 20, scene.top + 70, scene.left + 20 + width, bottom - 12});
 }
 

@@ -135,7 +135,7 @@ PixelBox draw_preview(const Player& player, const Settings& settings, Renderer& 
 std::string save_preset(const Player& player, const std::string& folder) {
   ReaderState state = player.reader_state();
   state.preset.clear(), state.camera.reset(), state.step.reset();
-  const std::string kind = player.methods_differ() ? "disagreement" : "setting";
+  const std::string kind = player.played().methods_differ() ? "disagreement" : "setting";
   std::string path;
   for (int i = 1; path.empty() || std::filesystem::exists(path); ++i)
     path = folder + "/" + state.lesson + "/" + kind + "-" + std::to_string(i) + ".json";

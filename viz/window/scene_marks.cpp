@@ -9,6 +9,7 @@
 
 #include "viz/chart/chart.h"
 #include "viz/compose/item_names.h"
+#include "viz/player/camera_moves.h"
 #include "viz/player/pick.h"
 #include "viz/text/names.h"
 #include "viz/text/rich_text.h"
@@ -69,11 +70,11 @@ float edge(const Rect& scene) { return is_low(scene) ? 8.0f : 20.0f; }
 /// Whether methods differ; not before the outcome: it would tell what the exact method says.
 bool has_alarm(const WindowSession& s) {
   const bool known = s.player.index() >= outcome(s.player.walk());
-  return s.player.methods_differ() && known && !s.player.asked() && !is_card(s.player.step().scene);
+  return s.player.played().methods_differ() && known && !s.player.quiz().asked() && !is_card(s.player.step().scene);
 }
 
 std::string alarm_words(const WindowSession& s) {
-  const std::vector<Opinion>& said = s.player.opinions();
+  const std::vector<Opinion>& said = s.player.played().opinions();
   const auto differ = std::ranges::count_if(said, [](const Opinion& o) { return !o.agrees; });
   return fmt::format("{} of {} methods {}", differ, said.size(), differ == 1 ? "differs" : "differ");
 }
@@ -126,7 +127,7 @@ float steady_head(WindowSession& s, const Rect& scene) {
   if (wanted != s.steady_head) wanted.tallest = tallest_verdict(s, scene), s.steady_head = wanted;
   const float tallest = wanted.tallest;
   if (tallest > 0) return std::max(low ? low_head : high_head, edge(scene) + tallest + 5);
-  return low && s.player.methods_differ() ? low_head : 0;
+  return low && s.player.played().methods_differ() ? low_head : 0;
 }
 
 float head_of(WindowSession& s, const Rect& scene) {
@@ -167,7 +168,7 @@ void alarm_chip(WindowSession& s, const Rect& scene) {
   text(ui.fonts.small, r.left + 40, r.middle_y(), packed(ui.palette.text), alarm_words(s));
   if (!ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) return;
   std::string all;
-  for (const Opinion& o : s.player.opinions())
+  for (const Opinion& o : s.player.played().opinions())
     all += fmt::format("{}{}: {}{}", all.empty() ? "" : "\n", plain(o.method), plain(o.says),
                        o.agrees ? "" : "  (differs)");
   tooltip(ui, all);
@@ -225,7 +226,7 @@ bool shows_cases(const Scene& scene) { return scene.chart && std::holds_alternat
 
 float changed_room(const WindowSession& s) {
   const Scene& scene = s.player.scene();
-  if (!s.player.preset_id().empty() || !scene.handles.empty() || shows_cases(scene)) return 0;
+  if (!s.player.played().preset_id().empty() || !scene.handles.empty() || shows_cases(scene)) return 0;
   return scene.chart || is_page(scene) ? 26 : 0;
 }
 
@@ -238,12 +239,12 @@ Rect changed_rect(const WindowSession& s, const Rect& scene) {
 }
 
 void changed_mark(WindowSession& s, const Rect& scene) {
-  if (!s.player.preset_id().empty()) return;
+  if (!s.player.played().preset_id().empty()) return;
   if (press(s.ui, "changed", changed_rect(s, scene)).clicked) s.attempt([&] { s.player.restart(); });
 }
 
 void changed_text(WindowSession& s, const Rect& scene) {
-  if (!s.player.preset_id().empty()) return;
+  if (!s.player.played().preset_id().empty()) return;
   const Rect r = changed_rect(s, scene);
   text(s.ui.fonts.small, r.right - 8, r.middle_y(), packed(s.ui.palette.fresh_text), "changed", 1);
   if (ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
@@ -252,7 +253,7 @@ void changed_text(WindowSession& s, const Rect& scene) {
 
 void projection_name(WindowSession& s, const Rect& scene) {
   if (press(s.ui, "projection", projection_rect(s, scene)).clicked)
-    s.player.set_perspective(!s.player.camera().goal().perspective);
+    set_perspective(s.player, !s.player.camera().goal().perspective);
 }
 
 void projection_text(WindowSession& s, const Rect& scene, const std::vector<PlacedLabel>& labels) {

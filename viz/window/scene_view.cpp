@@ -11,6 +11,7 @@
 #include "viz/chart/chart.h"
 #include "viz/compose/compose.h"
 #include "viz/compose/t_axis.h"
+#include "viz/player/camera_moves.h"
 #include "viz/player/dragging.h"
 #include "viz/player/transition.h"
 #include "viz/window/key_codes.h"
@@ -42,8 +43,8 @@ Theme look(const WindowSession& s, const View& view) {
 
 std::string line_of(const WindowSession& s, const Rect& r, double scale) {
   const Camera& c = s.player.camera().now();
-  const Scene* const before = s.player.scene_before();
-  const double motion = before && may_move(*before, s.player.scene()) ? s.player.motion() : 1;
+  const Scene* const before = s.player.motion().before();
+  const double motion = before && may_move(*before, s.player.scene()) ? s.player.motion().share() : 1;
   const std::string what = fmt::format("{} {} {} {} {} {} {}", static_cast<int>(s.pane), s.player.revision(), motion,
                                        r.width(), r.height(), scale, name_of(s.settings.theme));
   if (s.player.scene().chart) return what;  // the camera does not matter
@@ -107,7 +108,7 @@ void SceneView::draw(WindowSession& s, const Rect& r, const View& view) {
   Drawing drawing{r.width(), r.height(), ink.background, {}};
   Scene scene = with_names(s.player);
   const std::clock_t begun = std::clock();  // processor time: a busy machine is no reason to stop
-  if (const Scene* before = s.player.scene_before()) scene = between(*before, scene, s.player.motion());
+  if (const Scene* before = s.player.motion().before()) scene = between(*before, scene, s.player.motion().share());
   const Cases* const map = map_of(s);
   Composed composed = map ? compose_map(*map, own.corner(), own.width(), own.height(), ink)
                           : compose(scene, own, ink, s.pane != Pane::fixed);
@@ -207,7 +208,7 @@ void SceneView::end_search(WindowSession& s) {
 
 void SceneView::wheel(WindowSession& s, const View& view) {
   const double turns = ImGui::GetIO().MouseWheel;
-  if (turns != 0) s.player.zoom(view, mouse(), std::pow(1.15, turns));
+  if (turns != 0) zoom(s.player, view, mouse(), std::pow(1.15, turns));
 }
 
 /// Moves the handle that the keyboard holds by Shift and the arrows, with Ctrl to where the case changes next; without
@@ -215,7 +216,7 @@ void SceneView::wheel(WindowSession& s, const View& view) {
 void SceneView::keyboard(WindowSession& s, const View& view) {
   const ImGuiIO& io = ImGui::GetIO();
   const Vec2 middle = view.corner() + Vec2(view.width(), view.height()) / 2;
-  if (const double zoom = std::exchange(s.zoom, 1.0); zoom != 1) s.player.zoom(view, middle, zoom);
+  if (const double factor = std::exchange(s.zoom, 1.0); factor != 1) zoom(s.player, view, middle, factor);
   const double held_for = std::exchange(turning_, -1);
   if (!(io.KeyShift || io.KeyCtrl) || io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;
   const auto way_of = [](auto&& asks) {
@@ -252,9 +253,9 @@ void SceneView::keyboard(WindowSession& s, const View& view) {
   const double far = held_for < 0 ? once : turning_ > patience ? a_second * passed : 0;
   if (far == 0) return;
   if (io.KeyShift && !s.player.lesson().flat)
-    s.player.orbit(far * down);
+    orbit(s.player, far * down);
   else
-    s.player.pan(view, middle, middle - far * down);
+    pan(s.player, view, middle, middle - far * down);
 }
 
 void SceneView::pointer(WindowSession& s, const View& view, bool hovered, bool active) {
@@ -282,7 +283,7 @@ void SceneView::pointer(WindowSession& s, const View& view, bool hovered, bool a
       begun_ = s.player.parameters(), pressed_ = followed_ = mouse();
       grip_ = mouse() - view.project(held_->at).at;
     } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-      s.player.frame_all();
+      frame_all(s.player);
     }
   }
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) s.player.end_action();
@@ -298,11 +299,11 @@ void SceneView::pointer(WindowSession& s, const View& view, bool hovered, bool a
     drag_held(s, view);
   } else if (active && moved && io.MouseDown[0] && !s.player.camera().moving()) {
     if (s.player.lesson().flat)
-      s.player.pan(view, last_, mouse());
+      pan(s.player, view, last_, mouse());
     else
-      s.player.orbit(mouse() - last_);
+      orbit(s.player, mouse() - last_);
   } else if (active && moved && io.MouseDown[1]) {
-    s.player.pan(view, last_, mouse());
+    pan(s.player, view, last_, mouse());
   }
   last_ = mouse();
 }

@@ -7,7 +7,7 @@ namespace isect::viz {
 namespace {
 
 std::string question_name(const Player& player, int step) {
-  std::string name = player.method() + "/" + player.walk().steps[step].slug;
+  std::string name = player.played().method() + "/" + player.walk().steps[step].slug;
   std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });  // the same question in every round of a loop
   return name;
 }
@@ -17,7 +17,8 @@ std::string question_name(const Player& player, int step) {
 void keep_score(WindowSession& s) {
   const Player& player = s.player;
   Score& score = s.settings.scores[player.lesson().id];
-  if (const auto answered = player.answered()) score.answers[question_name(player, player.index())] = answered->right();
+  if (const auto answered = player.quiz().answered())
+    score.answers[question_name(player, player.index())] = answered->right();
   if (player.step().slug == closing_slug) score.finished = true;
 }
 

@@ -12,7 +12,7 @@ namespace isect::viz {
 namespace {
 
 std::string method_title(const Player& p, const std::string& choice) {
-  for (const Method& m : p.methods())
+  for (const Method& m : p.played().methods())
     if (m.choice == choice) return plain(m.title);
   return choice;
 }
@@ -25,7 +25,8 @@ std::string preset_title(const Player& p, const std::string& id) {
 /// Returns the title of the method or preset in the first pane.
 std::string first_title(const WindowSession& s) {
   const bool methods = !s.settings.beside->method.empty();
-  return methods ? method_title(s.player, s.player.method()) : preset_title(s.player, s.player.preset_id());
+  return methods ? method_title(s.player, s.player.played().method())
+                 : preset_title(s.player, s.player.played().preset_id());
 }
 std::string second_title(const WindowSession& s) {
   const Beside& side = *s.settings.beside;
@@ -42,15 +43,15 @@ std::string next_of(const std::vector<std::string>& all, const std::string& now)
 /// Returns the next method, else the preset that was left by hand, else the next preset.
 std::optional<Beside> usual(const Player& p) {
   std::vector<std::string> methods, presets;
-  for (const Method& m : p.methods()) methods.push_back(m.choice);
-  for (const Preset* preset : p.group()) presets.push_back(preset->id);
+  for (const Method& m : p.played().methods()) methods.push_back(m.choice);
+  for (const Preset* preset : p.played().group()) presets.push_back(preset->id);
   Beside side{p.lesson().id, {}, {}};
   if (methods.size() > 1)
-    side.method = next_of(methods, p.method());
-  else if (p.preset_id().empty() && !p.origin().empty())
+    side.method = next_of(methods, p.played().method());
+  else if (p.played().preset_id().empty() && !p.origin().empty())
     side.preset = p.origin();
   else if (!presets.empty())
-    side.preset = next_of(presets, p.preset_id());
+    side.preset = next_of(presets, p.played().preset_id());
   if (side.method.empty() && side.preset.empty()) return std::nullopt;
   return side;
 }
@@ -62,8 +63,8 @@ void menu(WindowSession& s, const ImVec2& at) {
   if (ImGui::BeginPopup("other side")) {
     std::vector<std::pair<std::string, Beside>> rows;
     const std::string& lesson = s.player.lesson().id;
-    for (const Method& m : s.player.methods()) rows.emplace_back(plain(m.title), Beside{lesson, m.choice, {}});
-    for (const Preset* p : s.player.group())
+    for (const Method& m : s.player.played().methods()) rows.emplace_back(plain(m.title), Beside{lesson, m.choice, {}});
+    for (const Preset* p : s.player.played().group())
       rows.emplace_back(plain(s.player.told_title(*p)), Beside{lesson, {}, p->id});
     float width = 160;
     for (const auto& [title, side] : rows) width = std::max(width, text_width(s.ui.fonts.body, title) + 28);
@@ -122,7 +123,7 @@ void heads(WindowSession& s, const Player& other, const WalkDifference& differen
 /// Returns where the panes part, without values while a question is open: those on show belong to no step.
 WalkDifference difference_now(const Player& first, const Player& second) {
   WalkDifference difference = walk_difference(first.walk(), first.index(), second.walk(), second.index());
-  if (first.asked() || second.asked()) difference.value_a = difference.value_b = -1;
+  if (first.quiz().asked() || second.quiz().asked()) difference.value_a = difference.value_b = -1;
   return difference;
 }
 
@@ -194,7 +195,7 @@ void SecondPane::show_other(WindowSession& s, const PanesLayout& at) {
   std::swap(s.ui.names, names_);
 
   Parameters shared = methods ? other_->parameters() : s.player.parameters();
-  if (methods) shared[s.player.lesson().group_by] = s.player.method();
+  if (methods) shared[s.player.lesson().group_by] = s.player.played().method();
   s.attempt([&] { s.player.take_from(*other_, shared); });
 }
 

@@ -14,11 +14,11 @@ void method_menu(WindowSession& s, float x, float bottom) {
     ImVec2 at = ImGui::GetCursorScreenPos();
     constexpr const char* two_methods = "two methods side by side";
     float width = text_width(s.ui.fonts.body, two_methods) + 28;
-    for (const Method& m : s.player.methods())
+    for (const Method& m : s.player.played().methods())
       width = std::max(width, text_width(s.ui.fonts.body, plain(m.title)) + 28);
-    for (const Method& m : s.player.methods()) {
+    for (const Method& m : s.player.played().methods()) {
       const Rect r{at.x, at.y, at.x + width, at.y + 30};
-      if (chip(s.ui, "method " + m.choice, r, plain(m.title), m.choice == s.player.method())) {
+      if (chip(s.ui, "method " + m.choice, r, plain(m.title), m.choice == s.player.played().method())) {
         s.attempt([&] { s.player.load_method(m.choice); });
         ImGui::CloseCurrentPopup();
       }
@@ -57,7 +57,7 @@ Chips chips_in(const WindowSession& s, const std::vector<const Preset*>& group, 
   for (const bool roomy : {true, false}) {
     chips = {roomy ? s.ui.fonts.body : s.ui.fonts.small, roomy ? 8.0f : 6.0f, -1, {}, {}};
     for (std::size_t i = 0; i < group.size(); ++i) {
-      if (group[i]->id == s.player.preset_id()) chips.chosen = static_cast<int>(i);
+      if (group[i]->id == s.player.played().preset_id()) chips.chosen = static_cast<int>(i);
       chips.wide.push_back(text_width(chips.font, chip_label(*group[i], i + 1, true)) + (roomy ? 24 : 16));
     }
     chips.widths = chips.wide;
@@ -72,10 +72,11 @@ void draw_chips(WindowSession& s, const std::vector<const Preset*>& group, const
   for (std::size_t i = 0; i < group.size(); ++i) {
     const bool whole = chips.widths[i] == chips.wide[i];
     const Rect r{x, y - 15, x + chips.widths[i], y + 15};
-    if (chip(s.ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, whole && !s.player.asked()),
-             static_cast<int>(i) == chips.chosen, chips.font))
+    if (chip(s.ui, "preset " + std::to_string(i + 1), r,
+             chip_label(*group[i], i + 1, whole && !s.player.quiz().asked()), static_cast<int>(i) == chips.chosen,
+             chips.font))
       s.attempt([&] { s.player.load(*group[i]); });
-    if (ImGui::IsItemHovered() && s.player.asked())
+    if (ImGui::IsItemHovered() && s.player.quiz().asked())
       tooltip(s.ui, "It is named once the question is answered");
     else if (ImGui::IsItemHovered() && !whole)
       tooltip(s.ui, plain(group[i]->title));
@@ -94,8 +95,8 @@ void preset_menu(WindowSession& s, const std::vector<const Preset*>& group, floa
     ImVec2 at = ImGui::GetCursorScreenPos();
     for (std::size_t i = 0; i < group.size(); ++i) {
       const Rect r{at.x, at.y, at.x + width, at.y + 30};
-      if (chip(s.ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, !s.player.asked()),
-               group[i]->id == s.player.preset_id())) {
+      if (chip(s.ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, !s.player.quiz().asked()),
+               group[i]->id == s.player.played().preset_id())) {
         s.attempt([&] { s.player.load(*group[i]); });
         ImGui::CloseCurrentPopup();
       }
@@ -108,7 +109,7 @@ void preset_menu(WindowSession& s, const std::vector<const Preset*>& group, floa
 
 std::string chosen_label(const WindowSession& s, const std::vector<const Preset*>& group) {
   for (std::size_t i = 0; i < group.size(); ++i)
-    if (group[i]->id == s.player.preset_id()) return chip_label(*group[i], i + 1, !s.player.asked());
+    if (group[i]->id == s.player.played().preset_id()) return chip_label(*group[i], i + 1, !s.player.quiz().asked());
   return "presets";
 }
 
@@ -138,11 +139,11 @@ void top_bar(WindowSession& s, const Rect& r) {
   text(ui.fonts.heading, 54, y, packed(ui.palette.text), "isect");
   const Rect help{r.right - 56, y - 15, r.right - 20, y + 15};
   const float x0 = 128, x1 = help.left - 60;
-  const bool variants = !s.player.methods().empty();
+  const bool variants = !s.player.played().methods().empty();
   const std::string title = plain(s.player.lesson().title), variant = variants ? plain(s.player.walk().method) : "";
   const auto wide = [&](const std::string& words) { return text_width(ui.fonts.body, words) + 18; };
   const float names = wide(title) + (variants ? 20 + wide(variant) : 0) + 24;
-  const std::vector<const Preset*> group = s.player.group();
+  const std::vector<const Preset*> group = s.player.played().group();
   const Chips chips = chips_in(s, group, x1 - x0 - names);
   const bool in_a_row = chips.total() <= x1 - x0 - names;
   const float menu = in_a_row || group.empty() ? 0 : std::min(wide(chosen_label(s, group)), 190.0f) + 14;

@@ -57,7 +57,7 @@ void buttons(WindowSession& s, float middle, float y) {
     return Rect{x - 22, y - 18, x + 22, y + 18};
   };
   Ui& ui = s.ui;
-  const bool start = player.index() == 0 && !player.asked();
+  const bool start = player.index() == 0 && !player.quiz().asked();
   if (icon_button(ui, "first", at(-2), Icon::first, false, !start)) player.first();
   if (icon_button(ui, "back", at(-1), Icon::back, false, !start)) player.back();
   if (icon_button(ui, "play", at(0), player.running() ? Icon::pause : Icon::play, true, true)) player.toggle_play();
@@ -67,12 +67,12 @@ void buttons(WindowSession& s, float middle, float y) {
   constexpr const char* speeds[] = {"0.5×", "1×", "1.5×", "2×"};
   const Rect speed{at(2).right + 12, y - 15, at(2).right + 60, y + 15};
   const Press p = press(ui, "speed", speed);
-  if (p.clicked) player.next_speed();
+  if (p.clicked) player.clock().next_speed();
   if (p.hovered) {
     filled(speed, ui.palette.frame);
     tooltip(ui, "Speed of play");
   }
-  const int i = std::clamp(static_cast<int>(std::lround(player.speed() * 2)) - 1, 0, 3);
+  const int i = std::clamp(static_cast<int>(std::lround(player.clock().speed() * 2)) - 1, 0, 3);
   text(ui.fonts.small, speed.middle_x(), y, packed(ui.palette.muted), speeds[i], 0.5f);
 
   const Rect map{speed.right + 12, y - 18, speed.right + 56, y + 18};

@@ -87,8 +87,8 @@ struct WindowUi::Impl {
         map(gl, options.scale, options.draw_scene),
         panes(gl, options.scale, options.draw_scene) {
     keep_memory();
-    player.set_speed(kept.speed);
-    player.stop_at_questions(!kept.nonstop);
+    player.clock().set_speed(kept.speed);
+    player.clock().stop_at_questions(!kept.nonstop);
     if (at.beside) settings.beside = beside_of(at);
   }
 
@@ -308,18 +308,18 @@ std::string WindowUi::title() const {
   const Player& p = impl_->player;
   std::string preset_title = "changed";
   for (const Preset& preset : p.lesson().presets)
-    if (preset.id == p.preset_id()) preset_title = plain(p.told_title(preset));
+    if (preset.id == p.played().preset_id()) preset_title = plain(p.told_title(preset));
   return plain(p.lesson().title) + ", " + preset_title + ", step " + std::to_string(p.index() + 1) + " of " +
          std::to_string(p.count()) + " – isect";
 }
 
 double WindowUi::rest() const {
   const Player& p = impl_->player;
-  if (p.camera().moving() || p.motion() < 1 || p.light() < 1 || impl_->ui.light.changing() || impl_->scene.behind() ||
-      impl_->panes.behind() || impl_->ui.texts.waiting() || impl_->preparing)
+  if (p.camera().moving() || p.motion().share() < 1 || p.motion().light() < 1 || impl_->ui.light.changing() ||
+      impl_->scene.behind() || impl_->panes.behind() || impl_->ui.texts.waiting() || impl_->preparing)
     return 0;
   double rest = std::numeric_limits<double>::infinity();
-  if (p.running()) rest = std::min(rest, std::max(p.seconds_to_step(), 0.0));
+  if (p.running()) rest = std::min(rest, std::max(p.clock().seconds_to_step(), 0.0));
   if (impl_->session.toast.seconds_left > 0) rest = std::min(rest, impl_->session.toast.seconds_left);
   return rest;
 }
@@ -347,10 +347,10 @@ Player& WindowUi::player() { return impl_->player; }
 
 Settings WindowUi::settings() const {
   Settings settings = impl_->settings;
-  settings.speed = impl_->player.speed();
+  settings.speed = impl_->player.clock().speed();
   if (!impl_->player.lesson().made_from.empty()) return settings;  // from a file that the next run does not know
   settings.reader_state = impl_->player.reader_state();
-  if (!impl_->player.camera_moved()) settings.reader_state->camera.reset();  // presets keep framing themselves
+  if (!impl_->player.camera().moved()) settings.reader_state->camera.reset();  // presets keep framing themselves
   return settings;
 }
 

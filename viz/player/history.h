@@ -1,0 +1,55 @@
+#pragma once
+// What a reader can undo, and do again.
+
+#include <string>
+#include <vector>
+
+#include "viz/camera.h"
+#include "viz/lesson.h"
+
+namespace isect::viz {
+
+/// A reader's choices: lesson, parameters, step.
+struct Chosen {
+  std::size_t lesson = 0;
+  Parameters parameters;
+  std::string origin;  ///< the preset loaded last
+  // The walk of another setting shows the corresponding step: its outcome for an outcome, else the step of the same
+  // name, else the one of the same number.
+  int step = 0;
+  std::string slug;
+  bool outcome = false;
+
+  void choose_step(const Chosen& other) { step = other.step, slug = other.slug, outcome = other.outcome; }
+  void choose_first_step() { choose_step({}); }
+};
+
+/// The state before a change.
+struct Memory {
+  Chosen chosen;
+  Camera camera;
+  bool moved = false;      ///< the reader had moved the camera
+  bool with_step = false;  ///< the change chose a step, too
+};
+
+class History {
+ public:
+  bool can_undo() const { return !past_.empty(); }
+  bool can_redo() const { return !undone_.empty(); }
+
+  /// Whether this action goes on: a run of actions of one name counts as one, until end_action().
+  bool goes_on(const std::string& action) const { return !action.empty() && action == action_; }
+  void remember(const std::string& action, Memory);
+  void end_action() { action_.clear(); }
+  /// Return the state before the last change, or the one that undo() left; there must be one. `now` takes its place.
+  Memory undo(Memory now) { return travel(past_, undone_, std::move(now)); }
+  Memory redo(Memory now) { return travel(undone_, past_, std::move(now)); }
+
+ private:
+  Memory travel(std::vector<Memory>& from, std::vector<Memory>& to, Memory now);
+
+  std::vector<Memory> past_, undone_;
+  std::string action_;
+};
+
+}  // namespace isect::viz

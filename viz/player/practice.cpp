@@ -1,0 +1,39 @@
+#include "viz/player/practice.h"
+
+#include "viz/walk/closing.h"
+
+namespace isect::viz {
+
+const Erratum* erratum(const Player& player) {
+  const Erratum* found = nullptr;
+  for (const Erratum& e : player.lesson().errata) {
+    const int line = line_of(e, player.walk());
+    if (line >= 0 && line == player.step().line) return &e;
+    if (line >= 0 && !found) found = &e;
+  }
+  return found;
+}
+
+void show_erratum(Player& player) {
+  const Erratum* e = erratum(player);
+  if (!e) return;
+  player.load(preset(player.lesson(), e->preset));
+  const int line = line_of(*e, player.walk());
+  for (int i = 0; i < player.count(); ++i)
+    if (player.walk().steps[i].line == line) return player.go_to(i);
+  player.go_to(outcome(player.walk()));  // the line was refused on the way there
+}
+
+void begin_exercise(Player& player, int index) {
+  const Exercise& e = player.lesson().closing->exercises.at(static_cast<std::size_t>(index));
+  if (!e.preset.empty()) player.load(preset(player.lesson(), e.preset));
+  player.go_to(outcome(player.walk()));
+  player.set_exercise(index);
+}
+
+bool exercise_solved(const Player& player) {
+  const Exercise* e = player.exercise();
+  return e && e->found && e->found(player.parameters());
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,18 @@
+#pragma once
+// Errors in print that a player shows, and exercises that are tried with it.
+
+#include "viz/player/player.h"
+
+namespace isect::viz {
+
+/// Returns an error in the pseudocode as published: at the current line, or else anywhere in this walk; null: none.
+const Erratum* erratum(const Player&);
+/// Loads the preset on which that line fails, at the step that runs it.
+void show_erratum(Player&);
+
+/// Begins an exercise of the lesson: a setting to be found. It ends when another lesson is opened.
+void begin_exercise(Player&, int index);
+/// Whether the exercise that was begun is solved.
+bool exercise_solved(const Player&);
+
+}  // namespace isect::viz

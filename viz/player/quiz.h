@@ -1,0 +1,47 @@
+#pragma once
+// The questions of a walk: each is asked before its step is shown.
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "viz/lesson.h"
+
+namespace isect::viz {
+
+/// A question that was answered, and the answer that was given.
+struct Answered {
+  const Question* question;
+  int choice;
+  bool right() const { return choice == question->answer; }
+};
+
+class Quiz {
+ public:
+  /// Returns the question to be answered now; null if none is open.
+  const Question* asked() const { return asked_; }
+  /// Returns what is known of the step that the open question is about (viz/walk/question_scene.h).
+  const std::shared_ptr<const Step>& asking_step() const { return asking_step_; }
+  /// Returns the question of the step on show and its answer, if it was answered.
+  const std::optional<Answered>& answered() const { return answered_; }
+
+  /// Asks about a step that has a question; the walk must outlive it.
+  void ask(const Walk&, int step);
+  void close();
+  /// Keeps the answer to a step's question, or that it was skipped.
+  void keep(int step, std::optional<int> choice) { answers_[step] = choice; }
+  void skip(int step) { answers_.try_emplace(step); }
+  void forget(int step) { answers_.erase(step); }
+  void forget_all() { answers_.clear(); }
+  bool is_past(int step) const { return answers_.contains(step); }
+  /// From now on this step is on show.
+  void show(const Walk&, int step);
+
+ private:
+  const Question* asked_ = nullptr;
+  std::shared_ptr<const Step> asking_step_;
+  std::map<int, std::optional<int>> answers_;  ///< by step: the answer, or none where it was skipped
+  std::optional<Answered> answered_;
+};
+
+}  // namespace isect::viz

@@ -1,0 +1,62 @@
+#include "viz/player/reader_camera.h"
+
+#include <utility>
+
+#include "viz/compose/compose.h"
+
+namespace isect::viz {
+namespace {
+
+std::vector<const Scene*> scenes_of(const Walk& walk) {
+  std::vector<const Scene*> scenes;
+  for (const Step& s : walk.steps) scenes.push_back(&s.scene);
+  return scenes;
+}
+
+}  // namespace
+
+Camera ReaderCamera::opening(const PlayedWalk& played, const Scene& shown) const {
+  const Camera view = viz::opening(played.lesson());
+  if (!beside_) return closer(frame_alike(view, played.walk(), played.samples(), aspect_), shown, aspect_);
+  std::vector<const Scene*> scenes = scenes_of(played.walk());
+  for (const Scene* scene : scenes_of(*beside_)) scenes.push_back(scene);
+  return viz::frame(view, scenes, aspect_);
+}
+
+Camera ReaderCamera::whole(const PlayedWalk& played) const {
+  Camera from = viz::opening(played.lesson());
+  from.perspective = goal().perspective;
+  return viz::frame(from, scenes_of(played.walk()), aspect_);
+}
+
+bool ReaderCamera::accompany(std::shared_ptr<const Walk> other) {
+  const bool anew = (other == nullptr) != (beside_ == nullptr);
+  beside_ = std::move(other);
+  return anew;
+}
+
+void ReaderCamera::arrive() {
+  if (moving()) rig_.jump(goal());
+}
+
+void ReaderCamera::jump(const Camera& camera, bool moved) {
+  rig_.jump(camera);
+  moved_ = moved;
+}
+
+void ReaderCamera::glide(const Camera& camera, bool moved, double seconds) {
+  rig_.glide(camera, seconds);
+  moved_ = moved;
+}
+
+void ReaderCamera::move(const std::function<void(CameraRig&)>& move) {
+  move(rig_);
+  moved_ = true;
+}
+
+void ReaderCamera::take(const ReaderCamera& other) {
+  rig_ = other.rig_;
+  moved_ = true;
+}
+
+}  // namespace isect::viz

@@ -1,0 +1,51 @@
+#pragma once
+// The camera of a player's reader: it frames the walk until the reader moves it.
+
+#include <functional>
+#include <memory>
+
+#include "viz/player/camera_rig.h"
+#include "viz/player/played_walk.h"
+
+namespace isect::viz {
+
+class ReaderCamera {
+ public:
+  /// `reduced_motion`: glides arrive at once.
+  explicit ReaderCamera(bool reduced_motion = false) : rig_(reduced_motion) {}
+
+  /// Return the view at this moment, and the one at which it will come to rest.
+  const Camera& now() const { return rig_.now(); }
+  const Camera& goal() const { return rig_.goal(); }
+  bool moving() const { return rig_.moving(); }
+  bool moved() const { return moved_; }      ///< by the reader: no preset frames it anew
+  double aspect() const { return aspect_; }  ///< width / height of the scene
+
+  /// Returns the lesson's view of the walk, at the scale that all presets share; with another walk beside it, of both.
+  Camera opening(const PlayedWalk&, const Scene& shown) const;
+  /// Returns the lesson's opening direction with the whole walk in view.
+  Camera whole(const PlayedWalk&) const;
+  /// From now on opening() has that walk in view, too; null: no longer. Returns whether that is a change.
+  bool accompany(std::shared_ptr<const Walk>);
+  void set_aspect(double aspect) { aspect_ = aspect; }
+
+  void advance(double seconds) { rig_.advance(seconds); }
+  void reduce_motion(bool reduced) { rig_.reduce_motion(reduced); }
+  /// Ends a glide at once.
+  void arrive();
+  /// Set a view; `moved`: it is the reader's own.
+  void jump(const Camera&, bool moved);
+  void glide(const Camera&, bool moved, double seconds = CameraRig::usual_glide);
+  /// Lets the reader move it.
+  void move(const std::function<void(CameraRig&)>&);
+  /// Goes where another camera goes.
+  void take(const ReaderCamera&);
+
+ private:
+  CameraRig rig_;
+  double aspect_ = 1;
+  bool moved_ = false;
+  std::shared_ptr<const Walk> beside_;  ///< in the other pane
+};
+
+}  // namespace isect::viz
