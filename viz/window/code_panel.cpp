@@ -76,23 +76,23 @@ float most_values(const Ui& ui, const Walk& walk, const Step& shown, float width
 }
 
 /// `top`: the height of what stands above the code.
-Fit fit(const WindowSession& s, const std::vector<CodeLine>& lines, float width, float height, float top) {
-  const Ui& ui = s.ui;
-  const Walk& walk = s.player.walk();
+Fit fit(const Player& player, const Ui& ui, const std::vector<CodeLine>& lines, float width, float height, float top,
+        bool paired) {
+  const Walk& walk = player.walk();
   constexpr Fit sizes[] = {{26, 28, 58, 0, 0}, {23, 25, 34, 0, 0}, {21, 22, 34, 0, 0}};
   Fit f{};
   float room = 0;
   for (const Fit& size : sizes) {
     f = size;
-    if (s.paired) f.operations = 0;
+    if (paired) f.operations = 0;
     f.code_height = height_of(lines, f.code_pitch);
-    f.values_height = most_values(ui, walk, s.player.shown(), width, f.value_pitch);
+    f.values_height = most_values(ui, walk, player.shown(), width, f.value_pitch);
     room = height - top - f.operations;
     if (f.code_height + f.values_height <= room) return f;
   }
   // Too much for this window: the code shows a part around its current line, the values scroll if necessary.
   const float least_code = std::min(f.code_height, 5 * f.code_pitch);
-  f.values_height = std::min(values_height(ui, s.player.shown(), width, f.value_pitch), room - least_code);
+  f.values_height = std::min(values_height(ui, player.shown(), width, f.value_pitch), room - least_code);
   f.code_height = std::min(f.code_height, room - f.values_height);
   return f;
 }
@@ -116,30 +116,29 @@ std::optional<bool> said_at(const Player& player, int line) {
   return has(shown.refused, line) ? std::optional(false) : std::nullopt;
 }
 
-void code_line(WindowSession& s, int line, const CodeLine& words, float pitch, const Rect& r) {
-  Ui& ui = s.ui;
+void code_line(Player& player, Ui& ui, int line, const CodeLine& words, float pitch, const Rect& r, bool parted) {
   const Palette& c = ui.palette;
-  const Step& step = s.player.shown();
+  const Step& step = player.shown();
   const bool current = line == step.line;
-  const int to = step_at_line(s.player, line);
+  const int to = step_at_line(player, line);
   const Press p = press(ui, "line " + std::to_string(line + 1), r);
   if (current)
-    filled(r, c.highlight.with_alpha(s.player.motion().light()), 5);
+    filled(r, c.highlight.with_alpha(player.motion().light()), 5);
   else if (p.hovered && to >= 0)
     filled(r, c.frame, 5);
 
-  const bool lit = current && s.player.motion().light() > 0.5;  // until then the ink of other lines is easier to read
-  if (line == s.parted_line) parted_mark(ui, "parted line", r, lit);
+  const bool lit = current && player.motion().light() > 0.5;  // until then the ink of other lines is easier to read
+  if (parted) parted_mark(ui, "parted line", r, lit);
   const Colour& ink = lit ? c.on_highlight : has(step.untaken, line) ? c.muted : c.text;
   float y = r.top + pitch / 2;
   const float number = r.left + 26;
   const Rect place{r.left, std::max(r.top, ImGui::GetWindowPos().y), r.right,
                    std::min(r.bottom, ImGui::GetWindowPos().y + ImGui::GetWindowHeight())};
-  const std::vector<std::string> subject = subject_of_line(s.player.walk().pseudocode[line], ui.names);
+  const std::vector<std::string> subject = subject_of_line(player.walk().pseudocode[line], ui.names);
   if (p.hovered) ui.light.point(subject, place);
   if (ui.focus.name() == "line " + std::to_string(line + 1)) ui.light.hold(subject, place);
   text(ui.fonts.mono_small, number, y, packed(lit ? c.on_highlight : c.muted), std::to_string(line + 1), 1);
-  const std::optional<bool> said = said_at(s.player, line);
+  const std::optional<bool> said = said_at(player, line);
   ImGui::PushClipRect({number + 8, r.top}, {r.right - (said ? 38 : 4), r.bottom}, true);
   for (const std::string& row : words.rows) {
     lights_in(ui, words.font, r.left + code_left, y, row, lit);
@@ -153,62 +152,65 @@ void code_line(WindowSession& s, int line, const CodeLine& words, float pitch, c
     text(ui.fonts.small, r.right - 12, y, packed(lit ? c.on_highlight : *said ? c.hit : c.miss), word, 1);
     ui.rects[word + " " + std::to_string(line + 1)] = {r.right - 34, y - 9, r.right - 8, y + 9};
   }
-  if (p.clicked && to >= 0) s.player.go_to(to);  // last, as it destroys the step that is shown
+  if (p.clicked && to >= 0) player.go_to(to);  // last, as it destroys the step that is shown
 }
 
-void code(WindowSession& s, const std::vector<CodeLine>& lines, const Rect& r, float pitch) {
-  s.ui.rects["code lines"] = r;
+void code(Player& player, Ui& ui, const std::vector<CodeLine>& lines, const Rect& r, float pitch, int parted_line) {
+  ui.rects["code lines"] = r;
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
   ImGui::BeginChild("code", {r.width(), r.height()}, false, ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
-  const int line = s.player.shown().line;
+  const int line = player.shown().line;
   const float top = ImGui::GetCursorScreenPos().y;
   float y = top;
   for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
     const CodeLine& words = lines[i];
     const float height = words.height(pitch);
-    code_line(s, i, words, pitch, {r.left, y, r.right, y + height});
-    if (i == line && !s.ui.focus.name().starts_with(s.ui.side + "line "))
+    code_line(player, ui, i, words, pitch, {r.left, y, r.right, y + height}, i == parted_line);
+    if (i == line && !ui.focus.name().starts_with(ui.side + "line "))
       ImGui::SetScrollFromPosY(y + height / 2 - ImGui::GetWindowPos().y, 0.5f);
     y += height;
   }
   ImGui::SetCursorScreenPos({r.left, top});
   ImGui::Dummy({1, y - top});
-  more_beyond(s.ui, "code", r);
+  more_beyond(ui, "code", r);
   ImGui::EndChild();
 }
 
-CodeLine laid_out_alone(const WindowSession& s, float width) {
-  const int line = s.player.step().line;
-  const std::string& words = s.player.walk().pseudocode[line];
-  return laid_out(unindented(words), s.ui.fonts.mono, width - code_left - (said_at(s.player, line) ? 44 : 10));
+CodeLine laid_out_alone(const Player& player, const Ui& ui, float width) {
+  const int line = player.step().line;
+  const std::string& words = player.walk().pseudocode[line];
+  return laid_out(unindented(words), ui.fonts.mono, width - code_left - (said_at(player, line) ? 44 : 10));
 }
 
 }  // namespace
 
-float current_line_height(const WindowSession& s, float width) { return laid_out_alone(s, width).height(34); }
-
-void current_line(WindowSession& s, const Rect& r) {
-  code_line(s, s.player.step().line, laid_out_alone(s, r.width()), 34, r);
+float current_line_height(const Player& player, const Ui& ui, float width) {
+  return laid_out_alone(player, ui, width).height(34);
 }
 
-void code_panel(WindowSession& s, const Rect& r) {
-  Ui& ui = s.ui;
+void current_line(Player& player, Ui& ui, const Rect& r) {
+  code_line(player, ui, player.step().line, laid_out_alone(player, ui, r.width()), 34, r, false);
+}
+
+void code_panel(Player& player, Ui& ui, const Rect& r, const Parted* parted) {
   begin_region(ui, "code panel", r);
   ImGui::GetWindowDrawList()->AddRectFilled({r.left, r.top}, {r.left + 1, r.bottom}, packed(ui.palette.rule));
-  const std::vector<CodeLine> lines = code_lines(ui, s.player.walk(), r.width() - 20);
-  const float top = s.paired ? code_top_of_two : code_top;
-  const Fit f = fit(s, lines, r.width() - 20, r.height(), top);
+  const std::vector<CodeLine> lines = code_lines(ui, player.walk(), r.width() - 20);
+  const float top = parted ? code_top_of_two : code_top;
+  const Fit f = fit(player, ui, lines, r.width() - 20, r.height(), top, parted != nullptr);
   const float heading = r.top + 32;
-  if (!lines.empty() && !s.paired)
-    text(ui.fonts.bold, r.left + padding, heading, packed(ui.palette.text), "Pseudocode");
-  if (s.player.shown().counters.early_out && !s.paired)
+  if (!lines.empty() && !parted) text(ui.fonts.bold, r.left + padding, heading, packed(ui.palette.text), "Pseudocode");
+  if (player.shown().counters.early_out && !parted)
     text(ui.fonts.small, r.right - padding, heading, packed(ui.palette.fresh_text), "early out", 1);
   const float code_bottom = r.top + top + f.code_height;
-  code(s, lines, {r.left + 10, r.top + top, r.right - 10, code_bottom}, f.code_pitch);
-  values_block(s, {r.left + 10, code_bottom, r.right - 10, code_bottom + f.values_height}, f.value_pitch);
-  if (!s.paired) operations_block(s, {r.left + 10, r.bottom - f.operations, r.right - 10, r.bottom});
+  code(player, ui, lines, {r.left + 10, r.top + top, r.right - 10, code_bottom}, f.code_pitch,
+       parted ? parted->line : -1);
+  values_block(ui, player.shown(), {r.left + 10, code_bottom, r.right - 10, code_bottom + f.values_height},
+               f.value_pitch, parted);
+  if (!parted)
+    operations_block(ui, player.shown().counters, {r.left + 10, r.bottom - f.operations, r.right - 10, r.bottom});
   ImGui::End();
 }
 

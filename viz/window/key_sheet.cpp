@@ -5,7 +5,7 @@
 
 namespace isect::viz {
 
-void key_sheet(WindowSession& s, const Rect& window) {
+void key_sheet(Ui& ui, const Rect& window) {
   struct Row {
     const char *input, *action;
   };
@@ -55,9 +55,9 @@ void key_sheet(WindowSession& s, const Rect& window) {
   };
   constexpr float rows = static_cast<float>(std::max(std::size(left), std::size(right)));
   const float row = std::min(27.0f, std::floor((window.height() - 140) / rows));
-  if (!begin_sheet(s, "key sheet", window, 920, 100 + row * rows)) return;
+  if (!begin_sheet(ui, "key sheet", window, 920, 100 + row * rows)) return;
   if (key_down(key::f1)) ImGui::CloseCurrentPopup();
-  const Palette& c = s.ui.palette;
+  const Palette& c = ui.palette;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float half = ImGui::GetContentRegionAvail().x / 2;
   const auto widest = [](const auto& all, ImFont* font, auto member) {
@@ -69,12 +69,12 @@ void key_sheet(WindowSession& s, const Rect& window) {
   const auto width = [&](const auto& all, ImFont* font) {
     return widest(all, font, &Row::input) + gap + widest(all, font, &Row::action);
   };
-  const bool narrow = std::max(width(left, s.ui.fonts.body), width(right, s.ui.fonts.body)) + gap > half;
-  ImFont* font = narrow ? s.ui.fonts.small : s.ui.fonts.body;
-  text(s.ui.fonts.heading, at.x, at.y + 10, packed(c.text), "Keys");
+  const bool narrow = std::max(width(left, ui.fonts.body), width(right, ui.fonts.body)) + gap > half;
+  ImFont* font = narrow ? ui.fonts.small : ui.fonts.body;
+  text(ui.fonts.heading, at.x, at.y + 10, packed(c.text), "Keys");
   const auto column = [&](const char* name, const auto& all, float x) {
     float y = at.y + 46;
-    s.ui.rects[name] = {x, y, x + width(all, font), y + row * static_cast<float>(std::size(all))};
+    ui.rects[name] = {x, y, x + width(all, font), y + row * static_cast<float>(std::size(all))};
     const float actions = x + widest(all, font, &Row::input) + gap;
     for (const Row& r : all) {
       text(font, x, y, packed(c.first), r.input);

@@ -30,7 +30,7 @@ void paste(WindowSession& s) {
 }
 
 void with_control(WindowSession& s) {
-  if (pressed(key::o)) s.open_next = Sheet::picker;
+  if (pressed(key::o)) s.requests.sheet = Sheet::picker;
   const bool again = pressed(key::y) || (pressed(key::z) && ImGui::GetIO().KeyShift);
   s.attempt([&] {
     if (again) {
@@ -41,7 +41,7 @@ void with_control(WindowSession& s) {
   });
   if (pressed(key::v)) paste(s);
   if (pressed(key::s)) save_back(s);
-  if (pressed(key::q)) s.close = may_leave(s);
+  if (pressed(key::q)) s.requests.close = may_leave(s);
   double& size = s.settings.size;
   if (pressed(key::plus, true) || pressed(key::equal, true) || pressed(key::keypad_plus, true)) size += 0.1;
   if (pressed(key::minus, true) || pressed(key::keypad_minus, true)) size -= 0.1;
@@ -90,8 +90,8 @@ void moving_keys(WindowSession& s) {
   if (pressed(key::home)) player.first();
   if (pressed(key::end)) player.last();
   if (pressed(key::tab)) s.panels = !s.panels;
-  if (pressed(key::f1)) s.open_next = Sheet::keys;
-  if (pressed(key::f12)) s.open_next = Sheet::save;
+  if (pressed(key::f1)) s.requests.sheet = Sheet::keys;
+  if (pressed(key::f12)) s.requests.sheet = Sheet::save;
   if (pressed(key::f11)) {
     s.full_screen = !s.full_screen;
     if (s.full_screen) s.say("Ctrl + and Ctrl − change the size of everything, Tab hides the panels");
@@ -132,7 +132,7 @@ void character(WindowSession& s, char c) {
     case 'e':
       return s.attempt([&] { show_erratum(player); });
     case 'g':
-      s.open_next = Sheet::terms;
+      s.requests.sheet = Sheet::terms;
       return;
     case 'm':
       s.settings.reduced_motion = !s.settings.reduced_motion;
@@ -154,16 +154,16 @@ void character(WindowSession& s, char c) {
       return frame_all(player);
     case '+':
     case '=':
-      s.zoom *= 1.15;
+      s.requests.zoom *= 1.15;
       return;
     case '-':
-      s.zoom /= 1.15;
+      s.requests.zoom /= 1.15;
       return;
     case 's':
-      s.open_next = Sheet::save;
+      s.requests.sheet = Sheet::save;
       return;
     case '?':
-      s.open_next = Sheet::keys;
+      s.requests.sheet = Sheet::keys;
       return;
     default:
       return;
@@ -172,24 +172,25 @@ void character(WindowSession& s, char c) {
 
 }  // namespace
 
-bool keeps_file(const WindowSession& s) { return s.save_scene && !s.player.lesson().made_from.empty(); }
+bool keeps_file(const WindowSession& s) { return s.scene_file.save && !s.player.lesson().made_from.empty(); }
 
 void save_back(WindowSession& s) {
   if (!keeps_file(s)) {
-    s.open_next = Sheet::save;
+    s.requests.sheet = Sheet::save;
     return;
   }
   s.attempt([&] {
-    s.save_scene(s.player.parameters());
+    s.scene_file.save(s.player.parameters());
     s.player.reread();
     s.say("Saved into the scene's file");
   });
 }
 
 bool may_leave(WindowSession& s) {
-  const bool saved = !keeps_file(s) || !s.player.played().preset_id().empty() || s.told_unsaved == s.player.revision();
+  const bool saved =
+      !keeps_file(s) || !s.player.played().preset_id().empty() || s.scene_file.told_unsaved == s.player.revision();
   if (saved) return true;
-  s.told_unsaved = s.player.revision();
+  s.scene_file.told_unsaved = s.player.revision();
   s.complain("This scene is not saved: Ctrl+S saves it; Ctrl+Q once more leaves it as its file is");
   return false;
 }

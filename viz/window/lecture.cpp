@@ -32,7 +32,7 @@ Told told_of(const WindowSession& s, float width) {
 }
 
 float line_height(const WindowSession& s, const Told& told) {
-  return s.player.step().line >= 0 ? current_line_height(s, told.right) + line_gap : 0;
+  return s.player.step().line >= 0 ? current_line_height(s.player, s.ui, told.right) + line_gap : 0;
 }
 
 float height_of(WindowSession& s, const Told& told) {
@@ -43,7 +43,7 @@ float height_of(WindowSession& s, const Told& told) {
 }  // namespace
 
 float lecture_height(WindowSession& s, float width, float room) {
-  WindowSession::Lecture& kept = s.lecture;
+  StepWords::Lecture& kept = s.step_words.lecture;
   if (kept.lesson != &s.player.lesson() || kept.width != width) kept = {&s.player.lesson(), width, 0};
   kept.height = std::max(kept.height, height_of(s, told_of(s, width)));
   return std::round(std::min(kept.height, 0.36f * room));
@@ -62,14 +62,14 @@ void lecture(WindowSession& s, const Rect& r) {
   const float caption = static_cast<float>(told.caption.width);
   scrolling(s.ui, "told words", {left, r.top + 1, left + caption + 12, r.bottom - 1}, [&] {
     const float y = ImGui::GetCursorScreenPos().y + told_padding;
-    if (std::exchange(s.words_seen, s.player.revision()) != s.player.revision()) ImGui::SetScrollY(0);
+    if (std::exchange(s.step_words.seen, s.player.revision()) != s.player.revision()) ImGui::SetScrollY(0);
     const ImVec2 size = rich(ui, told.caption, {left, y});
     ImGui::SetCursorScreenPos({left, y});
     ImGui::Dummy({1, size.y});
   });
   if (told.right > 0) {
     const float x = r.right - told_margin - told.right, below = line_height(s, told);
-    if (below > 0) current_line(s, {x, top, x + told.right, top + below - line_gap});
+    if (below > 0) current_line(s.player, s.ui, {x, top, x + told.right, top + below - line_gap});
     rich(ui, told.formula, {x, top + below});
   }
   rule(ui, r.left, r.right, r.top);

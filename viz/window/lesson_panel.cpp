@@ -51,7 +51,8 @@ void side_by_side(Column& c) {
   ui.rects["methods side by side"] = {c.x, top, c.x + c.width, c.y};
   if (!c.s.player.played().methods_differ()) return;
   c.y += 8;
-  if (chip(ui, "save preset", {c.x, c.y, c.x + 180, c.y + 34}, "Save as preset", false)) c.s.save_preset = true;
+  if (chip(ui, "save preset", {c.x, c.y, c.x + 180, c.y + 34}, "Save as preset", false))
+    c.s.requests.save_preset = true;
   c.y += 34;
 }
 
@@ -205,11 +206,11 @@ void lesson_panel(WindowSession& s, const Rect& r) {
   const bool open = s.settings.parameters_open && !s.player.lesson().parameters.empty();
   const float width = r.width() - 2 * panel_margin;
   const std::vector<Hint> hints = hints_of(s.player, shows_map(s));
-  Parts at = parts_of(r, open, s.fields_height, r.height() > 420 ? hints_height(s, hints, width) : 0);
+  Parts at = parts_of(r, open, s.fields.height, r.height() > 420 ? hints_height(s, hints, width) : 0);
   const bool bare = at.low && !open && s.player.quiz().asked();  // a question needs all the room
   if (bare) at.words.bottom = r.bottom;
   scrolling(s.ui, "words", at.words, [&] {
-    const bool fresh = std::exchange(s.words_seen, s.player.revision()) != s.player.revision();
+    const bool fresh = std::exchange(s.step_words.seen, s.player.revision()) != s.player.revision();
     if (fresh) ImGui::SetScrollY(0);
     lesson_text(s, at.words, fresh, at.low);
   });
@@ -223,7 +224,7 @@ void lesson_panel(WindowSession& s, const Rect& r) {
   if (open) {
     scrolling(s.ui, "fields", at.fields, [&] {
       const float top = ImGui::GetCursorScreenPos().y;
-      s.fields_height = parameter_fields(s, at.header.left, top, at.header.width()) - top;
+      s.fields.height = parameter_fields(s, at.header.left, top, at.header.width()) - top;
     });
     s.ui.rects["lesson fields"] = at.fields;
   } else if (at.low && !bare) {

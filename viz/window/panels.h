@@ -11,14 +11,15 @@ void top_bar(WindowSession&, const Rect&);
 void lesson_panel(WindowSession&, const Rect&);
 /// Draws the fields of all parameters from (x, y) down; returns where they end. (parameters.cpp)
 float parameter_fields(WindowSession&, float x, float y, float width);
-/// Draws pseudocode, values, comparison and operations. (code_panel.cpp, values.cpp)
-void code_panel(WindowSession&, const Rect&);
+/// Draws pseudocode, values, comparison and operations; with `parted`, that of two panes, where lines and values
+/// replace headings and counts. (code_panel.cpp, values.cpp)
+void code_panel(Player&, Ui&, const Rect&, const Parted* = nullptr);
 /// Draw the current line alone, on a bright ground; there must be one. (code_panel.cpp)
-float current_line_height(const WindowSession&, float width);
-void current_line(WindowSession&, const Rect&);
+float current_line_height(const Player&, const Ui&, float width);
+void current_line(Player&, Ui&, const Rect&);
 float values_height(const Ui&, const Step&, float width, float pitch);
-void values_block(WindowSession&, const Rect&, float pitch);
-void operations_block(WindowSession&, const Rect&);
+void values_block(Ui&, const Step&, const Rect&, float pitch, const Parted*);
+void operations_block(Ui&, const Counters&, const Rect&);
 /// Draws the question in a window of its own, where the lesson's panel is hidden: over the words that it follows, and
 /// the scene above them; once it is answered, over the scene alone. (question.cpp)
 void question_over_scene(WindowSession&, const Rect& scene, const Rect& words);
@@ -34,11 +35,11 @@ void transport(WindowSession&, const Rect&);
 void sheets(WindowSession&, const Rect& window);
 
 /// Keeps the answers that were given, and that a lesson was read to its end. (score.cpp)
-void keep_score(WindowSession&);
+void keep_score(const Player&, Settings&);
 /// Returns the steps of this walk whose questions were answered wrong when they were asked last.
-std::vector<int> missed_questions(const WindowSession&);
+std::vector<int> missed_questions(const Player&, const Settings&);
 /// Keeps the lessons opened last, the one on show first. (score.cpp)
-void keep_recent(WindowSession&);
+void keep_recent(const Player&, Settings&);
 
 /// Whether the lesson lies in a file that can be written to; save_back() writes the setting there, or else opens the
 /// sheet that saves figures. (keys.cpp)

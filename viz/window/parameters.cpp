@@ -19,7 +19,7 @@ constexpr float field_height = 32;
 
 /// Returns the number that was typed into this field, once it is complete; a refusal is shown below the field.
 std::optional<double> typed(WindowSession& s, const std::string& field) {
-  WindowSession::Typing& typing = s.typing;
+  Fields::Typing& typing = s.fields.typing;
   // Dear ImGui focuses it in one of the next frames, and 1.90 only within the window that has the focus already.
   if (!typing.begun && typing.frames++ % 4 == 0) {
     ImGui::SetWindowFocus();
@@ -31,11 +31,11 @@ std::optional<double> typed(WindowSession& s, const std::string& field) {
   if (ImGui::IsItemActive()) typing.begun = true;
   if (!entered && !left) return std::nullopt;
   const std::string text = std::exchange(typing, {}).text;
-  s.refused = {};
+  s.fields.refused = {};
   try {
     return number_from(text);
   } catch (const BadInput& wrong) {
-    s.refused = {field, wrong.what(), s.player.revision()};
+    s.fields.refused = {field, wrong.what(), s.player.revision()};
     return std::nullopt;
   }
 }
@@ -59,12 +59,12 @@ std::optional<double> number_field(WindowSession& s, const std::string& name, co
   const bool held = focused(s.ui, field, r);
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::SetNextItemWidth(r.width());
-  if (s.typing.field == field) {
+  if (s.fields.typing.field == field) {
     const std::optional<double> number = typed(s, field);
     if (number && !(p.lo <= *number && *number <= p.hi)) {
       Parameter one = p;
       one.initial = 0.0;  // in a vector only this number is wrong
-      s.refused = {field, with_minus_signs("give " + wanted(one)), s.player.revision()};
+      s.fields.refused = {field, with_minus_signs("give " + wanted(one)), s.player.revision()};
       return std::nullopt;
     }
     if (number) s.player.end_action(), s.player.remember("type");
@@ -73,7 +73,7 @@ std::optional<double> number_field(WindowSession& s, const std::string& name, co
   const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r));
   const bool click = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::GetIO().KeyCtrl;
   if ((held && s.ui.focus.pressed()) || (hovered && (click || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)))) {
-    s.typing = {field, to_text(Setting(value))};
+    s.fields.typing = {field, to_text(Setting(value))};
     return std::nullopt;
   }
   const std::string id = "##" + name;
@@ -91,7 +91,7 @@ std::optional<double> number_field(WindowSession& s, const std::string& name, co
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
     tooltip(s.ui, p.help + "\nCtrl+click to type it: 1,5 or 1e-3 or 2*pi or 1/3");
   if (!changed) return std::nullopt;
-  s.refused = {};
+  s.fields.refused = {};
   return value;
 }
 
@@ -100,19 +100,22 @@ void edit(WindowSession& s, const std::string& parameter, const std::string& fie
   try {
     s.player.edit(parameter, value);
   } catch (const BadInput& refused) {
-    s.refused = {field, refused.what(), s.player.revision()};
+    s.fields.refused = {field, refused.what(), s.player.revision()};
   }
 }
 
 /// Draws why the last number was refused, if it was one of this parameter's. Returns the height that takes.
 float refusal(WindowSession& s, const std::string& name, float x, float y, float width) {
   const std::string field = "parameter " + name;
-  if (s.refused.revision != s.player.revision()) return 0;
-  if (s.refused.field != field && !s.refused.field.starts_with(field + ".")) return 0;
-  const Paragraph p{
-      .markup = as_markup(s.refused.why), .width = width, .size = 13, .line_pitch = 18, .colour = s.ui.palette.miss};
+  if (s.fields.refused.revision != s.player.revision()) return 0;
+  if (s.fields.refused.field != field && !s.fields.refused.field.starts_with(field + ".")) return 0;
+  const Paragraph p{.markup = as_markup(s.fields.refused.why),
+                    .width = width,
+                    .size = 13,
+                    .line_pitch = 18,
+                    .colour = s.ui.palette.miss};
   const ImVec2 size = rich(s.ui, p, {x, y});
-  s.ui.rects["refused " + s.refused.field] = {x, y, x + width, y + size.y};
+  s.ui.rects["refused " + s.fields.refused.field] = {x, y, x + width, y + size.y};
   return size.y + 6;
 }
 

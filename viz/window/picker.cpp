@@ -66,7 +66,7 @@ std::vector<Entry> rows_of(const WindowSession& s) {
     if (wanted(*l, s.course, s.search)) add(std::exchange(heading, {}), {{}, l});
   }
   heading = "Saved presets";
-  for (const std::string& file : s.presets)
+  for (const std::string& file : s.picker.presets)
     if (matches(name_of_preset(s, file), s.search)) add(std::exchange(heading, {}), {{}, nullptr, file});
   return rows;
 }
@@ -142,11 +142,11 @@ void foot(WindowSession& s, const Lesson& l, const Rect& r) {
   const float width = r.height() * picture_width / picture_height;
   const Rect picture{r.left, r.top, r.left + width, r.bottom};
   filled(picture, c.card, 0);
-  s.pictured.lesson = &l;
+  s.picker.lesson = &l;
   ui.rects["about " + l.id] = r;
-  if (s.pictured.picture) {
+  if (s.picker.picture) {
     ui.rects["lesson picture"] = picture;
-    ImGui::GetWindowDrawList()->AddImage(s.pictured.picture, top_left(picture), bottom_right(picture), {0, 1}, {1, 0});
+    ImGui::GetWindowDrawList()->AddImage(s.picker.picture, top_left(picture), bottom_right(picture), {0, 1}, {1, 0});
   }
   outlined(picture, c.rule, 1, 0);
   const float left = picture.right + 16, room = r.right - left;
@@ -204,10 +204,10 @@ const Entry* columns(WindowSession& s, const std::vector<Entry>& rows, ImVec2 at
 }  // namespace
 
 void picker(WindowSession& s, const Rect& window) {
-  s.pictured.lesson = nullptr;
-  if (!begin_sheet(s, "picker", window, 860, 730)) return;
-  if (ImGui::IsWindowAppearing()) s.presets = saved_presets(s.figures, s.settings.saved);
-  const bool entered = search_field(s, "Search lessons");
+  s.picker.lesson = nullptr;
+  if (!begin_sheet(s.ui, "picker", window, 860, 730)) return;
+  if (ImGui::IsWindowAppearing()) s.picker.presets = saved_presets(s.figures, s.settings.saved);
+  const bool entered = search_field(s.ui, s.search, "Search lessons");
   const std::vector<Entry> rows = rows_of(s);
 
   const float below_rows = window.height() < 700 ? 86 : picture_height;

@@ -65,7 +65,7 @@ void erratum(Column& c) {
 }
 
 void missed(Column& c) {
-  const std::vector<int> steps = missed_questions(c.s);
+  const std::vector<int> steps = missed_questions(c.s.player, c.s.settings);
   if (steps.empty()) return;
   const Palette& ink = c.s.ui.palette;
   c.y += 24;
@@ -95,9 +95,9 @@ void exercises(Column& c) {
     c.y += 6;
     float x = c.x;
     if (e.found && c.button("try " + number, "Try it", x)) return begin_exercise(s, static_cast<int>(i));
-    const bool open = s.solutions.contains(&e);
+    const bool open = s.step_words.solutions.contains(&e);
     if (c.button("solution " + number, open ? "Hide the solution" : "Solution", x))
-      open ? (void)s.solutions.erase(&e) : (void)s.solutions.insert(&e);
+      open ? (void)s.step_words.solutions.erase(&e) : (void)s.step_words.solutions.insert(&e);
     c.y += button_height + 4;
     if (open) c.paragraph(e.solution, ink.muted);
   }

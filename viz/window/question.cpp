@@ -119,13 +119,13 @@ namespace {
 /// Draws the question at the lower end of `r`, as high as its words, which scroll if there is too little room.
 void question_within(WindowSession& s, Rect r) {
   constexpr float margin = 16;
-  r.top = std::max(r.top, r.bottom - s.question_height);
+  r.top = std::max(r.top, r.bottom - s.step_words.question_height);
   begin_region(s.ui, "question over scene", r, s.ui.palette.window, true);
   outlined(r, s.ui.palette.rule, 1.5f, 0);
   const float top = ImGui::GetCursorScreenPos().y;
   Column c{s, r.left + margin, top - 12, r.width() - 2 * margin};
   question(c, false);
-  s.question_height = c.y - top + margin;
+  s.step_words.question_height = c.y - top + margin;
   ImGui::SetCursorScreenPos({r.left, c.y});
   ImGui::Dummy({1, margin});
   ImGui::End();

@@ -17,55 +17,52 @@ namespace isect::viz {
 namespace {
 
 /// Draws a field for any other width in cm, which is read on Enter or on leaving the field.
-void other_width(WindowSession& s, const Rect& r) {
-  s.ui.rects["other width"] = r;
-  const bool held = focused(s.ui, "other width", r);
+void other_width(SaveSheet& sheet, Ui& ui, Settings& settings, const Rect& r) {
+  ui.rects["other width"] = r;
+  const bool held = focused(ui, "other width", r);
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::SetNextItemWidth(r.width());
-  if (held && (s.ui.focus.pressed() || s.ui.focus.moved())) ImGui::SetKeyboardFocusHere();
-  ImGui::InputTextWithHint("##width", "cm", &s.width_text, ImGuiInputTextFlags_AutoSelectAll);
-  if (ImGui::IsItemActive() && !held && s.ui.focus.moved()) ImGui::ClearActiveID();
-  const bool tab = left_by_tab(s.ui, "other width") && !s.width_text.empty();
-  const bool chosen = s.settings.save_width_cm > 0 && s.width_text == shown(s.settings.save_width_cm);
-  if (chosen || !s.width_wrong.empty()) outlined(r, chosen ? s.ui.palette.first : s.ui.palette.miss, 1.5f);
+  if (held && (ui.focus.pressed() || ui.focus.moved())) ImGui::SetKeyboardFocusHere();
+  ImGui::InputTextWithHint("##width", "cm", &sheet.width_text, ImGuiInputTextFlags_AutoSelectAll);
+  if (ImGui::IsItemActive() && !held && ui.focus.moved()) ImGui::ClearActiveID();
+  const bool tab = left_by_tab(ui, "other width") && !sheet.width_text.empty();
+  const bool chosen = settings.save_width_cm > 0 && sheet.width_text == shown(settings.save_width_cm);
+  if (chosen || !sheet.width_wrong.empty()) outlined(r, chosen ? ui.palette.first : ui.palette.miss, 1.5f);
   if (!tab && !ImGui::IsItemDeactivatedAfterEdit()) return;
-  s.width_wrong.clear();
+  sheet.width_wrong.clear();
   try {
-    const double cm = number_from(s.width_text);
+    const double cm = number_from(sheet.width_text);
     if (!(cm >= least_width_cm && cm <= most_width_cm))
       throw BadInput("give a width from " + shown(least_width_cm) + " to " + shown(most_width_cm) + " cm");
-    s.settings.save_width_cm = cm, s.width_text = shown(cm);
+    settings.save_width_cm = cm, sheet.width_text = shown(cm);
   } catch (const BadInput& wrong) {
-    s.width_wrong = wrong.what();
+    sheet.width_wrong = wrong.what();
   }
 }
 
 /// Draws the figure as it would be saved, as large as it fits.
-void preview(WindowSession& s, const Rect& room) {
-  const WindowSession::Preview& p = s.preview;
-  if (!p.why.empty()) {
-    Paragraph why{.markup = as_markup(p.why), .line_pitch = 21, .colour = s.ui.palette.muted};
+void preview(const SaveSheet& sheet, Ui& ui, const Rect& room) {
+  if (!sheet.why.empty()) {
+    Paragraph why{.markup = as_markup(sheet.why), .line_pitch = 21, .colour = ui.palette.muted};
     why.width = room.width();
-    return static_cast<void>(rich(s.ui, why, top_left(room)));
+    return static_cast<void>(rich(ui, why, top_left(room)));
   }
-  if (!p.picture || !(p.width > 0)) return;
-  const float scale = std::min(room.width() / p.width, room.height() / p.height);
-  const float left = room.middle_x() - scale * p.width / 2, top = room.middle_y() - scale * p.height / 2;
-  const Rect r{left, top, left + scale * p.width, top + scale * p.height};
-  s.ui.rects["save preview"] = r;
-  ImGui::GetWindowDrawList()->AddImage(p.picture, top_left(r), bottom_right(r), {0, 1}, {1, 0});
-  outlined(r, s.ui.palette.rule, 1, 0);
+  if (!sheet.picture || !(sheet.width > 0)) return;
+  const float scale = std::min(room.width() / sheet.width, room.height() / sheet.height);
+  const float left = room.middle_x() - scale * sheet.width / 2, top = room.middle_y() - scale * sheet.height / 2;
+  const Rect r{left, top, left + scale * sheet.width, top + scale * sheet.height};
+  ui.rects["save preview"] = r;
+  ImGui::GetWindowDrawList()->AddImage(sheet.picture, top_left(r), bottom_right(r), {0, 1}, {1, 0});
+  outlined(r, ui.palette.rule, 1, 0);
 }
 
 }  // namespace
 
 void save_sheet(WindowSession& s, const Rect& window) {
-  if (!begin_sheet(s, "save sheet", window, 780, 310)) {
-    s.preview.wanted = false;
-    return;
-  }
-  s.preview.wanted = true;
   Ui& ui = s.ui;
+  SaveSheet& sheet = s.save_sheet;
+  sheet.open = begin_sheet(ui, "save sheet", window, 780, 310);
+  if (!sheet.open) return;
   const Palette& c = ui.palette;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   float x = at.x, y = at.y + 10;
@@ -92,11 +89,11 @@ void save_sheet(WindowSession& s, const Rect& window) {
     const std::string name = cm > 0 ? shown(cm) + " cm" : std::string("960 × 600");
     const float width = text_width(ui.fonts.body, name) + 20;
     if (chip(ui, "size " + shown(cm), {x + 80, y - 15, x + 80 + width, y + 15}, name, s.settings.save_width_cm == cm))
-      s.settings.save_width_cm = cm, s.width_text.clear(), s.width_wrong.clear();
+      s.settings.save_width_cm = cm, sheet.width_text.clear(), sheet.width_wrong.clear();
     x += width + 6;
   }
-  other_width(s, {x + 80, y - 15, x + 150, y + 15});
-  if (const std::string why = s.width_wrong; !why.empty()) {
+  other_width(sheet, ui, s.settings, {x + 80, y - 15, x + 150, y + 15});
+  if (const std::string why = sheet.width_wrong; !why.empty()) {
     const float width = text(ui.fonts.small, at.x + 80, y + 28, packed(c.miss), why);
     ui.rects["refused width"] = {at.x + 80, y + 20, at.x + 80 + width, y + 36};
   }
@@ -104,8 +101,8 @@ void save_sheet(WindowSession& s, const Rect& window) {
   const bool again = ImGui::GetIO().InputQueueCharacters.contains('s') && !ImGui::IsWindowAppearing();
   const bool held = !ui.focus.name().empty() || ImGui::GetIO().WantTextInput;  // then Enter belongs to them
   const bool enter = (!held && (key_down(key::enter) || key_down(key::keypad_enter))) || key_down(key::f12) || again;
-  if ((chip(ui, "save", {x, y - 18, x + 110, y + 18}, "Save", true) || enter) && s.width_wrong.empty()) {
-    s.save_now = true;
+  if ((chip(ui, "save", {x, y - 18, x + 110, y + 18}, "Save", true) || enter) && sheet.width_wrong.empty()) {
+    s.requests.save_figure = true;
     ImGui::CloseCurrentPopup();
   }
   const bool scene = !s.player.lesson().made_from.empty();
@@ -114,12 +111,13 @@ void save_sheet(WindowSession& s, const Rect& window) {
     ImGui::CloseCurrentPopup();
   }
   if (!scene && chip(ui, "save as preset", {x + 120, y - 18, x + 260, y + 18}, "Save as preset", false)) {
-    s.save_preset = true;
+    s.requests.save_preset = true;
     ImGui::CloseCurrentPopup();
   }
   text(ui.fonts.small, x + 276, y, packed(c.muted), "Enter saves");
-  preview(s, {ui.rects["other width"].right + 20, at.y + 10, ui.rects["save sheet"].right - 20,
-              ui.rects["save sheet"].bottom - 20});
+  preview(sheet, ui,
+          {ui.rects["other width"].right + 20, at.y + 10, ui.rects["save sheet"].right - 20,
+           ui.rects["save sheet"].bottom - 20});
   ImGui::EndPopup();
 }
 

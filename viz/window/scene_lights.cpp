@@ -29,28 +29,28 @@ Rect around(const Vec2& p, float half) {
 
 }  // namespace
 
-void point_at_names(WindowSession& s, const View& view, const Rect& scene, const std::vector<PlacedLabel>& labels,
-                    const std::optional<Handle>& under) {
+void point_at_names(const Player& player, Ui& ui, const View& view, const Rect& scene,
+                    const std::vector<PlacedLabel>& labels, const std::optional<Handle>& under) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const Vec2 pointer(mouse.x, mouse.y);
   for (const PlacedLabel& label : labels)
     if (const Rect r = rect_of(label, scene); r.contains(mouse.x, mouse.y))
-      return s.ui.light.point(keys_of(label, s.ui.names), r);
-  if (under) return s.ui.light.point(keys_of(*under, s.player.lesson()), around(pointer, 1), false);
-  s.ui.light.point(names_near(s.player.scene(), view, pointer, s.ui.names), around(pointer, 8));
+      return ui.light.point(keys_of(label, ui.names), r);
+  if (under) return ui.light.point(keys_of(*under, player.lesson()), around(pointer, 1), false);
+  ui.light.point(names_near(player.scene(), view, pointer, ui.names), around(pointer, 8));
 }
 
-void light_names(WindowSession& s, const View& view, const Rect& scene, const std::vector<PlacedLabel>& labels) {
-  Ui& ui = s.ui;
-  for (const Handle& h : s.player.scene().handles)
+void light_names(const Player& player, Ui& ui, const View& view, const Rect& scene,
+                 const std::vector<PlacedLabel>& labels) {
+  for (const Handle& h : player.scene().handles)
     if (ui.focus.name() == "handle " + h.parameter)
-      ui.light.hold(keys_of(h, s.player.lesson()), around(view.project(h.at).at, 16));
+      ui.light.hold(keys_of(h, player.lesson()), around(view.project(h.at).at, 16));
   if (!ui.light.on()) return;
   for (const PlacedLabel& label : labels)
     if (const std::vector<std::string> names = keys_of(label, ui.names); ui.light.of(names) > 0)
       lights(ui, names, rect_of(label, scene));
   int lit = 0;
-  each_named(s.player.scene(), ui.names, [&](const Item& item, const std::vector<std::string>& names) {
+  each_named(player.scene(), ui.names, [&](const Item& item, const std::vector<std::string>& names) {
     const double light = ui.light.of(names);
     if (!(light > 0)) return;
     if (const std::optional<LitStroke> stroke = lit_stroke(item, view))

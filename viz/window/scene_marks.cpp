@@ -118,12 +118,12 @@ static float tallest_verdict(WindowSession& s, const Rect& scene) {
 
 float steady_head(WindowSession& s, const Rect& scene) {
   const bool low = is_low(scene);
-  WindowSession::SteadyHead wanted = {.walk = s.player.walk_number(),
-                                      .width = scene.width(),
-                                      .height = scene.height(),
-                                      .alarm = has_alarm(s) ? alarm_width(s) : 0,
-                                      .size = s.settings.size,
-                                      .tallest = s.steady_head.tallest};
+  SteadyHead wanted = {.walk = s.player.walk_number(),
+                       .width = scene.width(),
+                       .height = scene.height(),
+                       .alarm = has_alarm(s) ? alarm_width(s) : 0,
+                       .size = s.settings.size,
+                       .tallest = s.steady_head.tallest};
   if (wanted != s.steady_head) wanted.tallest = tallest_verdict(s, scene), s.steady_head = wanted;
   const float tallest = wanted.tallest;
   if (tallest > 0) return std::max(low ? low_head : high_head, edge(scene) + tallest + 5);
@@ -266,10 +266,8 @@ void projection_text(WindowSession& s, const Rect& scene, const std::vector<Plac
   text(s.ui.fonts.small, r.right - 8, r.middle_y(), packed(hovered ? c.text : c.muted), name, 1);
 }
 
-void toast(WindowSession& s, const Rect& scene) {
-  const WindowSession::Toast& toast = s.toast;
+void toast(Ui& ui, const Toast& toast, const Rect& scene) {
   if (toast.seconds_left <= 0) return;
-  Ui& ui = s.ui;
   const Colour& ink = toast.error ? ui.palette.miss : ui.palette.hit;
   ImFont* font = ui.fonts.small;
   const float room = std::min(scene.width() - 40, 560.0f), size = font->FontSize * font->Scale;

@@ -31,7 +31,7 @@ float changed_room(const WindowSession&);
 void changed_mark(WindowSession&, const Rect& scene);
 void changed_text(WindowSession&, const Rect& scene);
 /// Draws the current message at the bottom.
-void toast(WindowSession&, const Rect& scene);
+void toast(Ui&, const Toast&, const Rect& scene);
 
 /// Rings a handle, names its parameter and value, and says why it does not follow the pointer, if it is forbidden
 /// to.

@@ -216,7 +216,7 @@ void SceneView::wheel(WindowSession& s, const View& view) {
 void SceneView::keyboard(WindowSession& s, const View& view) {
   const ImGuiIO& io = ImGui::GetIO();
   const Vec2 middle = view.corner() + Vec2(view.width(), view.height()) / 2;
-  if (const double factor = std::exchange(s.zoom, 1.0); factor != 1) zoom(s.player, view, middle, factor);
+  if (const double factor = std::exchange(s.requests.zoom, 1.0); factor != 1) zoom(s.player, view, middle, factor);
   const double held_for = std::exchange(turning_, -1);
   if (!(io.KeyShift || io.KeyCtrl) || io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;
   const auto way_of = [](auto&& asks) {
@@ -342,8 +342,8 @@ void SceneView::show(WindowSession& s, const Rect& r) {
     focused(ui, "handle " + h.parameter, grip);
   }
   const std::optional<Handle> under = held_ ? held_ : hovered ? handle_near(s, view, mouse()) : std::nullopt;
-  if (hovered && !active) point_at_names(s, view, r, labels_, under);
-  light_names(s, view, r, labels_);
+  if (hovered && !active) point_at_names(s.player, s.ui, view, r, labels_, under);
+  light_names(s.player, s.ui, view, r, labels_);
   if (under)
     handle_under_pointer(s, view, *under, held_ ? forbidden_ : std::string());
   else if (const std::optional<Handle> ringed = handle_of_keyboard(s))
@@ -356,7 +356,7 @@ void SceneView::show(WindowSession& s, const Rect& r) {
   if (in_space && !(s.player.lesson().flat && is_low(r))) tripod(s, view, r, labels_);
   if (lead && in_space && !s.player.lesson().flat) projection_text(s, r, labels_);
   if (lead) changed_text(s, r);
-  toast(s, r);
+  toast(s.ui, s.toast, r);
   if (!lead) filled({r.left, r.top, r.left + 1, r.bottom}, ui.palette.rule, 0);
   ImGui::End();
 }

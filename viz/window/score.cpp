@@ -14,32 +14,31 @@ std::string question_name(const Player& player, int step) {
 
 }  // namespace
 
-void keep_score(WindowSession& s) {
-  const Player& player = s.player;
-  Score& score = s.settings.scores[player.lesson().id];
+void keep_score(const Player& player, Settings& settings) {
+  Score& score = settings.scores[player.lesson().id];
   if (const auto answered = player.quiz().answered())
     score.answers[question_name(player, player.index())] = answered->right();
   if (player.step().slug == closing_slug) score.finished = true;
 }
 
-std::vector<int> missed_questions(const WindowSession& s) {
+std::vector<int> missed_questions(const Player& player, const Settings& settings) {
   std::vector<int> missed;
-  const auto score = s.settings.scores.find(s.player.lesson().id);
-  if (score == s.settings.scores.end()) return missed;
+  const auto score = settings.scores.find(player.lesson().id);
+  if (score == settings.scores.end()) return missed;
   std::set<std::string> seen;
-  for (int i = 1; i < s.player.count(); ++i) {
-    if (!s.player.walk().steps[i].question) continue;
-    const std::string name = question_name(s.player, i);
+  for (int i = 1; i < player.count(); ++i) {
+    if (!player.walk().steps[i].question) continue;
+    const std::string name = question_name(player, i);
     const auto answer = score->second.answers.find(name);
     if (answer != score->second.answers.end() && !answer->second && seen.insert(name).second) missed.push_back(i);
   }
   return missed;
 }
 
-void keep_recent(WindowSession& s) {
-  std::vector<std::string>& recent = s.settings.recent;
-  const std::string& id = s.player.lesson().id;
-  if (!s.player.lesson().made_from.empty()) return;  // scenes from files are not among the lessons
+void keep_recent(const Player& player, Settings& settings) {
+  std::vector<std::string>& recent = settings.recent;
+  const std::string& id = player.lesson().id;
+  if (!player.lesson().made_from.empty()) return;  // scenes from files are not among the lessons
   if (!recent.empty() && recent.front() == id) return;
   std::erase(recent, id);
   recent.insert(recent.begin(), id);

@@ -177,17 +177,16 @@ void SecondPane::leave(WindowSession& s) {
 void SecondPane::show_other(WindowSession& s, const PanesLayout& at) {
   const bool methods = !s.settings.beside->method.empty();
   WindowSession along{.player = *other_, .ui = s.ui, .settings = s.settings, .course = s.course, .figures = {}};
-  along.paired = true;
   along.pane = methods ? Pane::along : Pane::fixed;
   const WalkDifference difference = difference_now(s.player, *other_);
-  along.parted_line = difference.line_b, along.parted_value = difference.value_b;
+  const Parted parted = {difference.line_b, difference.value_b};
   const std::map<std::string, Rect> first = std::exchange(s.ui.rects, {});
   if (std::exchange(named_, other_->revision()) != other_->revision() || names_.empty())
     names_ = names_of(other_->lesson(), other_->walk());
   std::swap(s.ui.names, names_);
   s.ui.side = "other ";
   scene_.show(along, at.second_scene);
-  code_panel(along, at.second_code);
+  code_panel(*other_, s.ui, at.second_code, &parted);
   std::map<std::string, Rect> all = first;
   for (const auto& [name, rect] : s.ui.rects) all[s.ui.side + name] = rect;
   s.ui.rects = std::move(all);
@@ -203,12 +202,9 @@ void SecondPane::show(WindowSession& s, SceneView& lead, const PanesLayout& at) 
   if (!follow(s)) return;
   const WalkDifference difference = difference_now(s.player, *other_);
   heads(s, *other_, difference, at);
-  s.paired = true;
-  s.parted_line = difference.line_a, s.parted_value = difference.value_a;
+  const Parted parted = {difference.line_a, difference.value_a};
   lead.show(s, at.first_scene);
-  code_panel(s, at.first_code);
-  s.paired = false;
-  s.parted_line = s.parted_value = -1;
+  code_panel(s.player, s.ui, at.first_code, &parted);
   if (two_panes(s) && follow(s)) show_other(s, at);
 }
 

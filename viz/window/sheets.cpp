@@ -20,28 +20,28 @@ std::string lower(std::string s) {
 
 }  // namespace
 
-bool begin_sheet(WindowSession& s, const char* name, const Rect& window, float width, float height) {
+bool begin_sheet(Ui& ui, const char* name, const Rect& window, float width, float height) {
   const float w = std::min(width, window.width() - 40), h = std::min(height, window.height() - 40);
   const Rect r{window.middle_x() - w / 2, window.middle_y() - h / 2, window.middle_x() + w / 2,
                window.middle_y() + h / 2};
   ImGui::SetNextWindowPos(top_left(r));
   ImGui::SetNextWindowSize({w, h});
   if (!ImGui::BeginPopup(name)) return false;
-  s.ui.rects[name] = r;
+  ui.rects[name] = r;
   if (key_down(key::escape)) ImGui::CloseCurrentPopup();
   return true;
 }
 
-bool search_field(WindowSession& s, const char* hint) {
+bool search_field(Ui& ui, std::string& words, const char* hint) {
   if (ImGui::IsWindowAppearing()) {
-    s.search.clear();
+    words.clear();
     ImGui::SetKeyboardFocusHere();
   }
   ImGui::SetNextItemWidth(-1);
-  const bool entered = ImGui::InputTextWithHint("##search", hint, &s.search, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint("##search", hint, &words, ImGuiInputTextFlags_EnterReturnsTrue);
   if (entered) ImGui::SetKeyboardFocusHere(-1);  // Enter has no effect if no row is left
   const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
-  s.ui.rects["search"] = {lo.x, lo.y, hi.x, hi.y};
+  ui.rects["search"] = {lo.x, lo.y, hi.x, hi.y};
   return entered;
 }
 
@@ -62,12 +62,12 @@ bool matches(const std::string& text, const std::string& wanted) {
 }
 
 void sheets(WindowSession& s, const Rect& window) {
-  const Sheet open = std::exchange(s.open_next, Sheet::none);
+  const Sheet open = std::exchange(s.requests.sheet, Sheet::none);
   if (open == Sheet::keys) ImGui::OpenPopup("key sheet");
   if (open == Sheet::picker) ImGui::OpenPopup("picker");
   if (open == Sheet::terms) ImGui::OpenPopup("terms");
   if (open == Sheet::save) ImGui::OpenPopup("save sheet");
-  key_sheet(s, window);
+  key_sheet(s.ui, window);
   picker(s, window);
   terms_sheet(s, window);
   save_sheet(s, window);

@@ -12,13 +12,13 @@ namespace isect::viz {
 inline bool key_down(key::Code code) { return ImGui::IsKeyPressed(code, false) && !ImGui::IsWindowAppearing(); }
 
 /// Opens in the middle of the window; Escape or a click beside it closes it. Returns whether it is open.
-bool begin_sheet(WindowSession&, const char* name, const Rect& window, float width, float height);
-/// Draws the search field, which has the keyboard. Returns whether Enter was pressed in it.
-bool search_field(WindowSession&, const char* hint);
+bool begin_sheet(Ui&, const char* name, const Rect& window, float width, float height);
+/// Draws the field for `words` to search for, which has the keyboard. Returns whether Enter was pressed in it.
+bool search_field(Ui&, std::string& words, const char* hint);
 /// Whether each wanted word, or another name for the same thing, occurs in the text; case is ignored.
 bool matches(const std::string& text, const std::string& wanted);
 
-void key_sheet(WindowSession&, const Rect& window);
+void key_sheet(Ui&, const Rect& window);
 void picker(WindowSession&, const Rect& window);
 void terms_sheet(WindowSession&, const Rect& window);
 void save_sheet(WindowSession&, const Rect& window);

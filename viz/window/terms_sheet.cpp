@@ -6,8 +6,8 @@
 namespace isect::viz {
 
 void terms_sheet(WindowSession& s, const Rect& window) {
-  if (!begin_sheet(s, "terms", window, 720, 600)) return;
-  const bool entered = search_field(s, "Search terms");
+  if (!begin_sheet(s.ui, "terms", window, 720, 600)) return;
+  const bool entered = search_field(s.ui, s.search, "Search terms");
   ImGui::BeginChild("list of terms");
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x - 4;

@@ -153,7 +153,7 @@ void top_bar(WindowSession& s, const Rect& r) {
   room -= variants ? for_variant + 20 : 0;
   bool pressed = false;
   float x = opener(ui, {"lesson", title, "Another lesson (Ctrl+O)", x0, y, room}, false, pressed);
-  if (pressed) s.open_next = Sheet::picker;
+  if (pressed) s.requests.sheet = Sheet::picker;
   if (variants) {
     x += 20;
     opener(ui, {"method", variant, "Another method", x, y, for_variant + 1}, true, pressed);
@@ -168,7 +168,7 @@ void top_bar(WindowSession& s, const Rect& r) {
     if (pressed) ImGui::OpenPopup("preset menu");
     preset_menu(s, group, x1 + 12, y + 20);
   }
-  if (chip(ui, "help", help, "?", false)) s.open_next = Sheet::keys;
+  if (chip(ui, "help", help, "?", false)) s.requests.sheet = Sheet::keys;
   theme_button(s, {help.left - 44, help.top, help.left - 8, help.bottom});
   rule(ui, r.left, r.right, r.bottom - 1);
   ImGui::End();

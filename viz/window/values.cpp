@@ -111,10 +111,9 @@ float number_column(const Ui& ui, const Step& step, const std::vector<std::strin
   return r.left + std::min(column, r.width() - 10 - room_for_new(step));
 }
 
-/// `number`: where the digits end.
-void value_row(WindowSession& s, const Value& v, const std::string& digits,
-               const std::map<std::string, BarScale>& scales, const Rect& r, float number) {
-  Ui& ui = s.ui;
+/// `number`: where the digits end; `beside_bar`: the room for the word "new".
+void value_row(Ui& ui, const Value& v, const std::string& digits, const std::map<std::string, BarScale>& scales,
+               const Rect& r, float number, float beside_bar) {
   const Palette& c = ui.palette;
   const float y = r.middle_y();
   const float room = number - text_width(ui.fonts.mono, digits) - 8 - (r.left + 10);
@@ -140,9 +139,8 @@ void value_row(WindowSession& s, const Value& v, const std::string& digits,
     ui.rects["new " + name] = {right - 2 - width, y - 7, right - 2, y + 7};
   }
   const auto scale = scales.find(v.unit);
-  const bool room_for_bar = right - room_for_new(s.player.shown()) - number - 26 > 20;
-  if (scale != scales.end() && room_for_bar)
-    value_bar(ui, scale->second, v, number + 26, right - room_for_new(s.player.shown()), y);
+  const bool room_for_bar = right - beside_bar - number - 26 > 20;
+  if (scale != scales.end() && room_for_bar) value_bar(ui, scale->second, v, number + 26, right - beside_bar, y);
 }
 
 /// Draws a condition, and whether it is true. Returns where that ends.
@@ -170,10 +168,9 @@ void comparison_bar(const Palette& c, const Comparison& comparison, float x0, fl
 
 /// Draws the condition with its sign, its meaning, and both sides of each of its inequalities as bars. The meaning
 /// stands beside the condition or, if there is no room, on lines of its own.
-void comparison_card(WindowSession& s, const Comparison& comparison, const Rect& r) {
-  Ui& ui = s.ui;
+void comparison_card(Ui& ui, const Comparison& comparison, const Rect& r) {
   const Palette& c = ui.palette;
-  s.ui.rects["comparison"] = r;
+  ui.rects["comparison"] = r;
   filled(r, c.card, 8);
   const std::vector<std::string> names = keys(names_in(comparison.text));
   if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) ui.light.point(names, r);
@@ -192,7 +189,7 @@ void comparison_card(WindowSession& s, const Comparison& comparison, const Rect&
     text(ui.fonts.small, x1, y, packed(c.muted), meaning, 1);
   else
     lines(meaning, c.muted);
-  s.ui.rects["meaning"] = {x0, r.top + 8, x1, bar_y - 10};
+  ui.rects["meaning"] = {x0, r.top + 8, x1, bar_y - 10};
   int part_number = 0;
   for (const Comparison& part : inequalities(comparison)) {
     if (!comparison.parts.empty()) {
@@ -203,7 +200,7 @@ void comparison_card(WindowSession& s, const Comparison& comparison, const Rect&
     if (const std::string numbers = in_full(part); !numbers.empty()) {
       const float top = bar_y - 10;
       lines(numbers, c.text);
-      s.ui.rects["meaning in full"] = {x0, top, x1, bar_y - 10};
+      ui.rects["meaning in full"] = {x0, top, x1, bar_y - 10};
     }
     comparison_bar(c, part, x0, x1, bar_y);
     bar_y += bar_room;
@@ -217,9 +214,7 @@ float values_height(const Ui& ui, const Step& step, float width, float pitch) {
   return values + (step.comparison ? card_height(ui, *step.comparison, width - 20) + 8 : 0);
 }
 
-void values_block(WindowSession& s, const Rect& r, float pitch) {
-  Ui& ui = s.ui;
-  const Step& step = s.player.shown();
+void values_block(Ui& ui, const Step& step, const Rect& r, float pitch, const Parted* parted) {
   ui.rects["values"] = r;
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
@@ -233,17 +228,19 @@ void values_block(WindowSession& s, const Rect& r, float pitch) {
     y += block_heading;
     const std::map<std::string, BarScale> scales = scales_of(step);
     const std::vector<std::string> digits = shown(step.values);
-    const float indent = s.paired ? 10 : 0, number = number_column(ui, step, digits, {r.left + indent, y, r.right, y});
+    const float indent = parted ? 10 : 0, number = number_column(ui, step, digits, {r.left + indent, y, r.right, y});
     for (std::size_t i = 0; i < digits.size(); ++i) {
-      value_row(s, step.values[i], digits[i], scales, {r.left + indent, y, r.right, y + pitch}, number);
-      if (static_cast<int>(i) == s.parted_value) parted_mark(ui, "parted value", {r.left, y, r.right, y + pitch});
+      value_row(ui, step.values[i], digits[i], scales, {r.left + indent, y, r.right, y + pitch}, number,
+                room_for_new(step));
+      if (parted && static_cast<int>(i) == parted->value)
+        parted_mark(ui, "parted value", {r.left, y, r.right, y + pitch});
       y += pitch;
     }
   }
   if (step.comparison) {
     y += 8;
     const float card = card_height(ui, *step.comparison, r.width() - 20);
-    comparison_card(s, *step.comparison, {r.left + 10, y, r.right - 10, y + card - 10});
+    comparison_card(ui, *step.comparison, {r.left + 10, y, r.right - 10, y + card - 10});
     y += card;
   }
   ImGui::SetCursorScreenPos({r.left, top});
@@ -251,11 +248,9 @@ void values_block(WindowSession& s, const Rect& r, float pitch) {
   ImGui::EndChild();
 }
 
-void operations_block(WindowSession& s, const Rect& r) {
-  Ui& ui = s.ui;
-  const Counters& n = s.player.shown().counters;
+void operations_block(Ui& ui, const Counters& n, const Rect& r) {
   const Palette& c = ui.palette;
-  s.ui.rects["operations"] = r;
+  ui.rects["operations"] = r;
   const std::pair<const char*, int> all[] = {
       {"mul", n.mul}, {"add", n.add}, {"div", n.div}, {"sqrt", n.sqrt}, {"cmp", n.compare}};
   std::vector<std::pair<const char*, int>> counts;
@@ -289,7 +284,7 @@ void operations_block(WindowSession& s, const Rect& r) {
     const auto& [name, count] = counts[i];
     const float width = text(ui.fonts.small, x, y, packed(c.muted), name);
     const float end = x + width + 6 + text(font, x + width + 6, y, packed(c.text), numbers[i]);
-    s.ui.rects[std::string("count ") + name] = {x, y - 9, end, y + 9};
+    ui.rects[std::string("count ") + name] = {x, y - 9, end, y + 9};
     x = widest + least_gap <= share ? x + share : end + gap;
     told += fmt::format(" {} {}{}", name, count, i + 1 < counts.size() ? "," : "");
   }

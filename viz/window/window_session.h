@@ -82,76 +82,106 @@ void write_settings(const std::string& file, const Settings&);
 /// The sheets that may cover the window.
 enum class Sheet { none, keys, picker, save, terms };
 
+/// What keys and buttons ask for, to be done between two frames.
+struct Requests {
+  Sheet sheet = Sheet::none;  ///< to be opened
+  bool save_figure = false;   ///< this frame's figure as a file
+  bool save_preset = false;   ///< the setting as a preset file
+  bool close = false;         ///< the reader wants to close the window
+  double zoom = 1;
+};
+
+/// The file of the scene that the lesson is made from.
+struct SceneFile {
+  /// Writes the setting into it, from which the lesson is then made; null: there is no file.
+  std::function<void(const Parameters&)> save = {};
+  std::optional<unsigned> told_unsaved = {};  ///< revision of a scene that was unsaved when the reader wanted to close
+};
+
+/// The sheet that saves figures, with the figure as it would save it: that is drawn between two frames.
+struct SaveSheet {
+  bool open = false;
+  ImTextureID picture = {};
+  float width = 0, height = 0;   ///< of the figure, in any unit
+  std::string why = {};          ///< why there is none
+  std::string width_text = {};   ///< as typed
+  std::string width_wrong = {};  ///< why it is refused
+};
+
+/// The list of lessons.
+struct Picker {
+  const Lesson* lesson = nullptr;         ///< the one whose picture is wanted; null: none
+  ImTextureID picture = {};               ///< nothing until it has been drawn, between two frames
+  std::vector<std::string> presets = {};  ///< files of saved ones, as they were found
+};
+
+/// The fields of the parameters.
+struct Fields {
+  /// A number that is being typed into a field.
+  struct Typing {
+    std::string field, text;
+    int frames = 0;      ///< without the keyboard, so far
+    bool begun = false;  ///< the field has the keyboard
+  } typing = {};
+  /// Why the last one was refused.
+  struct Refused {
+    std::string field, why;
+    unsigned revision = 0;  ///< the player's; shown until something changes
+  } refused = {};
+  float height = 0;  ///< as the last frame found it
+};
+
+/// The words of a step, beside its scene or below it.
+struct StepWords {
+  unsigned seen = 0;                         ///< the revision whose words are shown
+  float question_height = 120;               ///< of the question over the scene, as the last frame found it
+  std::set<const Exercise*> solutions = {};  ///< those that are shown
+  /// The words below the scene, as high as the fullest step of the lesson so far, so that the scene keeps its size.
+  struct Lecture {
+    const Lesson* lesson = nullptr;
+    float width = 0, height = 0;
+  } lecture = {};
+};
+
+/// The height that the scene leaves free for the verdicts of a walk, which may have thousands of steps.
+struct SteadyHead {
+  unsigned walk = 0;
+  float width = 0, height = 0, alarm = 0;
+  double size = 0;
+  float tallest = 0;
+  bool operator==(const SteadyHead&) const = default;
+};
+
+/// Where the walks of two panes part: a line, one of the step's values; -1: nowhere.
+struct Parted {
+  int line = -1, value = -1;
+};
+
+/// A message over the scene.
+struct Toast {
+  std::string text;
+  bool error = false;
+  double seconds_left = 0;
+  std::optional<std::pair<unsigned, int>> at = {};  ///< its revision and step, if it is about no others
+};
+
 struct WindowSession {
   Player& player;
   Ui& ui;
   Settings& settings;
   const Course& course;
   std::string figures;  ///< folder for saved figures
-  /// Writes the setting into the scene's file, from which the lesson is then made; null: there is no file.
-  std::function<void(const Parameters&)> save_scene = {};
-  bool panels = true;
-  Sheet open_next = Sheet::none;  ///< asked for by a key or a button, opened at the end of the frame
-  /// The figure as the sheet would save it, while that is open: drawn between two frames.
-  struct Preview {
-    bool wanted = false;  ///< the sheet is open
-    ImTextureID picture = {};
-    float width = 0, height = 0;  ///< of the figure, in any unit
-    std::string why = {};         ///< why there is none
-  } preview = {};
-  /// A lesson's picture in the picker, also drawn between two frames.
-  struct Pictured {
-    const Lesson* lesson = nullptr;  ///< the lesson wanted; null: none
-    ImTextureID picture = {};        ///< nothing until it has been drawn
-  } pictured = {};
-  bool save_now = false;                      ///< save this frame's figure as a file
-  bool save_preset = false;                   ///< save the setting as a preset file
-  bool close = false;                         ///< the reader wants to close the window
-  std::optional<unsigned> told_unsaved = {};  ///< revision of a scene that was unsaved when the reader wanted to close
-  bool full_screen = false;
-  std::string search = {};                ///< words in the picker, or among the terms
-  std::string width_text = {};            ///< typed into the sheet that saves figures
-  std::string width_wrong = {};           ///< why it is refused
-  std::vector<std::string> presets = {};  ///< files of saved presets, as the picker found them
-  float fields_height = 0;                ///< of the parameters' fields, as the last frame found it
-  float question_height = 120;            ///< of the question over the scene, as the last frame found it
-  /// The words below the scene, as high as the fullest step of the lesson so far, so that the scene keeps its size.
-  struct Lecture {
-    const Lesson* lesson = nullptr;
-    float width = 0, height = 0;
-  } lecture = {};
-  /// The height that the scene leaves free for the verdicts of a walk, which may have thousands of steps.
-  struct SteadyHead {
-    unsigned walk = 0;
-    float width = 0, height = 0, alarm = 0;
-    double size = 0;
-    float tallest = 0;
-    bool operator==(const SteadyHead&) const = default;
-  } steady_head = {};
-  double zoom = 1;  ///< asked for by a key
+  SceneFile scene_file = {};
+  bool panels = true, full_screen = false;
   Pane pane = Pane::lead;
-  bool paired = false;                       ///< with two panes lines and values replace headings and counts
-  int parted_line = -1, parted_value = -1;   ///< where two panes part: a line, one of the step's values
-  unsigned words_seen = 0;                   ///< the revision whose words are shown
-  std::set<const Exercise*> solutions = {};  ///< those that are shown
-
-  /// A number that is being typed into a field, and why the last one was refused.
-  struct Typing {
-    std::string field, text;
-    int frames = 0;      ///< without the keyboard, so far
-    bool begun = false;  ///< the field has the keyboard
-  } typing = {};
-  struct Refused {
-    std::string field, why;
-    unsigned revision = 0;  ///< the player's; shown until something changes
-  } refused = {};
-
-  struct Toast {
-    std::string text;
-    bool error = false;
-    double seconds_left = 0;
-    std::optional<std::pair<unsigned, int>> at = {};  ///< its revision and step, if it is about no others
-  } toast = {};
+  Requests requests = {};
+  SaveSheet save_sheet = {};
+  Picker picker = {};
+  std::string search = {};  ///< words in the picker, or among the terms
+  Fields fields = {};
+  StepWords step_words = {};
+  SteadyHead steady_head = {};
+  Toast toast = {};
 
   void say(const std::string& words) { toast = {words, false, 5}; }
   /// Says what holds only for this setting and step: the message ends with them.

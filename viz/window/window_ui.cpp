@@ -82,7 +82,7 @@ struct WindowUi::Impl {
                 .settings = settings,
                 .course = course,
                 .figures = options.figures,
-                .save_scene = options.save_scene},
+                .scene_file = {.save = options.save_scene}},
         scene(gl, options.scale, options.draw_scene, options.place_names),
         map(gl, options.scale, options.draw_scene),
         panes(gl, options.scale, options.draw_scene) {
@@ -100,31 +100,32 @@ struct WindowUi::Impl {
 
   /// Draws the preview; again only if something has changed.
   void draw_preview() {
-    if (!session.preview.wanted) return previewed.clear();
+    if (!session.save_sheet.open) return previewed.clear();
     const std::string now =
         to_json(player.reader_state()) + name_of(settings.save_theme) + " " + shown(settings.save_width_cm) + " cm";
     if (now == std::exchange(previewed, now) || !drawing) return;
     constexpr double width = 320, height = 280;  // px of the layout, at most
     const double scale = density * size;
     const PixelBox made = viz::draw_preview(player, settings, renderer, static_cast<int>(width * scale),
-                                            static_cast<int>(height * scale), session.preview.why);
-    session.preview.width = static_cast<float>(made.width), session.preview.height = static_cast<float>(made.height);
+                                            static_cast<int>(height * scale), session.save_sheet.why);
+    session.save_sheet.width = static_cast<float>(made.width),
+    session.save_sheet.height = static_cast<float>(made.height);
     if (made.width == 0) return;
     preview.take(renderer.texture(), made.width, made.height);
-    session.preview.picture = preview.id();
+    session.save_sheet.picture = preview.id();
   }
 
   /// Draws the first preset's outcome, once per lesson and theme.
   void draw_pictured() {
-    const Lesson* const lesson = session.pictured.lesson;
-    session.pictured.picture = {};
+    const Lesson* const lesson = session.picker.lesson;
+    session.picker.picture = {};
     if (!lesson || !drawing) return;
     KeptPicture& kept = pictured[{lesson, settings.theme}];
     if (!kept.id()) {
       const PixelBox made = draw_lesson(*lesson, window_theme(settings.theme), renderer, density * size);
       kept.take(renderer.texture(), made.width, made.height);
     }
-    session.pictured.picture = kept.id();
+    session.picker.picture = kept.id();
   }
 
   void keep_setting() {
@@ -215,7 +216,7 @@ struct WindowUi::Impl {
       return question_over_scene(session, at.scene, at.lesson);
     }
     lesson_panel(session, at.lesson);
-    code_panel(session, at.code);
+    code_panel(player, ui, at.code);
   }
 
   ImGuiScope imgui;
@@ -256,8 +257,8 @@ void WindowUi::frame() {
   w.player.advance(io.DeltaTime);
   if (w.session.toast.at && *w.session.toast.at != w.session.here()) w.session.toast = {};
   // Only now: the frame built last shows the scene's texture, which saving overwrites.
-  if (std::exchange(w.session.save_now, false)) w.save();
-  if (std::exchange(w.session.save_preset, false)) w.keep_setting();
+  if (std::exchange(w.session.requests.save_figure, false)) w.save();
+  if (std::exchange(w.session.requests.save_preset, false)) w.keep_setting();
   w.draw_preview();
   w.draw_pictured();
 
@@ -281,8 +282,8 @@ void WindowUi::frame() {
       name.empty() ? name : sum_of(w.player.lesson(), w.player.parameters(), w.player.walk(), w.player.index(), name);
   tell_sum(w.ui, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
   w.ui.focus.end_frame();
-  keep_score(w.session);
-  keep_recent(w.session);
+  keep_score(w.player, w.settings);
+  keep_recent(w.player, w.settings);
   ImGui::PopItemFlag();
   ImGui::PopFont();
   ImGui::Render();
@@ -327,7 +328,7 @@ double WindowUi::rest() const {
 double WindowUi::scale() const { return impl_->density * impl_->size; }
 bool WindowUi::full_screen() const { return impl_->session.full_screen; }
 
-bool WindowUi::wants_to_close() const { return impl_->session.close; }
+bool WindowUi::wants_to_close() const { return impl_->session.requests.close; }
 bool WindowUi::may_close() { return may_leave(impl_->session); }
 
 const std::map<std::string, Rect>& WindowUi::rects() const { return impl_->ui.rects; }
@@ -336,8 +337,8 @@ void WindowUi::complain(const std::string& words) { impl_->session.complain(word
 std::string WindowUi::message() const {
   const WindowSession& s = impl_->session;
   if (s.toast.seconds_left > 0) return s.toast.text;
-  if (!s.width_wrong.empty()) return s.width_wrong;
-  return s.refused.revision == s.player.revision() ? s.refused.why : std::string();
+  if (!s.save_sheet.width_wrong.empty()) return s.save_sheet.width_wrong;
+  return s.fields.refused.revision == s.player.revision() ? s.fields.refused.why : std::string();
 }
 const std::vector<PlacedLabel>& WindowUi::labels() const { return impl_->scene.labels(); }
 const std::string& WindowUi::sum() const { return impl_->ui.sum; }
