@@ -156,19 +156,6 @@ bool is_constant(const Walk& walk, const Value& value) {
   });
 }
 
-std::vector<Value> known_values(const Walk& walk, int step) {
-  const Step& asked = walk.steps[static_cast<std::size_t>(step)];
-  std::vector<Value> known;
-  if (step > 0)
-    std::ranges::copy_if(asked.values, std::back_inserter(known), [&](const Value& value) {
-      return named(walk.steps[static_cast<std::size_t>(step) - 1].values, value.name) &&
-             !is_given(*asked.question, value) && is_constant(walk, value);
-    });
-  known.insert(known.end(), asked.question->given.begin(), asked.question->given.end());
-  for (Value& value : known) value.fresh = false;
-  return known;
-}
-
 /// Returns the step's refused or untaken `lines` that were so before it already, or became so at the step before,
 /// without the line that it asks about.
 std::vector<int> known_lines(const std::vector<int>& lines, const std::vector<int>& before, int line_before, int line) {
@@ -185,6 +172,19 @@ const std::string& answer(const Question& q) { return q.choices.at(static_cast<s
 Value before(Value value) {
   value.name += " before";
   return value;
+}
+
+std::vector<Value> known_values(const Walk& walk, int step) {
+  const Step& asked = walk.steps[static_cast<std::size_t>(step)];
+  std::vector<Value> known;
+  if (step > 0)
+    std::ranges::copy_if(asked.values, std::back_inserter(known), [&](const Value& value) {
+      return named(walk.steps[static_cast<std::size_t>(step) - 1].values, value.name) &&
+             !is_given(*asked.question, value) && is_constant(walk, value);
+    });
+  known.insert(known.end(), asked.question->given.begin(), asked.question->given.end());
+  for (Value& value : known) value.fresh = false;
+  return known;
 }
 
 Step asking_step(const Walk& walk, int step) {

@@ -18,6 +18,8 @@ Value before(Value);
 ///  - the verdict, where it is the same before and after; the operations counted before it;
 ///  - no title, caption, formula and comparison: they would tell the answer, or belong to another step.
 Step asking_step(const Walk&, int step);
+/// Returns the values of that step.
+std::vector<Value> known_values(const Walk&, int step);
 /// Returns what the question before `step` is about, without its answer: the question's own scene or, where it has
 /// none, the step's scene without what is new in it and tells: hits, misses, what is left out, numbers in headings.
 /// What such an item replaces stays as it was. Before a chart or a raster the scene before it stays. Before the first
