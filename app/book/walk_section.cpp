@@ -6,11 +6,9 @@
 #include <algorithm>
 
 #include "app/book/lit_text.h"
-#include "app/figures/value_words.h"
 #include "app/pages/html.h"
 #include "viz/formats/svg_path.h"
 #include "viz/text/rich_text.h"
-#include "viz/walk/alt_text.h"
 #include "viz/walk/closing.h"
 #include "viz/walk/question_scene.h"
 
@@ -21,6 +19,10 @@ namespace {
 using viz::xml_escaped;
 
 std::string listed(const std::vector<int>& lines) { return fmt::format("{}", fmt::join(lines, " ")); }
+
+std::string in_numbers(const std::string& html) {
+  return html.empty() ? html : "<div class=\"numbers\">\n" + html + "</div>\n";
+}
 
 }  // namespace
 
@@ -71,8 +73,8 @@ std::string WalkSection::algorithm() const {
     out += fmt::format("<li{}>{}</li>\n", in > 0 ? fmt::format(" style=\"--in: {}ch\"", in) : "", code(line));
   }
   out += "</ol>\n";
-  for (const std::string& erratum : errata_text(lesson_, walk_, &viz::Preset::title))
-    out += fmt::format("<p class=\"erratum\">{}</p>\n", xml_escaped(erratum));
+  for (const viz::ErratumText& erratum : viz::errata_text(lesson_, walk_))
+    out += fmt::format("<p class=\"erratum\">{}</p>\n", text(viz::with_preset(erratum, &viz::Preset::title)));
   return out + "</div>\n";
 }
 
@@ -104,44 +106,37 @@ std::string WalkSection::above(const Station& at) const {
 }
 
 std::string WalkSection::below(const Station& at) const {
-  if (at.asks) return question(at.step);
-  const viz::Step& s = walk_.steps[at.step];
-  return words(s, at.step) + numbers(s);
+  const viz::StepText told = viz::step_text(lesson_, walk_, at.step);
+  return at.asks ? question(*told.question) : words(told, at.step) + numbers(told);
 }
 
-std::string WalkSection::question(int step) const {
-  const viz::Question& q = *walk_.steps[step].question;
+/// Returns the question and all that is known before it is answered.
+std::string WalkSection::question(const viz::QuestionText& q) const {
   std::string choices;
   for (std::size_t i = 0; i < q.choices.size(); ++i)
-    choices += fmt::format("<li{}>{}</li>\n", static_cast<int>(i) == q.answer ? " data-right" : "", text(q.choices[i]));
+    choices += fmt::format("<li{}>{}</li>\n", i == q.right ? " data-right" : "", text(q.choices[i]));
   return fmt::format("<h3>Question {}</h3>\n<div class=\"words\">\n{}<ol class=\"choices\">\n{}</ol>\n{}</div>\n{}",
-                     number_of_question(walk_, step), prose(prompt(q)), choices, folded("Answer", prose(answer(q))),
-                     known(step));
+                     q.number, prose(q.prompt), choices, folded("Answer", prose(q.answer + " " + q.because)),
+                     in_numbers(values(q.known)));
 }
 
-/// Returns what is known of a step before its question is answered; the values given to the question are in its text.
-std::string WalkSection::known(int step) const {
-  viz::Step asked = viz::asking_step(walk_, step);
-  asked.values.resize(asked.values.size() - asked.question->given.size());
-  const std::string table = values(asked);
-  return table.empty() ? table : "<div class=\"numbers\">\n" + table + "</div>\n";
+std::string WalkSection::words(const viz::StepText& told, int step) const {
+  const bool opens = walk_.steps[step].slug == viz::opening_slug;  // the opening stands above all walks
+  std::string out = "<div class=\"words\">\n" + prose(opens ? "This is what is given." : told.own_caption);
+  if (!told.formula.empty()) out += fmt::format("<p class=\"formula\">{}</p>\n", text(told.formula));
+  return out + verdict(told.verdict) + source(step) + "</div>\n";
 }
 
-std::string WalkSection::words(const viz::Step& s, int index) const {
-  std::string out = "<div class=\"words\">\n" + prose(caption(s));
-  if (!s.formula.empty()) out += fmt::format("<p class=\"formula\">{}</p>\n", text(s.formula));
-  return out + verdict(s.verdict) + source(index) + "</div>\n";
-}
-
-std::string WalkSection::numbers(const viz::Step& s) const {
-  const std::string counted = line(s) + values(s) + comparison(s);
-  return counted.empty() ? counted : "<div class=\"numbers\">\n" + counted + "</div>\n";
-}
-
-/// Returns the caption without the lesson's opening, which stands above all walks.
-std::string WalkSection::caption(const viz::Step& s) const {
-  if (s.slug == viz::opening_slug) return "This is what is given.";
-  return viz::own_caption(lesson_, s);
+std::string WalkSection::numbers(const viz::StepText& told) const {
+  std::string out;
+  if (const auto& line = told.line)
+    out += fmt::format("<p class=\"line\">Line {} <code>{}</code>{}</p>\n", line->number, code(line->code),
+                       line->refused ? " <b class=\"refused\">no</b>" : "");
+  out += values(told.values);
+  if (const auto& c = told.comparison)
+    out += fmt::format("<p class=\"comparison {}\">{} <b>{}</b> {}</p>\n", c->holds ? "yes" : "no", text(c->question),
+                       c->answer, text(c->why));
+  return in_numbers(out);
 }
 
 std::string WalkSection::verdict(const viz::Verdict& v) const {
@@ -160,33 +155,15 @@ std::string WalkSection::source(int step) const {
   return fmt::format("<p class=\"source\">{}</p>\n", html_text(source));
 }
 
-std::string WalkSection::line(const viz::Step& s) const {
-  if (s.line < 0) return {};
-  return fmt::format("<p class=\"line\">Line {} <code>{}</code>{}</p>\n", s.line + 1,
-                     code(viz::unindented(walk_.pseudocode.at(static_cast<std::size_t>(s.line)))),
-                     std::ranges::count(s.refused, s.line) > 0 ? " <b class=\"refused\">no</b>" : "");
-}
-
 /// Returns all known values; on paper, and without scripts, only new ones are shown.
-std::string WalkSection::values(const viz::Step& s) const {
-  if (s.values.empty()) return {};
-  const bool fresh = std::ranges::any_of(s.values, &viz::Value::fresh);
+std::string WalkSection::values(const std::vector<viz::ValueText>& all) const {
+  if (all.empty()) return {};
+  const bool fresh = std::ranges::any_of(all, &viz::ValueText::fresh);
   std::string out = fmt::format("<table class=\"values{}\">\n<caption>Values</caption>\n", fresh ? "" : " known");
-  const std::vector<std::string> digits = viz::shown(s.values);
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    const viz::Value& v = s.values[i];
+  for (const viz::ValueText& v : all)
     out += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td>{}</tr>\n", v.fresh ? " class=\"fresh\"" : "",
-                       text(v.name), xml_escaped(digits[i]), v.fresh ? "<td>new</td>" : "<td></td>");
-  }
+                       text(v.name), html_text(v.digits), v.fresh ? "<td>new</td>" : "<td></td>");
   return out + "</table>\n";
-}
-
-std::string WalkSection::comparison(const viz::Step& s) const {
-  if (!s.comparison) return {};
-  const viz::Comparison& c = *s.comparison;
-  return fmt::format("<p class=\"comparison {}\">{}? <b>{}</b> ({}){}.</p>\n", c.holds ? "yes" : "no", text(c.text),
-                     c.holds ? "Yes" : "No", xml_escaped(viz::sides(c, "against")),
-                     c.meaning.empty() ? "" : ": " + text(c.meaning));
 }
 
 std::string WalkSection::opinions() const {
@@ -212,9 +189,9 @@ std::string WalkSection::outcome() const {
 
 std::string WalkSection::answers() const {
   std::string out;
-  int number = 0;
-  for (const viz::Step& s : walk_.steps)
-    if (s.question) out += program::html(Blocks{Prose{answer(*s.question), fmt::format("Question {}.", ++number)}});
+  for (int i = 0; i < static_cast<int>(walk_.steps.size()); ++i)
+    if (const auto q = viz::question_text(walk_, i))
+      out += program::html(Blocks{Prose{q->answer + " " + q->because, fmt::format("Question {}.", q->number)}});
   return out.empty() ? out : "<div class=\"answers\">\n<h3>Answers</h3>\n" + out + "</div>\n";
 }
 

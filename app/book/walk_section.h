@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "viz/lesson.h"
+#include "viz/walk/step_text.h"
 
 namespace isect::program::book {
 
@@ -58,17 +58,13 @@ class WalkSection {
   std::string prose(const std::string& markup) const;
   std::string id(const Station&) const;
   std::string article(const Station&, bool shown) const;
-  std::string words(const viz::Step&, int index) const;
-  std::string numbers(const viz::Step&) const;
-  std::string question(int step) const;
-  std::string known(int step) const;
-  std::string caption(const viz::Step&) const;
+  std::string words(const viz::StepText&, int step) const;
+  std::string numbers(const viz::StepText&) const;
+  std::string question(const viz::QuestionText&) const;
   std::string verdict(const viz::Verdict&) const;
   std::string source(int step) const;
-  std::string line(const viz::Step&) const;
   std::string code(const std::string&) const;
-  std::string values(const viz::Step&) const;
-  std::string comparison(const viz::Step&) const;
+  std::string values(const std::vector<viz::ValueText>&) const;
   std::string answers() const;
 
   const viz::Lesson& lesson_;
