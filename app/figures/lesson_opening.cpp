@@ -9,6 +9,7 @@
 #include "viz/text/rich_text.h"
 #include "viz/text/utf8.h"
 #include "viz/walk/scene_in_words.h"
+#include "viz/walk/step_text.h"
 
 namespace isect::program {
 namespace {
@@ -48,8 +49,8 @@ std::string pseudocode(const Excerpt& e, std::size_t columns) {
       line.insert(at + 1, "  ");
     out += fmt::format("  {:>2}", i + 1) + line.substr(4);
   }
-  for (const std::string& erratum : errata_text(*e.lesson, e.walk, &viz::Preset::id))
-    out += wrapped(erratum, columns, 2);
+  for (const viz::ErratumText& erratum : viz::errata_text(*e.lesson, e.walk))
+    out += wrapped(plain(viz::with_preset(erratum, &viz::Preset::id)), columns, 2);
   return out + "\n";
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "app/figures/lesson_opening.h"
@@ -14,6 +15,7 @@
 #include "viz/text/utf8.h"
 #include "viz/walk/alt_text.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/step_text.h"
 
 namespace isect::program {
 
@@ -52,6 +54,8 @@ class LessonWriter {
     return out + "\n" + lesson_opening(e_, how_);
   }
 
+  viz::StepText text_of(int index) const { return viz::step_text(*e_.lesson, e_.walk, index); }
+
   std::string title(int index) const {
     return fmt::format("Step {} of {}: {}", index + 1, e_.walk.steps.size(), plain(e_.walk.steps[index].title));
   }
@@ -64,13 +68,14 @@ class LessonWriter {
   /// Returns what a step decides or computes; else the first sentence of its caption.
   std::string line_of(int index) const {
     const viz::Step& step = e_.walk.steps[index];
+    const viz::StepText told = text_of(index);
     std::string out = viz::as_sentence(title(index)) + " ";
     if (step.slug == viz::closing_slug) return paragraph(out + plain(e_.lesson->closing->result));
     if (step.slug == viz::case_map_slug) return paragraph(out + "This setting: " + branch() + ".");
     const std::string formula = plain(step.formula);
-    const bool decided = step.verdict.kind != viz::Verdict::Kind::open;
+    const bool decided = !step.verdict.text.empty();
     if (!formula.empty() && formula != plain(step.title)) out += viz::as_sentence(formula) + " ";
-    if (step.comparison) out += comparison(step);
+    if (told.comparison) out += in_words(*told.comparison);
     if (formula.empty() && !step.comparison && !decided) out += first_sentence(plain(step.caption));
     if (decided) out += " Verdict: " + plain(step.verdict.text) + ".";
     return paragraph(out);
@@ -78,26 +83,26 @@ class LessonWriter {
 
   std::string whole(int index) {
     const viz::Step& step = e_.walk.steps[index];
-    std::string out = step.question ? question(index) : "";  // a title may tell the answer
-    if (told_ && goes_on(*std::exchange(told_, &step), step)) return out + again(index);
+    const viz::StepText told = text_of(index);
+    std::string out = told.question ? question(*told.question, index) : "";  // a title may tell the answer
+    if (told_ && goes_on(*std::exchange(told_, &step), step)) return out + again(told, index);
     told_ = &step;
     out += heading(title(index), '-', how_.columns);
     if (step.slug == viz::closing_slug) return out + closing();
-    out += paragraph(step.slug == viz::case_map_slug ? map_in_words() : plain(step.caption)) + "\n";
-    if (step.line >= 0) out += line(step);
-    if (!step.formula.empty()) out += paragraph(plain(step.formula), 5) + "\n";
-    out += values(step) + points(step) + rows(step);
-    if (step.comparison) out += paragraph(comparison(step)) + "\n";
-    if (step.verdict.kind != viz::Verdict::Kind::open)
-      out += inked(Ink::bold, paragraph("Verdict: " + plain(step.verdict.text))) + "\n";
+    out += paragraph(step.slug == viz::case_map_slug ? map_in_words() : plain(told.caption)) + "\n";
+    if (told.line) out += line(*told.line);
+    if (!told.formula.empty()) out += paragraph(plain(told.formula), 5) + "\n";
+    out += values(told.values, index == e_.steps.front()) + points(step) + rows(step);
+    if (told.comparison) out += paragraph(in_words(*told.comparison)) + "\n";
+    if (!told.verdict.text.empty()) out += inked(Ink::bold, paragraph("Verdict: " + plain(told.verdict.text))) + "\n";
     if (index == viz::outcome(e_.walk)) out += paragraph("Picture: " + plain(e_.walk.alt)) + "\n" + side_by_side();
-    return out + source(step);
+    return out + source(told);
   }
 
   /// Returns the source if it differs from the one before.
-  std::string source(const viz::Step& step) {
-    if (step.source.empty() || step.source == source_) return {};
-    source_ = step.source;
+  std::string source(const viz::StepText& told) {
+    if (told.source.empty() || told.source == source_) return {};
+    source_ = told.source;
     return paragraph("Source: " + source_) + "\n";
   }
 
@@ -112,47 +117,36 @@ class LessonWriter {
   }
 
   /// Returns such a step in one paragraph: what is new.
-  std::string again(int index) {
+  std::string again(const viz::StepText& told, int index) {
     const viz::Step &step = e_.walk.steps[index], &before = e_.walk.steps[index - 1];
     std::string out = viz::as_sentence(title(index));
-    if (step.caption != before.caption) out += " " + plain(step.caption);
-    if (!step.formula.empty()) out += " " + plain(step.formula) + ".";
-    const std::vector<std::string> digits = viz::shown(step.values);
-    for (std::size_t i = 0; i < digits.size(); ++i)
-      if (const viz::Value& v = step.values[i];
-          v.fresh && !is_in_formula(v, step) && plain(step.title) != plain(v.name) + " = " + viz::shown(v.value))
-        out += " " + plain(v.name) + " = " + digits[i] + ".";
-    if (step.comparison) out += " " + comparison(step);
+    if (step.caption != before.caption) out += " " + plain(told.caption);
+    if (!told.formula.empty()) out += " " + plain(told.formula) + ".";
+    for (const viz::ValueText& v : told.values)
+      if (const std::string value = plain(v.name + " = " + v.digits);
+          v.fresh && !v.in_formula && plain(told.title) != value)
+        out += " " + value + ".";
+    if (told.comparison) out += " " + in_words(*told.comparison);
     std::ranges::replace(out, '\n', ' ');
     return paragraph(out) + "\n" + points(step);
   }
 
-  std::string line(const viz::Step& step) const {
-    const std::string code = viz::unindented(e_.walk.pseudocode.at(step.line));
-    return inked(Ink::mark, fmt::format("  ▸ line {}:  {}{}", step.line + 1, code,
-                                        std::ranges::count(step.refused, step.line) > 0 ? "   (no)" : "")) +
+  static std::string line(const viz::LineText& line) {
+    return inked(Ink::mark, fmt::format("  ▸ line {}:  {}{}", line.number, line.code, line.refused ? "   (no)" : "")) +
            "\n\n";
   }
 
-  static bool is_in_formula(const viz::Value& v, const viz::Step& step) {
-    const std::string formula = plain(step.formula);
-    return formula.starts_with(plain(v.name) + " = ") && formula.ends_with("= " + viz::shown(v.value));
-  }
-
-  /// Returns the values that this step computes; known ones were told before, so only the first step told has all.
-  std::string values(const viz::Step& step) const {
-    const bool all = &step == &e_.walk.steps[e_.steps.front()];
-    const auto told = [&](const viz::Value& v) { return (v.fresh || all) && !is_in_formula(v, step); };
+  /// Returns the values that a step computes, or `all`: known ones were told before, so only the first step told has
+  /// them.
+  static std::string values(std::vector<viz::ValueText> told, bool all) {
+    std::erase_if(told, [&](const viz::ValueText& v) { return v.in_formula || !(v.fresh || all); });
     std::size_t widest = 0;
-    for (const viz::Value& v : step.values)
-      if (told(v)) widest = std::max(widest, count_characters(plain(v.name)));
+    for (const viz::ValueText& v : told) widest = std::max(widest, count_characters(plain(v.name)));
     std::string out;
-    const std::vector<std::string> digits = viz::shown(step.values);
-    for (std::size_t i = 0; i < digits.size(); ++i)
-      if (told(step.values[i])) {
-        const std::string name = plain(step.values[i].name);
-        out += fmt::format("     {}{} = {}\n", std::string(widest - count_characters(name), ' '), name, digits[i]);
-      }
+    for (const viz::ValueText& v : told) {
+      const std::string name = plain(v.name);
+      out += fmt::format("     {}{} = {}\n", std::string(widest - count_characters(name), ' '), name, plain(v.digits));
+    }
     return out.empty() ? out : out + "\n";
   }
 
@@ -196,10 +190,8 @@ class LessonWriter {
     });
   }
 
-  static std::string comparison(const viz::Step& step) {
-    const viz::Comparison& c = *step.comparison;
-    const std::string meaning = c.meaning.empty() ? "" : ": " + plain(c.meaning);
-    return fmt::format("Is {}? {} ({}){}.", plain(c.text), c.holds ? "Yes" : "No", viz::sides(c, "and"), meaning);
+  static std::string in_words(const viz::ComparisonText& c) {
+    return plain(fmt::format("{} {} {}", c.question, c.answer, c.why));
   }
 
   std::string map_in_words() const {
@@ -237,22 +229,19 @@ class LessonWriter {
   }
 
   /// Returns the question. What is known was told before it; if the step before was not, it comes with the question.
-  std::string question(int index) {
-    const viz::Question& q = *e_.walk.steps[index].question;
+  std::string question(const viz::QuestionText& q, int index) {
     const bool known = index == 0 || told_ == &e_.walk.steps[index - 1];
     const bool again = question_ && question_->choices == q.choices;
     const bool same_reason = again && question_->because == q.because;
-    question_ = &q;
+    question_ = q;
+    const std::string head = fmt::format("Question {}: ", q.number);
     std::string out =
-        paragraph(fmt::format("Question {}: {}{}", ++asked_, plain(known ? prompt(q) : prompt(e_.walk, index)),
-                              again ? " (The same choices.)" : ""));
+        paragraph(head + plain(known ? q.prompt : q.whole_prompt) + (again ? " (The same choices.)" : ""));
     for (std::size_t i = 0; i < q.choices.size() && !again; ++i)
-      out += paragraph(fmt::format("({}) {}", choice_letter(i), plain(q.choices[i])), 4);
-    const auto answer = static_cast<std::size_t>(q.answer);
-    const std::string right = fmt::format("({}) {}.", choice_letter(answer), plain(q.choices.at(answer))),
-                      because = same_reason ? "" : " " + plain(q.because);
-    if (how_.answers) return out + paragraph("Answer: " + right + because) + "\n";
-    answers_ += paragraph(fmt::format("Question {}: {}{}", asked_, right, because));
+      out += paragraph(fmt::format("({}) {}", viz::choice_letter(i), plain(q.choices[i])), 4);
+    const std::string answer = plain(q.answer + (same_reason ? "" : " " + q.because));
+    if (how_.answers) return out + paragraph("Answer: " + answer) + "\n";
+    answers_ += paragraph(head + answer);
     return out + "\n";
   }
 
@@ -278,10 +267,9 @@ class LessonWriter {
   const TextOptions how_;
   const viz::Step* told_ = nullptr;  ///< the step told last
   std::string source_;
-  const viz::Question* question_ = nullptr;  ///< the question told last
-  int asked_ = 0;
-  std::string answers_;           ///< to the questions so far
-  std::set<std::string> placed_;  ///< points told
+  std::optional<viz::QuestionText> question_;  ///< the question told last
+  std::string answers_;                        ///< to the questions so far
+  std::set<std::string> placed_;               ///< points told
 };
 
 }  // namespace

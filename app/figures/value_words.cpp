@@ -6,11 +6,8 @@
 #include <cmath>
 
 #include "viz/text/rich_text.h"
-#include "viz/walk/closing.h"
 
 namespace isect::program {
-
-using viz::plain;
 
 namespace {
 
@@ -54,26 +51,6 @@ bool rounded_in_words(const viz::Setting& setting) {
   if (const auto* number = std::get_if<double>(&setting)) return rounded(*number);
   const auto* p = std::get_if<viz::Vec3>(&setting);
   return p && std::ranges::any_of(*p, rounded);
-}
-
-std::vector<std::string> errata_text(const viz::Lesson& lesson, const viz::Walk& walk, std::string viz::Preset::*name) {
-  std::vector<std::string> all;
-  for (const viz::Erratum& erratum : lesson.errata) {
-    const int line = viz::line_of(erratum, walk);
-    if (line < 0) continue;
-    const std::string shown_by = viz::preset(lesson, erratum.preset).*name;
-    const bool published = walk.pseudocode[line] == erratum.published;
-    if (!published && std::ranges::count(walk.pseudocode, erratum.published) > 0) {
-      all.push_back(
-          fmt::format("Line {} is not in the note. {} (See the preset “{}”.)", line + 1, plain(erratum.why), shown_by));
-      continue;
-    }
-    const std::string& other = published ? erratum.corrected : erratum.published;
-    all.push_back(fmt::format("Line {} {}: {}. {} (See the preset “{}”.)", line + 1,
-                              published ? "should read" : "was published as", viz::unindented(other),
-                              plain(erratum.why), shown_by));
-  }
-  return all;
 }
 
 }  // namespace isect::program

@@ -2,7 +2,6 @@
 // Words about a setting, the same for every way of telling a lesson.
 
 #include <string>
-#include <vector>
 
 #include "viz/lesson.h"
 
@@ -17,9 +16,5 @@ std::string in_words(const viz::Setting&, bool flat);
 std::string in_words_and_full(const viz::Setting&, bool flat);
 /// Whether in_words leaves digits out.
 bool rounded_in_words(const viz::Setting&);
-
-/// Returns where the pseudocode of this walk differs from the published one, and why: plain text, one each. They name a
-/// preset that shows it, by its id or its title.
-std::vector<std::string> errata_text(const viz::Lesson&, const viz::Walk&, std::string viz::Preset::*name);
 
 }  // namespace isect::program
