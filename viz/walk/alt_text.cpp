@@ -13,6 +13,7 @@
 #include "viz/text/utf8.h"
 #include "viz/walk/closing.h"
 #include "viz/walk/scene_in_words.h"
+#include "viz/walk/step_text.h"
 
 namespace isect::viz {
 namespace {
@@ -203,16 +204,6 @@ std::string listed(const std::vector<Value>& values) {
   return all;
 }
 
-std::string sides(const Comparison& c, const std::string& between) {
-  std::string all;
-  for (const Comparison& part : c.parts)
-    all += fmt::format("{}{}: {}, {}", all.empty() ? "" : "; ", plain(part.text), part.holds ? "yes" : "no",
-                       sides(part, between));
-  if (!all.empty()) return all;
-  const auto [left, right] = shown_apart(c.left, c.right);
-  return fmt::format("{} {} {}", left, between, right);
-}
-
 std::string figure_title(const Lesson& lesson, const Step& step) {
   const std::string of_lesson = plain(lesson.title), of_step = plain(step.title);
   return of_lesson == of_step ? of_step : of_lesson + ": " + of_step;  // a scene's first step has its own
@@ -242,13 +233,12 @@ std::string alt_text(const Lesson& lesson, const Parameters& parameters, const W
   text += fmt::format("{}: {}.\n\n{}\n", s.scene.chart ? "The setting" : "Given", given(lesson, parameters),
                       plain(s.caption));
   if (!s.scene.chart) text += fixed(lesson, parameters, walk.steps.front().scene);
+  const std::optional<ComparisonText> compared = step_text(lesson, walk, step).comparison;
   std::string found;
   if (!s.formula.empty()) found += fmt::format("Formula: {}\n", plain(s.formula));
   if (const std::string values = fresh_values(s); !values.empty()) found += fmt::format("New: {}\n", values);
-  if (s.comparison)
-    found += fmt::format("Compared: {}? {} ({})\n", plain(s.comparison->text), s.comparison->holds ? "yes" : "no",
-                         sides(*s.comparison, "against"));
-  if (s.verdict.kind != Verdict::Kind::open) found += fmt::format("Verdict: {}\n", plain(s.verdict.text));
+  if (compared) found += plain(fmt::format("{} {} {}\n", compared->question, compared->answer, compared->why));
+  if (!s.verdict.text.empty()) found += fmt::format("Verdict: {}\n", plain(s.verdict.text));
   return found.empty() ? text : text + "\n" + found;
 }
 

@@ -19,9 +19,6 @@ std::string drawn_text(const Walk&, const Scene&, bool outcome);
 std::vector<std::string> shown(const std::vector<Value>&);
 /// Returns the values with their names, as markup: "*s* = 1.022, *l*^2 = 1.1604".
 std::string listed(const std::vector<Value>&);
-/// Returns the numbers of a comparison in plain words, in full where they would read alike: "0.5 against 2". For a
-/// condition that joins several, each has its own: "s < 0: yes, −1 against 0; ...".
-std::string sides(const Comparison&, const std::string& between);
 /// "Ray and sphere: Two roots"
 std::string figure_title(const Lesson&, const Step&);
 /// Returns a title as a sentence: with a full stop, unless it ends with punctuation already.
