@@ -191,7 +191,7 @@ std::string WalkSection::answers() const {
   std::string out;
   for (int i = 0; i < static_cast<int>(walk_.steps.size()); ++i)
     if (const auto q = viz::question_text(walk_, i))
-      out += program::html(Blocks{Prose{q->answer + " " + q->because, fmt::format("Question {}.", q->number)}});
+      out += program::html({program::answer(*q, fmt::format("Question {}.", q->number))});
   return out.empty() ? out : "<div class=\"answers\">\n<h3>Answers</h3>\n" + out + "</div>\n";
 }
 

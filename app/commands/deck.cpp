@@ -45,34 +45,34 @@ class Slides {
     const bool is_step = e_.walk.steps.front().slug == viz::opening_slug;
     if (!lesson.opening.empty() && !is_step) all_.push_back({lesson.title, {Prose{lesson.opening}}, {}, {}});
     all_.push_back({"What is given", {Prose{given(lesson, e_.parameters, e_.walk)}}, {}, {}});
-    if (!e_.walk.pseudocode.empty()) all_.push_back({"Algorithm", {code(e_)}, {}, {}});
+    if (const Blocks code = algorithm(e_); !code.empty()) all_.push_back({"Algorithm", code, {}, {}});
     for (const int index : e_.steps) {
-      const viz::Step& step = e_.walk.steps[index];
-      if (step.question) ask(index);
-      if (step.slug == viz::closing_slug)
-        close(step.title);
+      const viz::StepText told = viz::step_text(lesson, e_.walk, index);
+      if (told.question) ask(*told.question, index);
+      if (e_.walk.steps[index].slug == viz::closing_slug)
+        close(told.title);
       else
-        show(step, index);
+        show(told, index);
     }
     return std::move(all_);
   }
 
  private:
   /// Adds the question beside the picture for it, then the answer.
-  void ask(int index) {
-    const viz::Question& q = *e_.walk.steps[index].question;
-    Slide slide = {fmt::format("Question {}", number_of_question(e_.walk, index)), {}, {}, {}};
+  void ask(const viz::QuestionText& q, int index) {
+    Slide slide = {fmt::format("Question {}", q.number), {}, {}, {}};
     const bool picture = has_picture(e_.walk, index);
     if (picture) slide.left.push_back(picture_(index, true));
     Blocks& text = picture ? slide.right : slide.left;
-    text = {Prose{prompt(e_.walk, index)}, Choices{q.choices}, Pause{}, Prose{answer(q)}};
+    text = question(q);
+    text.insert(text.end(), {Pause{}, answer(q)});
     all_.push_back(std::move(slide));
   }
 
-  void show(const viz::Step& step, int index) {
-    Slide slide = {step.title, {picture_(index, false)}, {}, {}};
-    if (step.line >= 0 && !step.scene.chart) slide.right.push_back(code(e_, step.line));
-    slide.below.push_back(Prose{viz::own_caption(*e_.lesson, step)});  // the opening has a slide of its own
+  void show(const viz::StepText& told, int index) {
+    Slide slide = {told.title, {picture_(index, false)}, {}, {}};
+    if (told.line && !e_.walk.steps[index].scene.chart) slide.right.push_back(code(e_, told.line->number - 1));
+    slide.below.push_back(Prose{told.own_caption});  // the opening has a slide of its own
     all_.push_back(std::move(slide));
   }
 

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -43,21 +41,21 @@ constexpr const char* html_style =
 /// questions with a picture of their own.
 Blocks contents(const Excerpt& e, const std::set<int>& drawn) {
   Blocks all = {Prose{e.lesson->summary}, Prose{given(*e.lesson, e.parameters, e.walk), "Given"}};
-  if (!e.walk.pseudocode.empty()) all.push_back(code(e));
+  const auto add = [](Blocks& to, const Blocks& more) { to.insert(to.end(), more.begin(), more.end()); };
+  add(all, algorithm(e));
   Blocks answers;
   for (const int index : e.steps) {
-    const viz::Step& step = e.walk.steps[index];
-    if (step.question) {
-      const std::string head = fmt::format("Question {}.", number_of_question(e.walk, index));
+    const viz::StepText told = viz::step_text(*e.lesson, e.walk, index);
+    if (const auto& q = told.question) {
+      const std::string head = fmt::format("Question {}.", q->number);
       if (drawn.contains(index)) all.push_back(image_of(info_of_question(e, index)));
-      all.push_back(Prose{prompt(e.walk, index), head});
-      all.push_back(Choices{step.question->choices});
-      answers.push_back(Prose{answer(*step.question), head});
+      add(all, question(*q, head));
+      answers.push_back(answer(*q, head));
     }
-    all.push_back(Heading{fmt::format("{}. {}", index + 1, step.title)});  // a title may tell the answer
+    all.push_back(Heading{fmt::format("{}. {}", index + 1, told.title)});  // a title may tell the answer
     all.push_back(image_of(info_of(e, index)));
-    all.push_back(Prose{step.caption});
-    if (step.slug != viz::closing_slug) continue;
+    all.push_back(Prose{told.caption});
+    if (e.walk.steps[index].slug != viz::closing_slug) continue;
     int exercises = 0;
     for (const viz::Exercise& x : e.lesson->closing->exercises) {
       all.push_back(Prose{prompt(x), fmt::format("Exercise {}.", ++exercises)});
@@ -65,7 +63,7 @@ Blocks contents(const Excerpt& e, const std::set<int>& drawn) {
     }
   }
   if (!answers.empty()) all.push_back(Heading{"Answers"});
-  std::ranges::move(answers, std::back_inserter(all));
+  add(all, answers);
   return all;
 }
 

@@ -10,8 +10,7 @@
 #include "app/shell/terminal.h"
 #include "viz/compose/crop.h"
 #include "viz/compose/strip.h"
-#include "viz/walk/alt_text.h"
-#include "viz/walk/closing.h"
+#include "viz/walk/step_text.h"
 
 namespace isect::program {
 
@@ -36,13 +35,6 @@ const std::vector<viz::Walk>& walks_of(const viz::Lesson& lesson) {
 viz::Figure composed(const Excerpt& e, int step, const viz::PageLayout& layout) {
   return viz::figure(e.walk.steps[step], camera_for(e, e.walk.steps[step], layout.width / layout.picture_height()),
                      layout);
-}
-
-/// Returns title and caption on one line.
-std::string with_caption(const viz::Lesson& lesson, const viz::Step& step) {
-  std::string text = viz::as_sentence(step.title) + " " + viz::own_caption(lesson, step);
-  std::ranges::replace(text, '\n', ' ');
-  return text;
 }
 
 /// Throws viz::BadInput if all pictures of a file together have too many pixels.
@@ -212,7 +204,7 @@ viz::Drawing FigureMaker::whole_strip(const Excerpt& e, int columns, bool captio
       continue;
     }
     const viz::Step& step = part.steps[i];
-    frames.push_back({std::move(made.figure), captions ? with_caption(*e.lesson, step) : step.title});
+    frames.push_back({std::move(made.figure), captions ? viz::figure_caption(*e.lesson, step) : step.title});
   }
   return viz::strip(frames, columns, theme, gap).drawing;
 }

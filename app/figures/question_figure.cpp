@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "app/figures/ownership.h"
-#include "app/pages/blocks.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/alt_text.h"
 #include "viz/walk/question_scene.h"
+#include "viz/walk/step_text.h"
 
 namespace isect::program {
 
@@ -25,12 +25,12 @@ Excerpt asking(const Excerpt& e, int step) {
 }
 
 FigureInfo info_of_question(const Excerpt& e, int step) {
-  const int number = number_of_question(e.walk, step);
+  const viz::QuestionText question = *viz::question_text(e.walk, step);
   FigureInfo info = info_of(e, step);
   info.stem = info.metadata["file"] = file_of_question(e, step);
-  info.title = fmt::format("Question {}", number);
-  info.caption = prompt(e.walk, step);
-  info.imprint = fmt::format("{}: question {}", viz::plain(e.lesson->title), number);
+  info.title = fmt::format("Question {}", question.number);
+  info.caption = question.whole_prompt;
+  info.imprint = fmt::format("{}: question {}", viz::plain(e.lesson->title), question.number);
   info.alt = viz::drawn_text(e.walk, viz::question_scene(e.walk, step), false);
   return info;
 }

@@ -10,13 +10,9 @@
 #include "app/figures/value_words.h"
 #include "viz/text/names.h"
 #include "viz/text/rich_text.h"
-#include "viz/walk/alt_text.h"
-#include "viz/walk/question_scene.h"
 #include "viz/walk/scene_in_words.h"
 
 namespace isect::program {
-
-char choice_letter(std::size_t i) { return static_cast<char>('a' + i); }
 
 std::vector<std::string> paragraphs(const std::string& markup) {
   std::vector<std::string> all;
@@ -53,34 +49,15 @@ std::string given(const viz::Lesson& lesson, const viz::Parameters& parameters, 
   return out;
 }
 
-int number_of_question(const viz::Walk& walk, int step) {
-  return 1 + static_cast<int>(std::count_if(walk.steps.begin(), walk.steps.begin() + step,
-                                            [](const viz::Step& s) { return s.question.has_value(); }));
-}
-
-namespace {
-
-std::string with_given(const std::string& prompt, const std::vector<viz::Value>& given) {
-  return given.empty() ? prompt : fmt::format("{} Given: {}.", prompt, viz::listed(given));
-}
-
-}  // namespace
-
-std::string prompt(const viz::Question& q) { return with_given(q.prompt, q.given); }
-
-std::string prompt(const viz::Walk& walk, int step) {
-  const viz::Step asked = viz::asking_step(walk, step);
-  return with_given(asked.question->prompt, asked.values);
-}
-
 std::string prompt(const viz::Exercise& e) {
   return e.preset.empty() ? e.prompt : fmt::format("{} (Preset {}.)", e.prompt, e.preset);
 }
 
-std::string answer(const viz::Question& q) {
-  const auto right = static_cast<std::size_t>(q.answer);
-  return fmt::format("({}) {}. {}", choice_letter(right), q.choices.at(right), q.because);
+Blocks question(const viz::QuestionText& q, const std::string& head) {
+  return {Prose{q.whole_prompt, head}, Choices{q.choices}};
 }
+
+Prose answer(const viz::QuestionText& q, const std::string& head) { return {q.answer + " " + q.because, head}; }
 
 namespace {
 
@@ -127,6 +104,14 @@ Code code(const Excerpt& e, int current) {
     code.lines.push_back(markup + viz::as_markup(line.substr(at)));
   }
   return code;
+}
+
+Blocks algorithm(const Excerpt& e) {
+  if (e.walk.pseudocode.empty()) return {};
+  Blocks all = {code(e)};
+  for (const viz::ErratumText& erratum : viz::errata_text(*e.lesson, e.walk))
+    all.push_back(Prose{viz::with_preset(erratum, &viz::Preset::id)});
+  return all;
 }
 
 }  // namespace isect::program

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/excerpt.h"
+#include "viz/walk/step_text.h"
 
 namespace isect::program {
 
@@ -37,24 +38,20 @@ struct Pause {};
 using Block = std::variant<Heading, Prose, Code, Image, Choices, Pause>;
 using Blocks = std::vector<Block>;
 
-/// Returns the letter of an answer: 'a' for 0.
-char choice_letter(std::size_t i);
 /// Returns the paragraphs of a text, without empty ones.
 std::vector<std::string> paragraphs(const std::string& markup);
 
 /// Returns what a reader needs to compute along: "*r* = 2, ... Box a: (0, 0) to (1, 1)." Values of a preset are given
 /// in full, and those that were moved by hand in a few digits.
 std::string given(const viz::Lesson&, const viz::Parameters&, const viz::Walk&);
-/// Returns the number of the question before `step`, among all of the walk, from 1.
-int number_of_question(const viz::Walk&, int step);
-/// Returns a question's prompt with the numbers that it is given.
-std::string prompt(const viz::Question&);
-/// Returns the prompt before `step` with all that is known of that step: for a page that has no other place for it.
-std::string prompt(const viz::Walk&, int step);
 /// Returns an exercise's prompt with the preset from which it starts, if any: "... until they touch. (Preset ends.)"
 std::string prompt(const viz::Exercise&);
+/// Returns a question and its answers to choose from.
+Blocks question(const viz::QuestionText&, const std::string& head = {});
 /// Returns "(b) It misses. The reason why."
-std::string answer(const viz::Question&);
+Prose answer(const viz::QuestionText&, const std::string& head = {});
+/// Returns the pseudocode with its errata, if there is any.
+Blocks algorithm(const Excerpt&);
 /// Returns the pseudocode.
 Code code(const Excerpt&, int current = -1);
 

@@ -51,7 +51,7 @@ struct AsLatex {
     std::string out =
         "{\\csname @beginparpenalty\\endcsname=10000\n\\begin{itemize}\\csname @itempenalty\\endcsname=10000\n";
     for (std::size_t i = 0; i < choices.all.size(); ++i)
-      out += fmt::format("\\item[({})] {}\n", choice_letter(i), viz::tex(choices.all[i]));
+      out += fmt::format("\\item[({})] {}\n", viz::choice_letter(i), viz::tex(choices.all[i]));
     return out + "\\end{itemize}}\n";
   }
   std::string operator()(const Pause&) const { return "\\pause\n"; }
