@@ -359,8 +359,7 @@ Json BrowserSession::copy(const Json&) {
   std::ranges::replace(line, '\n', ' ');
   line.erase(line.find_last_not_of(' ') + 1);
   const std::string file = fmt::format("{}-{}", p.lesson().id, viz::file_stem(p.index(), step));
-  std::string caption = step.title + ". " + viz::own_caption(p.lesson(), step);
-  std::ranges::replace(caption, '\n', ' ');
+  const std::string caption = viz::figure_caption(p.lesson(), step);
   return {{"svg", viz::lone_svg(drawing, alt, "figure-")},
           {"width", drawing.width},
           {"height", drawing.height},
