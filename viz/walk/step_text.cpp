@@ -30,18 +30,6 @@ std::vector<ValueText> values_text(const std::vector<Value>& values, const std::
   return all;
 }
 
-/// Returns the numbers of a comparison, in full where they would read alike: "0.5 against 2". For a condition that
-/// joins several, each has its own: "*s* < 0: yes, −1 against 0; ...".
-std::string compared_numbers(const Comparison& c) {
-  std::string all;
-  for (const Comparison& part : c.parts)
-    all += fmt::format("{}{}: {}, {}", all.empty() ? "" : "; ", part.text, part.holds ? "yes" : "no",
-                       compared_numbers(part));
-  if (!all.empty()) return all;
-  const auto [left, right] = shown_apart(c.left, c.right);
-  return as_markup(fmt::format("{} against {}", left, right));
-}
-
 std::optional<ComparisonText> comparison_text(const std::optional<Comparison>& c) {
   if (!c) return {};
   return ComparisonText{fmt::format("Is {}?", c->text), c->holds, c->holds ? "Yes" : "No",
@@ -106,6 +94,16 @@ std::vector<ErratumText> errata_text(const Lesson& lesson, const Walk& walk) {
 
 std::string with_preset(const ErratumText& e, std::string Preset::*name) {
   return fmt::format("{} {} (See the preset “{}”.)", e.says, e.why, e.shown_by->*name);
+}
+
+std::string compared_numbers(const Comparison& c) {
+  std::string all;
+  for (const Comparison& part : c.parts)
+    all += fmt::format("{}{}: {}, {}", all.empty() ? "" : "; ", part.text, part.holds ? "yes" : "no",
+                       compared_numbers(part));
+  if (!all.empty()) return all;
+  const auto [left, right] = shown_apart(c.left, c.right);
+  return as_markup(fmt::format("{} against {}", left, right));
 }
 
 char choice_letter(std::size_t i) { return static_cast<char>('a' + i); }

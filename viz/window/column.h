@@ -24,7 +24,7 @@ struct Column {
 /// Draws the question before the next step, or the result of the one before this step. `fresh`: it was not there in the
 /// last frame. (question.cpp)
 void question(Column&, bool fresh);
-/// Draws, where the current line errs as published, the correct line and a button to see it fail. (practice.cpp)
+/// Draws, where the current line errs as published, what it should be and a button to see it fail. (practice.cpp)
 void erratum(Column&);
 /// Draws, on the closing card, what was answered wrong, to be answered again. (practice.cpp)
 void missed(Column&);

@@ -5,6 +5,7 @@
 #include "viz/player/practice.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/step_text.h"
 #include "viz/window/column.h"
 #include "viz/window/panels.h"
 
@@ -43,21 +44,13 @@ bool Column::button(const std::string& name, const std::string& words, float& fr
 
 void erratum(Column& c) {
   Player& player = c.s.player;
-  const Erratum* e = erratum(player);
-  if (!e || line_of(*e, player.walk()) != player.step().line) return;
-  const std::vector<std::string>& code = player.walk().pseudocode;
-  const bool published = code[player.step().line] == e->published;
-  const bool added = !published && std::ranges::find(code, e->published) != code.end();
-  const Palette& ink = c.s.ui.palette;
+  const std::vector<ErratumText> all = errata_text(player.lesson(), player.walk());
+  const auto e = std::ranges::find(all, player.step().line + 1, &ErratumText::line);
+  if (e == all.end()) return;
   c.y += 20;
-  const char* head = published ? "The published line errs" : added ? "A line was missing" : "The published line erred";
-  c.paragraph(head, ink.text, 15, 23, true);
-  c.paragraph(e->why, ink.text);
-  c.paragraph(published ? "It should read: " + as_markup(unindented(e->corrected))
-              : added   ? "This line is not in the note."
-                        : "It read: " + as_markup(unindented(e->published)),
-              ink.muted);
-  if (player.played().preset_id() == e->preset) return;  // the line fails in this setting
+  c.paragraph(e->says, c.s.ui.palette.text, 15, 23, true);
+  c.paragraph(e->why, c.s.ui.palette.text);
+  if (player.played().preset_id() == e->shown_by->id) return;  // the line fails in this setting
   c.y += 8;
   float x = c.x;
   if (c.button("see it fail", "See it fail (E)", x)) c.s.attempt([&] { show_erratum(player); });

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/walk/alt_text.h"
+#include "viz/walk/step_text.h"
 #include "viz/window/column.h"
 #include "viz/window/panels.h"
 
@@ -81,7 +81,7 @@ void question(Column& c, bool fresh) {
     c.paragraph(asked->prompt, ink.text);
     if (const std::vector<Value>& known = player.shown().values; !c.s.panels && !known.empty()) {
       const float top = c.y += 8;
-      c.paragraph(listed(known), ink.text);
+      c.paragraph(given_text(known), ink.text);
       c.s.ui.rects["known values"] = {c.x, top, c.x + c.width, c.y};
     }
     c.y += 10;

@@ -9,6 +9,7 @@
 #include "viz/text/names.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/alt_text.h"
+#include "viz/walk/step_text.h"
 #include "viz/window/panels.h"
 
 namespace isect::viz {
@@ -32,8 +33,7 @@ std::vector<std::string> lines_of(const Ui& ui, const std::string& words, float 
 /// Returns both sides in full if they would read alike among the values; else nothing.
 std::string in_full(const Comparison& c) {
   if (c.left == c.right || shown(c.left) != shown(c.right)) return {};
-  const auto [left, right] = shown_apart(c.left, c.right);
-  return left + " and " + right;
+  return plain(compared_numbers(c));
 }
 
 /// Returns the inequalities of a comparison; each has a bar of its own.
