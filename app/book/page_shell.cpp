@@ -41,25 +41,23 @@ std::string file_of(const viz::Lesson& lesson) { return lesson.id + ".html"; }
 std::string html(const Page& page, const Looks& looks) {
   // If scripts run, one step is shown at a time from the beginning.
   const std::string scripted = "<script>document.documentElement.className = \"scripted\"</script>\n";
-  const std::string head =
+  const std::string looks_of_page =
       page.neighbours.alone
-          ? fmt::format("<style id=\"letters\">\n{}</style>\n<style>\n{}</style>\n{}", looks.fonts, looks.style,
-                        scripted)
-          : "<link rel=\"stylesheet\" href=\"fonts.css\">\n<link rel=\"stylesheet\" href=\"book.css\">\n" + scripted;
+          ? fmt::format("<style id=\"letters\">\n{}</style>\n<style>\n{}</style>\n", looks.fonts, looks.style)
+          : "<link rel=\"stylesheet\" href=\"fonts.css\">\n<link rel=\"stylesheet\" href=\"book.css\">\n";
+  const std::string head = fmt::format(
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<meta name=\"description\" content=\"{}\">\n{}{}",
+      viz::xml_escaped(page.summary), looks_of_page, scripted);
   const bool lives = !looks.live.empty() && !page.lesson.empty();
   const std::string inside =
       lives ? fmt::format("<script type=\"text/plain\" id=\"live-code\">{}</script>\n", looks.live) : "";
   const std::string script =
       page.neighbours.alone ? fmt::format("{}<script>\n{}</script>\n", inside, looks.script)
                             : "<script src=\"book.js\" onerror=\"document.documentElement.className = ''\"></script>\n";
-  return fmt::format(
-      "\n<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n<meta name=\"description\" content=\"{}\">\n"
-      "<title>{}</title>\n{}</head>\n<body{}>\n<a class=\"skip\" href=\"#main\">Skip to the text</a>\n"
-      "{}<main id=\"main\">\n{}</main>\n{}{}</body>\n</html>\n",
-      viz::xml_escaped(page.summary), viz::xml_escaped(page.title), head, attributes_of_body(page, lives),
+  const std::string body = fmt::format(
+      "<a class=\"skip\" href=\"#main\">Skip to the text</a>\n{}<main id=\"main\">\n{}</main>\n{}{}",
       course_links(page, "header", "Course"), page.body, course_links(page, "footer", "Course, again"), script);
+  return html_page({}, page.title, head, body, attributes_of_body(page, lives));
 }
 
 }  // namespace isect::program::book

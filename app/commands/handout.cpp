@@ -30,12 +30,12 @@ constexpr const char* latex_head =
     "\\setlength{{\\parindent}}{{0pt}}\n\\setlength{{\\parskip}}{{4pt plus 1pt}}\n"
     "\\begin{{document}}\n\\section*{{{}}}\n";
 constexpr const char* html_style =
-    "body { max-width: 42em; margin: 2em auto; padding: 0 1em; font: 11pt/1.45 serif; }\n"
+    "<style>\nbody { max-width: 42em; margin: 2em auto; padding: 0 1em; font: 11pt/1.45 serif; }\n"
     "h1, h2 { line-height: 1.2; } h2 { margin-top: 2em; break-after: avoid; }\n"
     "figure { margin: 1em 0; text-align: center; break-inside: avoid; } img { max-width: 100%; }\n"
     "ol.code { font: 10pt/1.35 monospace; } ol.code li { white-space: pre-wrap; padding-left: 2em; text-indent: -2em; "
     "}\n"
-    "ol.choices { list-style: lower-alpha; }\n";
+    "ol.choices { list-style: lower-alpha; }\n</style>\n";
 
 /// Returns the steps in order; a step's question stands before its picture, which shows the answer. `drawn`: the
 /// questions with a picture of their own.
@@ -114,7 +114,7 @@ int handout(const Program& program, const PageOptions& options) {
   print(figures.add_page(folder_of(e) + "/" + tex.name, tex.mark + fmt::format(latex_head, viz::tex(e.lesson->title)) +
                                                             latex(blocks) + "\\end{document}\n"));
   print(figures.add_page(folder_of(e) + "/" + page.name,
-                         html_page(page.mark, e.lesson->title, html_style,
+                         html_page(page.mark, viz::plain(e.lesson->title), html_style,
                                    fmt::format("<h1>{}</h1>\n", html_text(e.lesson->title)) + html(blocks))));
   figures.list();
   figures.say_left_alone();

@@ -16,7 +16,7 @@ std::string section(const Slide& s) {
 }
 
 constexpr const char* slides_style =
-    "html { font: 3vmin/1.35 sans-serif; color: #111; background: #fff; }\n"
+    "<style>\nhtml { font: 3vmin/1.35 sans-serif; color: #111; background: #fff; }\n"
     "body { margin: 0; }\n"
     "section { box-sizing: border-box; min-height: 100vh; padding: 4vmin 6vmin; break-after: page; }\n"
     "h1 { font-size: 3em; margin: 25vh 0 0.5em; } h2 { font-size: 1.6em; margin: 0 0 0.6em; }\n"
@@ -31,7 +31,7 @@ constexpr const char* slides_style =
     ".stepping .later:not(.shown) { visibility: hidden; }\n"
     "#place { position: fixed; right: 2vmin; bottom: 1vmin; font-size: 0.7em; color: #666; }\n"
     "@media print { .stepping section { display: block; } .stepping .later { visibility: visible !important; }\n"
-    "  #place { display: none; } }\n";
+    "  #place { display: none; } }\n</style>\n";
 
 /// Without this script all slides stand one below the other, including answers.
 constexpr const char* slides_script = R"script(<div id="place" aria-live="polite"></div>
@@ -70,7 +70,7 @@ from_address();
 std::string html_slides(const std::string& mark, const std::string& title, const std::vector<Slide>& slides) {
   std::string sections;
   for (const Slide& slide : slides) sections += section(slide);
-  return html_page(mark, title, slides_style, sections + slides_script);
+  return html_page(mark, viz::plain(title), slides_style, sections + slides_script);
 }
 
 }  // namespace isect::program
