@@ -8,6 +8,7 @@
 
 namespace tell_test {
 using isect::test::Contains;
+using isect::test::contents;
 using isect::test::Ran;
 using isect::test::Shell;
 
@@ -131,8 +132,8 @@ TEST_CASE("explain tells a step in eighty columns", "[explain]") {
   CHECK(r.err.empty());
   CHECK_THAT(r.out, Contains("Which root comes first?") && Contains("10  if l² > r²") &&
                         Contains("▸ line 10:  if l² > r²") && Contains("q = 1.0837") && Contains("Setting:") &&
-                        Contains("Question 1:"));
-  CHECK(r.out.find("Answers\n") > r.out.find("Question 1:"));
+                        Contains("Question 4:"));  // its number in the whole walk, as in a handout
+  CHECK(r.out.find("Answers\n") > r.out.find("Question 4:"));
   CHECK(widest(r.out) <= 80);
   CHECK_THAT(r.out, !Contains("**") && !Contains("_{"));  // no markup
 }
@@ -280,6 +281,36 @@ TEST_CASE("explain asks in titles without a full stop, and heads no table that i
 TEST_CASE("explain tells the line that an erratum adds as one that the note lacks", "[explain]") {
   const Shell shell;
   CHECK_THAT(shell("isect explain rays").out, Contains("Line 4 is not in the note.") && !Contains("was published as"));
+}
+
+TEST_CASE("explain, handout, deck and book say the same of a comparison, an erratum and a question",
+          "[explain][handout][book]") {
+  const Shell shell;
+  const std::string of = " sphere-sphere --preset overlapping";
+  const std::string explain = shell("COLUMNS=400 isect explain" + of).out;
+  for (const char* command : {"isect handout", "isect deck"}) REQUIRE(shell(command + of).status == 0);
+  REQUIRE(shell("isect book sphere-sphere --single").status == 0);
+  const std::string handout = contents(shell.work() / "handouts/sphere-sphere/overlapping/handout.html");
+  const std::string deck = contents(shell.work() / "decks/sphere-sphere/overlapping/deck.html");
+  const std::string book = contents(shell.work() / "book/sphere-sphere.html");
+
+  CHECK_THAT(explain, Contains("Is d² < R²? Yes (4.126 against 6.4468): the note returns OVERLAP."));
+  CHECK_THAT(handout, Contains("Is d² &lt; R²? Yes (4.126 against 6.4468): the note returns OVERLAP."));
+  CHECK_THAT(book, Contains("Is <i>d</i><sup>2</sup> &lt; <i>R</i><sup>2</sup>? <b>Yes</b> (4.126 against 6.4468): the "
+                            "note returns OVERLAP."));
+  for (const std::string& text : {explain, handout, deck, book})
+    CHECK_THAT(text, Contains("Line 4 should read: if d² ≤ R². Balls that touch have a common point;"));
+
+  CHECK_THAT(shell("COLUMNS=400 isect explain sphere-sphere --step compare").out, Contains("Question 1: (c) overlap"));
+  CHECK_THAT(handout, Contains("<b>Question 1.</b> (c) overlapping."));
+}
+
+TEST_CASE("explain tells a verdict that is open", "[explain]") {
+  const Shell shell;
+  isect::test::write(shell.work() / "open.json", R"({"objects": [
+      {"ray": "r", "origin": [2.1, 1.5, -2], "dir": [0, 0, 1]},
+      {"polygon": "P", "points": [[-1,-1,0], [1,1,0], [1,-1,0], [-1,1,0]]}], "ask": [["r", "P"]]})");
+  CHECK_THAT(shell("COLUMNS=200 isect explain open.json").out, Contains("Verdict: r and P: not decided, as "));
 }
 
 TEST_CASE("explain tells what must be set together in one line", "[explain]") {
