@@ -57,7 +57,7 @@ std::string html(const Page& page, const Looks& looks) {
   const std::string body = fmt::format(
       "<a class=\"skip\" href=\"#main\">Skip to the text</a>\n{}<main id=\"main\">\n{}</main>\n{}{}",
       course_links(page, "header", "Course"), page.body, course_links(page, "footer", "Course, again"), script);
-  return html_page({}, page.title, head, body, attributes_of_body(page, lives));
+  return html_page(page.title, head, body, attributes_of_body(page, lives));
 }
 
 }  // namespace isect::program::book

@@ -5,19 +5,12 @@
 
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
 
-#include "app/figures/figure_folder.h"
-#include "app/figures/figure_maker.h"
-#include "app/figures/ownership.h"
 #include "app/figures/question_figure.h"
 #include "app/pages/html.h"
 #include "app/pages/latex.h"
 #include "app/pages/pages.h"
 #include "app/pages/slides.h"
-#include "app/shell/environment.h"
-#include "app/shell/terminal.h"
-#include "viz/formats/files.h"
 #include "viz/walk/closing.h"
 
 namespace isect::program {
@@ -101,17 +94,7 @@ Style style_for(const PageOptions& options, bool alone) {
 int deck(const Program& program, const PageOptions& options) {
   const Style beside = style_for(options, false), alone = style_for(options, true);
   const Excerpt e = excerpt(program, options.asked);
-  const std::string folder = folder_of_pages(options.out, e);
-  const PageFile tex = {"deck.tex", latex_mark("deck")}, page = {"deck.html", html_mark("deck")};
-  need_own(folder, {tex, page});
-  need_environment(program);
-  FigureFolder figures(options.out, program);
-  const viz::Format &tikz = viz::format_named("tikz"), &svg = viz::format_named("svg");
-  for (const int step : e.steps) {
-    figures.need_ours(info_of(e, step), tikz);
-    if (e.walk.steps[step].question) figures.need_ours(info_of_question(e, step), tikz);
-  }
-
+  PageFolder pages(program, options, e, "deck", {&viz::format_named("tikz")});
   FigureMaker small(beside, "auto"), large(alone, "auto");
   const Picture picture = [&](int step, bool asks) {
     const viz::Step& s = e.walk.steps[step];
@@ -119,21 +102,14 @@ int deck(const Program& program, const PageOptions& options) {
     const FigureInfo info = asks ? info_of_question(e, step) : info_of(e, step);
     const Excerpt asked = asks ? asking(e, step) : Excerpt();
     const viz::Drawing drawing = asks ? maker.draw(asked, asked.steps.front()) : maker.draw(e, step);
-    figures.add(e, info, tikz.name, maker.write(info, drawing, tikz),
-                {{"theme", options.theme},
-                 {"width_pt", drawing.width},
-                 {"height_pt", drawing.height},
-                 {"text_pt", beside.paper->text_size}});
+    pages.add(info, drawing, maker);
     Image shown = image_of(info);
-    shown.svg = maker.write(info, drawing, svg);
+    shown.svg = maker.write(info, drawing, viz::format_named("svg"));
     shown.fits = true;
     return shown;
   };
   const std::vector<Slide> slides = Slides(e, picture).made();
-  print(figures.add_page(folder_of(e) + "/" + tex.name, beamer(tex.mark, e.lesson->title, slides)));
-  print(figures.add_page(folder_of(e) + "/" + page.name, html_slides(page.mark, e.lesson->title, slides)));
-  figures.list();
-  figures.say_left_alone();
+  pages.finish(beamer(e.lesson->title, slides), html_slides(e.lesson->title, slides));
   return done;
 }
 

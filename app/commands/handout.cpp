@@ -5,19 +5,12 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/figures/figure_folder.h"
-#include "app/figures/figure_maker.h"
-#include "app/figures/ownership.h"
 #include "app/figures/question_figure.h"
 #include "app/pages/html.h"
 #include "app/pages/latex.h"
 #include "app/pages/pages.h"
-#include "app/shell/environment.h"
-#include "app/shell/terminal.h"
-#include "viz/formats/files.h"
 #include "viz/text/tex.h"
 #include "viz/walk/closing.h"
 
@@ -80,25 +73,8 @@ int handout(const Program& program, const PageOptions& options) {
   style_options.text_size = "11pt", style_options.no_title = true;
   const Style style = style_of(style_options);
   const Excerpt e = excerpt(program, options.asked);
-  const std::string folder = folder_of_pages(options.out, e);
-  const PageFile tex = {"handout.tex", latex_mark("handout")}, page = {"handout.html", html_mark("handout")};
-  need_own(folder, {tex, page});
-  need_environment(program);
-  FigureFolder figures(options.out, program);
-  for (const int step : e.steps)
-    for (const viz::Format* format : style.formats) {
-      figures.need_ours(info_of(e, step), *format);
-      if (e.walk.steps[step].question) figures.need_ours(info_of_question(e, step), *format);
-    }
+  PageFolder pages(program, options, e, "handout", style.formats);
   FigureMaker maker(style, "auto");
-  const auto add = [&](const FigureInfo& info, const viz::Drawing& drawing) {
-    for (const viz::Format* format : style.formats)
-      figures.add(e, info, format->name, maker.write(info, drawing, *format),
-                  {{"theme", viz::name_of(style.theme)},
-                   {"width_pt", drawing.width},
-                   {"height_pt", drawing.height},
-                   {"text_pt", style.paper->text_size}});
-  };
   std::set<int> drawn;
   for (const int step : e.steps) {
     if (e.walk.steps[step].question && has_picture(e.walk, step)) {
@@ -106,18 +82,15 @@ int handout(const Program& program, const PageOptions& options) {
       const FigureInfo info = info_of_question(e, step);
       const viz::Drawing drawing = maker.draw(asked, asked.steps.front());
       const auto text = [&](const viz::Drawing& d) { return maker.write(info, d, *style.formats.back()); };
-      if (step == 0 || text(drawing) != text(bare(maker, e, step - 1))) drawn.insert(step), add(info, drawing);
+      if (step == 0 || text(drawing) != text(bare(maker, e, step - 1)))
+        drawn.insert(step), pages.add(info, drawing, maker);
     }
-    add(info_of(e, step), maker.draw(e, step));
+    pages.add(info_of(e, step), maker.draw(e, step), maker);
   }
   const Blocks blocks = contents(e, drawn);
-  print(figures.add_page(folder_of(e) + "/" + tex.name, tex.mark + fmt::format(latex_head, viz::tex(e.lesson->title)) +
-                                                            latex(blocks) + "\\end{document}\n"));
-  print(figures.add_page(folder_of(e) + "/" + page.name,
-                         html_page(page.mark, viz::plain(e.lesson->title), html_style,
-                                   fmt::format("<h1>{}</h1>\n", html_text(e.lesson->title)) + html(blocks))));
-  figures.list();
-  figures.say_left_alone();
+  pages.finish(fmt::format(latex_head, viz::tex(e.lesson->title)) + latex(blocks) + "\\end{document}\n",
+               html_page(viz::plain(e.lesson->title), html_style,
+                         fmt::format("<h1>{}</h1>\n", html_text(e.lesson->title)) + html(blocks)));
   return done;
 }
 

@@ -30,6 +30,7 @@ class FigureMaker {
   /// Writes several steps into one file, one after the other.
   std::string film(const FigureInfo&, const std::vector<viz::Drawing>&, double seconds, const viz::Format&);
   std::string renderer(const viz::Format&) const;
+  const Style& style() const { return style_; }
   /// Returns the figures that are wider than was asked for: "ray-sphere/tangent/03-distance: 4.1 cm".
   const std::vector<std::string>& widened() const { return widened_; }
 

@@ -40,8 +40,8 @@ constexpr const char* beamer_head =
 
 }  // namespace
 
-std::string beamer(const std::string& mark, const std::string& title, const std::vector<Slide>& slides) {
-  std::string out = mark + fmt::format(beamer_head, viz::tex(title));
+std::string beamer(const std::string& title, const std::vector<Slide>& slides) {
+  std::string out = fmt::format(beamer_head, viz::tex(title));
   for (const Slide& slide : slides) out += frame(slide);
   return out + "\\end{document}\n";
 }

@@ -68,13 +68,13 @@ std::string html(const Blocks& blocks) {
   return out + end;
 }
 
-std::string html_page(const std::string& mark, const std::string& title, const std::string& head,
-                      const std::string& body, const std::string& attributes) {
+std::string html_page(const std::string& title, const std::string& head, const std::string& body,
+                      const std::string& attributes) {
   return fmt::format(
-      "{}\n<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "\n<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n{}</head>\n"
       "<body{}>\n{}</body>\n</html>\n",
-      mark, viz::xml_escaped(title), head, attributes, body);
+      viz::xml_escaped(title), head, attributes, body);
 }
 
 }  // namespace isect::program

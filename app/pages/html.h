@@ -14,9 +14,8 @@ std::string html_mark(const std::string& what);
 std::string html_text(const std::string& markup);
 std::string html_text(const viz::Run&);
 std::string html(const Blocks&);
-/// Returns a whole file: the mark, the head with the title, plain text, and what follows it, the body with its
-/// attributes.
-std::string html_page(const std::string& mark, const std::string& title, const std::string& head,
-                      const std::string& body, const std::string& attributes = {});
+/// Returns a whole file below its first line. `title`: plain text; `head`: what follows it in the head.
+std::string html_page(const std::string& title, const std::string& head, const std::string& body,
+                      const std::string& attributes = {});
 
 }  // namespace isect::program

@@ -67,10 +67,10 @@ from_address();
 
 }  // namespace
 
-std::string html_slides(const std::string& mark, const std::string& title, const std::vector<Slide>& slides) {
+std::string html_slides(const std::string& title, const std::vector<Slide>& slides) {
   std::string sections;
   for (const Slide& slide : slides) sections += section(slide);
-  return html_page(mark, viz::plain(title), slides_style, sections + slides_script);
+  return html_page(viz::plain(title), slides_style, sections + slides_script);
 }
 
 }  // namespace isect::program

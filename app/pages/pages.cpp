@@ -3,17 +3,19 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "app/figures/ownership.h"
+#include "app/figures/question_figure.h"
+#include "app/pages/html.h"
+#include "app/pages/latex.h"
+#include "app/shell/environment.h"
+#include "app/shell/terminal.h"
 #include "viz/formats/files.h"
 
 namespace isect::program {
 
 namespace fs = std::filesystem;
-
-std::string folder_of_pages(const std::string& out, const Excerpt& e) {
-  return (fs::path(out) / folder_of(e)).string() + "/";
-}
 
 void need_own(const std::string& folder, const std::vector<PageFile>& files) {
   std::error_code absent;
@@ -23,6 +25,36 @@ void need_own(const std::string& folder, const std::vector<PageFile>& files) {
           fmt::format("cannot write '{}': the file there was not made by isect; move it away, or give another folder "
                       "with --out",
                       folder + name));
+}
+
+PageFolder::PageFolder(const Program& program, const PageOptions& options, const Excerpt& e, const std::string& kind,
+                       const std::vector<const viz::Format*>& formats)
+    : options_(options), e_(e), kind_(kind), formats_(formats), figures_(options.out, program) {
+  need_own((fs::path(options.out) / folder_of(e)).string() + "/",
+           {{kind + ".tex", latex_mark(kind)}, {kind + ".html", html_mark(kind)}});
+  need_environment(program);
+  for (const int step : e.steps)
+    for (const viz::Format* format : formats) {
+      figures_.need_ours(info_of(e, step), *format);
+      if (e.walk.steps[step].question) figures_.need_ours(info_of_question(e, step), *format);
+    }
+}
+
+void PageFolder::add(const FigureInfo& info, const viz::Drawing& drawing, FigureMaker& maker) {
+  for (const viz::Format* format : formats_)
+    figures_.add(e_, info, format->name, maker.write(info, drawing, *format),
+                 {{"theme", options_.theme},
+                  {"width_pt", drawing.width},
+                  {"height_pt", drawing.height},
+                  {"text_pt", maker.style().paper->text_size}});
+}
+
+void PageFolder::finish(const std::string& latex, const std::string& html) {
+  const std::string file = folder_of(e_) + "/" + kind_;
+  print(figures_.add_page(file + ".tex", latex_mark(kind_) + latex));
+  print(figures_.add_page(file + ".html", html_mark(kind_) + html));
+  figures_.list();
+  figures_.say_left_alone();
 }
 
 Image image_of(const FigureInfo& info) { return {fs::path(info.stem).filename(), {}, info.alt}; }

@@ -15,7 +15,7 @@ struct Slide {
   bool first = false;  ///< the title in large letters
 };
 
-std::string beamer(const std::string& mark, const std::string& title, const std::vector<Slide>&);
-std::string html_slides(const std::string& mark, const std::string& title, const std::vector<Slide>&);
+std::string beamer(const std::string& title, const std::vector<Slide>&);
+std::string html_slides(const std::string& title, const std::vector<Slide>&);
 
 }  // namespace isect::program
