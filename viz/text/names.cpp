@@ -10,6 +10,7 @@
 
 #include "viz/text/rich_text.h"
 #include "viz/text/utf8.h"
+#include "viz/walk/alt_text.h"
 
 namespace isect::viz {
 namespace {
@@ -245,14 +246,15 @@ std::string sum_of(const Lesson& lesson, const Parameters& parameters, const Wal
     const bool of_it = keys(names_in(v.name)) == std::vector{key} && v.name.find('|') == std::string::npos;
     if (of_it && (!value || (computed && plain(v.name) == computed->left))) value = &v;
   }
+  const std::string digits = value ? shown(now.values)[static_cast<std::size_t>(value - now.values.data())] : "";
   const std::string told = given(lesson, parameters, now.scene, key);
   const std::string unit = value && !value->unit.empty() ? "\nunit: " + plain(value->unit) : "";
-  if (!computed) return value ? fmt::format("{} = {}", plain(value->name), shown(value->value)) + unit : told;
+  if (!computed) return value ? fmt::format("{} = {}", plain(value->name), digits) + unit : told;
   std::string sum = fmt::format("{} = {}", computed->left, computed->right);
   if (value && plain(value->name) == computed->left)
-    sum += " = " + shown(value->value);
+    sum += " = " + digits;
   else if (value)
-    sum += fmt::format("\n{} = {}", plain(value->name), shown(value->value));
+    sum += fmt::format("\n{} = {}", plain(value->name), digits);
   else if (!told.empty())
     return told;
   return sum + unit;
