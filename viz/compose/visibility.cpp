@@ -18,7 +18,7 @@
 namespace isect::viz {
 namespace {
 
-using Curve = std::function<Vec3(double)>;
+using SpaceCurve = std::function<Vec3(double)>;
 using Test = std::function<bool(const Vec3&)>;
 
 std::vector<double> even(int samples) {
@@ -29,7 +29,7 @@ std::vector<double> even(int samples) {
 
 /// Tests a curve over s in [0, 1] at the given places, finds each change between visible and hidden by bisection, and
 /// cuts there. The results at the first and the last place hold up to the ends.
-std::vector<Stretch> split(const Curve& at, const Test& is_hidden, const std::vector<double>& places) {
+std::vector<Stretch> split(const SpaceCurve& at, const Test& is_hidden, const std::vector<double>& places) {
   std::vector<Stretch> result;
   double s = places.front();
   bool now = is_hidden(at(s));
