@@ -178,15 +178,16 @@ struct Described<Obb<S, N>> {
   };
   static constexpr const char* name = "obb";
   static constexpr std::tuple fields = [] {
-    constexpr FieldOf center = {"center", Means::place, "the centre", Member<&X::center>()},
-                      u = {"u", Means::axis, "the first axis, of length 1", Axis<0>()},
-                      v = {"v", Means::axis, "the second axis, of length 1", Axis<1>()},
-                      w = {"w", Means::axis, "the third axis, of length 1", Axis<2>()},
-                      half = {"half", Means::lengths, "the half-lengths along the axes", Member<&X::half>()};
-    if constexpr (N == 3)
+    constexpr FieldOf center = {"center", Means::place, "the centre", Member<&X::center>()};
+    constexpr FieldOf u = {"u", Means::axis, "the first axis, of length 1", Axis<0>()};
+    constexpr FieldOf v = {"v", Means::axis, "the second axis, of length 1", Axis<1>()};
+    constexpr FieldOf half = {"half", Means::lengths, "the half-lengths along the axes", Member<&X::half>()};
+    if constexpr (N == 3) {
+      constexpr FieldOf w = {"w", Means::axis, "the third axis, of length 1", Axis<2>()};
       return std::tuple{center, u, v, w, half};
-    else
+    } else {
       return std::tuple{center, u, v, half};
+    }
   }();
   static constexpr std::array needs = {Need<X>{"half", "half-lengths of at least 0",
                                                "the box is empty: half an edge is below 0",

@@ -9,6 +9,11 @@ file(GLOB headers RELATIVE ${ROOT}/core
   ${ROOT}/core/isect/*.h ${ROOT}/core/isect/many/*.h ${ROOT}/core/isect/methods/*.h)
 list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n")
 list(JOIN headers "" all)
+foreach(shape Segment Ray Plane Sphere Capsule Aabb Obb)  # what a template says is looked at where it is used
+  foreach(dimension 2 3)
+    string(APPEND all "template struct isect::Described<isect::${shape}<double, ${dimension}>>;\n")
+  endforeach()
+endforeach()
 file(MAKE_DIRECTORY ${WORK})
 file(WRITE ${WORK}/all.cpp "${all}")
 list(TRANSFORM EIGEN PREPEND -isystem)
