@@ -348,7 +348,7 @@ class Walker {
     step.caption = "Each was decided exactly for the numbers of the scene.";
     std::vector<Row> listed = rows_;
     if (listed.size() > most_rows) {
-      std::erase_if(listed, &Row::says_no);
+      std::erase_if(listed, [](const Row& row) { return row.says_no; });
       if (listed.empty()) listed = rows_;
       listed.resize(std::min(listed.size(), most_rows));
       step.caption += fmt::format("\nListed are {} of {}, those that meet something before others. Each has its step.",

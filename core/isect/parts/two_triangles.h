@@ -24,7 +24,9 @@ inline Signs sides(const Corners& plane, const Corners& x) {
   return {orient3d(a, b, c, x.vertices[0]), orient3d(a, b, c, x.vertices[1]), orient3d(a, b, c, x.vertices[2])};
 }
 inline bool beside(const Signs& s) { return s[0] != 0 && s[0] == s[1] && s[0] == s[2]; }
-inline bool on_both_sides(const Signs& s) { return std::ranges::min(s) < 0 && std::ranges::max(s) > 0; }
+inline bool on_both_sides(const Signs& s) {
+  return std::min({s[0], s[1], s[2]}) < 0 && std::max({s[0], s[1], s[2]}) > 0;
+}
 
 /// Where the line through p and q passes the triangle, whose plane does not hold it: in it, on its boundary, out of it.
 inline Location passes(const Point3& p, const Point3& q, const Corners& x) {
