@@ -49,6 +49,8 @@ set(tested_by
   plane_round=plane_cylinder
   point_polygon_fast=point_polygon
   point_segment=sphere_capsule
+  polygon_edges=polygon_polygon
+  polygon_overlay=polygon_polygon
   predicate=bounded
   quotient=bounded
   ray_half_spaces=half_spaces

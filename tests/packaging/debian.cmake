@@ -9,16 +9,8 @@ foreach(tool dpkg-deb lintian)
   endif()
 endforeach()
 
-# must(WORDS...)   runs a command; sets `said`
-function(must)
-  execute_process(COMMAND ${ARGV} WORKING_DIRECTORY ${SCRATCH}
-    RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
-  if(NOT status EQUAL 0)
-    list(JOIN ARGV " " command)
-    message(FATAL_ERROR "${command}\n${text}")
-  endif()
-  set(said "${text}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/must.cmake)
+set(work ${SCRATCH})
 
 file(REMOVE_RECURSE ${SCRATCH})
 file(MAKE_DIRECTORY ${SCRATCH})

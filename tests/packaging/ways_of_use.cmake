@@ -6,16 +6,8 @@ set(ENV{CXX} ${CXX})
 set(ENV{CXXFLAGS} "-Wall -Wextra -Wconversion -Wsign-conversion -Werror")
 set(ENV{PKG_CONFIG_PATH} ${SCRATCH}/moved/share/pkgconfig)
 
-# must(WORDS...)   runs a command in the consumer's folder; sets `said`
-function(must)
-  execute_process(COMMAND ${ARGV} WORKING_DIRECTORY ${SCRATCH}/app
-    RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
-  if(NOT status EQUAL 0)
-    list(JOIN ARGV " " command)
-    message(FATAL_ERROR "${command}\n${text}")
-  endif()
-  set(said "${text}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/must.cmake)
+set(work ${SCRATCH}/app)
 
 # must_say(text way)
 function(must_say text way)

@@ -6,6 +6,7 @@
 #include "tests/catch.h"
 #include "tests/viz/drawn.h"
 #include "viz/compose/halos.h"
+#include "viz/compose/outlines.h"
 #include "viz/compose/visibility.h"
 #include "viz/solids.h"
 #include "viz/text/text.h"

@@ -1,4 +1,5 @@
 #include "viz/compose/visibility.h"
+#include "viz/compose/outlines.h"
 
 #include <Eigen/Geometry>
 

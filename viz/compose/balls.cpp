@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "viz/compose/canvas.h"
+#include "viz/compose/outlines.h"
 
 namespace isect::viz {
 namespace {

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <type_traits>
 
-#include <isect/clip_segment.h>
-#include <isect/convex_hull.h>
 #include <isect/ray_polygon.h>
 #include <isect/ray_sphere.h>
 #include <isect/sphere_sphere.h>
+#include "viz/compose/viewing_ray.h"
 
 namespace isect::viz {
 namespace {
@@ -53,84 +53,6 @@ std::vector<Stretch> split(const SpaceCurve& at, const Test& is_hidden, const st
   return result;
 }
 
-/// Whether the line passes the ball around the solid by more than its possible rounding. Most lines do.
-bool passes_far(const Ray<double, 3>& sight, const Shell& solid) {
-  constexpr double more = 1.001;
-  const double reach = more * solid.size;
-  return (solid.middle - sight.origin).cross(sight.direction).squaredNorm() >
-         reach * reach * sight.direction.squaredNorm();
-}
-
-/// Whether the ray runs through the solid: by rounded arithmetic, where its errors leave no doubt; else exactly, by the
-/// half-spaces that rounded arithmetic does not show to be implied by others. The half-spaces have unit normals.
-bool runs_through(Ray<double, 3> sight, const Shell& solid) {
-  if (solid.inside.empty() || passes_far(sight, solid)) return false;
-  constexpr double share = 1e-13;  // some hundred roundings
-  const double speed = sight.direction.norm(), far = sight.origin.norm();
-  double lo = sight.range.lo, hi = sight.range.hi, doubt = 0;
-  bool parallel = false;
-  const auto rate_of = [&](const Plane<double, 3>& p) { return p.normal.dot(sight.direction); };
-  const auto is_parallel = [&](double rate) { return !(std::abs(rate) > 1e-6 * speed); };
-  const auto t_of = [&](const Plane<double, 3>& p, double rate) { return -(p.normal.dot(sight.origin) + p.d) / rate; };
-  for (const Plane<double, 3>& p : solid.inside) {
-    const double rate = rate_of(p), inverse = 1 / rate, t = -(p.normal.dot(sight.origin) + p.d) * inverse;
-    if (is_parallel(rate)) {
-      parallel = true;
-      continue;
-    }
-    (rate > 0 ? lo : hi) = rate > 0 ? std::max(lo, t) : std::min(hi, t);
-    doubt = std::max(doubt, share * (far + std::abs(p.d) + std::abs(t) * speed) * std::abs(inverse));
-  }
-  if (hi < lo - 2 * doubt) return false;
-  if (!parallel && hi > lo + 2 * doubt) return true;
-
-  for (const Plane<double, 3>& p : solid.inside) {
-    const double rate = rate_of(p), t = t_of(p, rate);
-    if (!is_parallel(rate) && (rate > 0 ? t < lo - 2 * doubt : t > hi + 2 * doubt)) continue;
-    const auto kept = clip(sight, p);
-    if (!kept) return false;
-    sight.range = *kept;
-  }
-  return sight.range.hi > sight.range.lo;
-}
-
-/// Returns twice the area of an outline, along its normal (Newell).
-Vec3 area(const std::vector<Vec3>& points) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) sum += (points[i] - points[0]).cross(points[i + 1] - points[0]);
-  return sum;
-}
-
-/// Whether the ray passes the ball, or leaves it behind, by more than the possible rounding.
-bool misses(const Ray<double, 3>& sight, const Vec3& center, double radius) {
-  const Vec3 ahead = center - sight.origin;
-  const double far = ahead.norm(), reach = 1.001 * radius + 1e-9 * (far + sight.origin.norm());
-  return ahead.cross(sight.direction).norm() > reach * sight.direction.norm() ||
-         (far > reach && ahead.dot(sight.direction) < 0);
-}
-
-/// Whether the ray misses the screen by more than the possible rounding: most rays pass the ball around it, or leave
-/// its plane behind, as those that begin on it do. False if rounded arithmetic cannot decide.
-bool misses(const Ray<double, 3>& sight, const Polygon<double, 3>& screen) {
-  if (screen.rings.empty() || screen.rings[0].empty()) return true;
-  const std::vector<Vec3>& outline = screen.rings[0];
-  double size = 0;
-  for (const Ring<double, 3>& ring : screen.rings)
-    for (const Vec3& p : ring) size = std::max(size, (p - outline[0]).norm());
-  if (misses(sight, outline[0], size)) return true;
-
-  const Vec3 ahead = outline[0] - sight.origin;
-  const double speed = sight.direction.norm(), far = ahead.norm();
-  const double corners = static_cast<double>(outline.size());
-  const double doubt = 1e-14 * corners * corners * size * size;  // some ten roundings of each term of the normal
-  const Vec3 n = area(outline);
-  const double num = n.dot(ahead), den = n.dot(sight.direction);
-  if (!(std::abs(den) > doubt * speed)) return false;
-  const auto beyond = [&](double t) { return (num - t * den) * (den > 0 ? 1 : -1); };  // > 0: the plane is met after t
-  const auto [lo, hi] = sight.range;
-  return beyond(lo) < -doubt * (far + lo * speed) || (std::isfinite(hi) && beyond(hi) > doubt * (far + hi * speed));
-}
-
 Vec3 middle_of(const Capsule<double, 3>& c) { return (c.p + c.q) / 2; }
 double reach_of(const Capsule<double, 3>& c) { return (c.q - c.p).norm() / 2 + c.radius; }
 
@@ -166,7 +88,7 @@ class Cuts {
     for (const Ring<double, 3>& ring : screen.rings)
       for (std::size_t i = 0; i < ring.size(); ++i) behind(ring[i], ring[(i + 1) % ring.size()]);
     if (screen.rings.empty() || screen.rings[0].empty()) return;
-    const Vec3 n = area(screen.rings[0]);
+    const Vec3 n = doubled_area(screen.rings[0]);
     add(n.dot(screen.rings[0][0] - from_) / n.dot(d_));
   }
 
@@ -295,7 +217,7 @@ Shell shell(const Solid& solid) {
     if (face.size() < 3) continue;
     for (std::size_t i = 0; i < face.size(); ++i)
       faces_of[std::minmax(face[i], face[(i + 1) % face.size()])].push_back(index);
-    Vec3 n = area(corners(solid, face));
+    Vec3 n = doubled_area(corners(solid, face));
     if (!(n.squaredNorm() > 0)) continue;
     n.normalize();
     const Vec3& on = solid.vertices[face.front()];
@@ -313,7 +235,7 @@ bool lies_behind(const Polygon<double, 3>& screen, const View& view, const Occlu
       screen.rings[0].empty())
     return false;
   const Vec3 &on = screen.rings[0][0], towards = view.towards_eye(on);
-  Vec3 n = area(screen.rings[0]).normalized();
+  Vec3 n = doubled_area(screen.rings[0]).normalized();
   if (n.dot(towards) < 0) n = -n;
   const auto before = [&](const Vec3& p, double radius) {
     return n.dot(p - on) >= radius - 1e-9 * (radius + (p - on).norm());
@@ -373,59 +295,6 @@ std::vector<Stretch> stretches(const Vec3& center, const Vec3& u, const Vec3& v,
     return hidden_among(p, view, near, -1);
   };
   return split(at, is_hidden, even(96));
-}
-
-Rim rim(const Ball& ball, const View& view) {
-  const Vec3 n = view.towards_eye(ball.center);
-  Rim result = {ball.center, {}, {}};
-  double radius = ball.radius;
-  if (view.camera().perspective) {
-    const double share = ball.radius / (view.eye() - ball.center).norm();
-    result.middle += share * ball.radius * n;
-    radius *= std::sqrt(1 - share * share);
-  }
-  result.u = radius * n.cross(view.up()).normalized();
-  result.v = n.cross(result.u);
-  return result;
-}
-
-std::vector<Vec3> outline(const Capsule<double, 3>& capsule, const View& view) {
-  constexpr int corners = 96;  // of each end's rim
-  std::vector<Vec3> points;
-  for (const Vec3& end : {capsule.p, capsule.q}) {
-    const Rim circle = rim({end, capsule.radius}, view);
-    for (int i = 0; i < corners; ++i) {
-      const double angle = 2 * std::numbers::pi * i / corners;
-      points.push_back(circle.middle + std::cos(angle) * circle.u + std::sin(angle) * circle.v);
-    }
-  }
-  std::vector<Vec2> seen;
-  for (const Vec3& p : points) seen.push_back(view.project(p).at);
-  std::vector<Vec3> chain;
-  for (const Vec2& corner : convex_hull(seen)) chain.push_back(points[std::ranges::find(seen, corner) - seen.begin()]);
-  return chain;
-}
-
-Outline outline(const Ball& ball, const View& view) {
-  const Vec2 middle = view.project(ball.center).at;
-  if (!view.camera().perspective) {
-    const double r = ball.radius * view.scale_at(ball.center);
-    return {middle, {r, 0}, {0, r}};
-  }
-
-  // The picture plane cuts the tangent cone of half angle alpha, its axis at theta to the view direction, in an ellipse
-  // of eccentricity sin theta / cos alpha, between tan(theta - alpha) and tan(theta + alpha).
-  const Vec3 to_center = ball.center - view.eye();
-  const double distance = to_center.norm(), along = to_center.dot(view.forward());
-  const double alpha = std::asin(std::min(1.0, ball.radius / distance)), theta = std::acos(along / distance);
-  const double focal = view.scale_at(view.camera().target) * (view.camera().target - view.eye()).norm();
-  const double near = focal * std::tan(theta - alpha), far = focal * std::tan(theta + alpha);
-  const double e = std::sin(theta) / std::cos(alpha), a = (far - near) / 2;
-
-  const Vec2 axis = view.corner() + Vec2(view.width() / 2, view.height() / 2);  // where the view direction meets it
-  const Vec2 outwards = (middle - axis).norm() > 1e-9 ? Vec2((middle - axis).normalized()) : Vec2(1, 0);
-  const Vec2 across = {-outwards.y(), outwards.x()};
-  return {axis + (near + far) / 2 * outwards, a * outwards, a * std::sqrt(std::max(0.0, 1 - e * e)) * across};
 }
 
 }  // namespace isect::viz

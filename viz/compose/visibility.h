@@ -72,18 +72,4 @@ std::vector<Stretch> stretches(const std::vector<Vec3>& points, bool closed, con
 std::vector<Stretch> stretches(const Vec3& center, const Vec3& u, const Vec3& v, const View&, const Occluders&,
                                int own);
 
-/// A ball's outline: the circle on its surface where viewing rays touch it, as an exact ellipse on the picture.
-struct Outline {
-  Vec2 center, major, minor;
-};
-Outline outline(const Ball&, const View&);
-/// Returns a capsule's outline: a closed chain of points on its surface whose picture is the outline, except for what a
-/// chord of a circle of 96 corners cuts off.
-std::vector<Vec3> outline(const Capsule<double, 3>&, const View&);
-/// A ball's outline as a circle on its surface: two perpendicular radii around its middle.
-struct Rim {
-  Vec3 middle, u, v;
-};
-Rim rim(const Ball&, const View&);
-
 }  // namespace isect::viz
