@@ -136,14 +136,24 @@ BrowserSession::BrowserSession(std::vector<const viz::Lesson*> lessons, ReadScen
   const auto known = [&](const char* name, Json (BrowserSession::*member)(const Json&)) {
     asked_[name] = [this, member](const Json& request) { return (this->*member)(request); };
   };
-  known("open", &BrowserSession::open), known("go", &BrowserSession::go), known("load", &BrowserSession::load),
-      known("set", &BrowserSession::set);
-  known("take", &BrowserSession::take), known("drag", &BrowserSession::drag), known("drop", &BrowserSession::drop);
-  known("push", &BrowserSession::push), known("turn", &BrowserSession::turn), known("zoom", &BrowserSession::zoom);
-  known("frame all", &BrowserSession::frame_all), known("undo", &BrowserSession::undo),
-      known("redo", &BrowserSession::redo);
-  known("look", &BrowserSession::look), known("point", &BrowserSession::point), known("light", &BrowserSession::light);
-  known("copy", &BrowserSession::copy), known("whole", &BrowserSession::whole);
+  known("open", &BrowserSession::open);
+  known("go", &BrowserSession::go);
+  known("load", &BrowserSession::load);
+  known("set", &BrowserSession::set);
+  known("take", &BrowserSession::take);
+  known("drag", &BrowserSession::drag);
+  known("drop", &BrowserSession::drop);
+  known("push", &BrowserSession::push);
+  known("turn", &BrowserSession::turn);
+  known("zoom", &BrowserSession::zoom);
+  known("frame all", &BrowserSession::frame_all);
+  known("undo", &BrowserSession::undo);
+  known("redo", &BrowserSession::redo);
+  known("look", &BrowserSession::look);
+  known("point", &BrowserSession::point);
+  known("light", &BrowserSession::light);
+  known("copy", &BrowserSession::copy);
+  known("whole", &BrowserSession::whole);
 }
 
 std::string BrowserSession::answer(const std::string& text) {
