@@ -13,8 +13,11 @@ set(isect_moved
   interval_interval_methods=methods/interval_interval
   kdop_kdop_methods=methods/kdop_kdop
   motion=many/motion
+  numbers/counted=counted
   numbers/filter=numbers/arithmetic
-  numbers/found_once=numbers/memo
+  numbers/found_once=parts/memo
+  numbers/memo=parts/memo
+  numbers/squares=parts/squares
   numbers/threefold=numbers/triple_double
   obb_obb_methods=methods/obb_obb
   orient_methods=methods/orient

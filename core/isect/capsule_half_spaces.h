@@ -59,7 +59,7 @@ int distance(const Capsule<double, 3>& capsule, const HalfSpaces& solid, Trace&&
   const int count = half_spaces::detail::count(solid.faces);
   std::vector<char> at_q;
   for (int i = 0; i < count; ++i) {
-    const int sign = sign_of_long([&]<class W>() -> W { return speed<W>(rows, i, capsule); }, trace);
+    const int sign = sign_of<long_text>([&]<class W>() -> W { return speed<W>(rows, i, capsule); }, trace);
     if (sign > 0) approached.push_back(i);
     if (sign < 0) left.push_back(i);
     at_q.push_back(sign > 0);
@@ -107,10 +107,10 @@ bool holds(const Capsule<double, 3>& capsule, const HalfSpaces& solid, Trace&& t
       return left ? k * k * dot(d, d) - place : place;
     };
     const auto place = [&](bool left) {
-      return sign_of_long([&]<class W>() -> W { return along.template operator()<W>(left); }, trace);
+      return sign_of<long_text>([&]<class W>() -> W { return along.template operator()<W>(left); }, trace);
     };
     const bool at_p = place(false) <= 0, at_end = at_p || place(true) <= 0;
-    return sign_of_long(
+    return sign_of<long_text>(
                [&]<class W>() -> W {
                  const Components<W, 3> d = difference<W>(capsule.q, capsule.p);
                  Components<W, 3> x = corner.template operator()<W>();

@@ -326,7 +326,7 @@ Location locate(const Point<S, N>& p, const HalfSpaces& solid, Trace&& trace = {
   const Point<double, 3> at = half_spaces::detail::in_space<S, N>(p);
   Location where = Location::in;
   for (const half_spaces::Face& face : solid.faces) {
-    const int side = sign_of_long(
+    const int side = sign_of<long_text>(
         [&]<class W>() -> W {
           const inequalities::Row<W> row = half_spaces::detail::row<W>(face);
           return dot(inequalities::detail::normal(row), exactly<W>(at)) + row[3];

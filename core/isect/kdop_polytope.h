@@ -95,7 +95,7 @@ int sign_of_normals(const std::array<HalfSpace<N>, N>& planes, Trace&& trace) {
   const bool exact = std::all_of(planes.begin(), planes.end(), [&](const HalfSpace<N>& plane) {
     return std::all_of(plane.normal.begin(), plane.normal.end(), small);
   });
-  if (!exact) return sign_of_long([&]<class W>() -> W { return meet<W>(planes).w; }, trace);
+  if (!exact) return sign_of<long_text>([&]<class W>() -> W { return meet<W>(planes).w; }, trace);
   Eigen::Matrix<double, N, N> normals;
   for (int i = 0; i < N; ++i) normals.col(i) = planes[i].normal;
   const double determinant = normals.determinant();
@@ -133,7 +133,7 @@ int turn(const Corner<N>& a, const Corner<N>& b, const Corner<N>& c, int i, int 
     return p.w * (q.x[i] * r.x[j] - q.x[j] * r.x[i]) + q.w * (r.x[i] * p.x[j] - r.x[j] * p.x[i]) +
            r.w * (p.x[i] * q.x[j] - p.x[j] * q.x[i]);
   };
-  return a.w * b.w * c.w * sign_of_long(area, trace);
+  return a.w * b.w * c.w * sign_of<long_text>(area, trace);
 }
 
 template <int N, class Trace>
@@ -174,7 +174,7 @@ class Corners {
         const Homogeneous<W, N> p = at.template operator()<W>();
         return dot(exactly<W>(planes_[i].normal), p.x) - W(planes_[i].d) * p.w;
       };
-      return corner.w * sign_of_long(above, trace_);
+      return corner.w * sign_of<long_text>(above, trace_);
     };
     if (side(above_) > 0) return;
     for (int i = 0; i < static_cast<int>(planes_.size()); ++i) {

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include <isect/numbers/predicate.h>
-#include <isect/numbers/squares.h>
+#include <isect/parts/squares.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
 

@@ -102,13 +102,13 @@ inline int reach_of(const HalfSpaces& body, const Point2& p, const Point2& q) {
 template <class Way>
 bool is_among(const std::vector<Edge>& edges, const Way& way) {
   const auto above = [&](const Point2& v) {
-    return sign_of_long([&]<class W>() -> W { return way.template operator()<W>(v)[1]; }) > 0;
+    return sign_of<long_text>([&]<class W>() -> W { return way.template operator()<W>(v)[1]; }) > 0;
   };
   bool odd = false;
   for (const Edge& e : edges) {
     const bool up = above(e.q);
     if (above(e.p) == up) continue;
-    const int side = sign_of_long([&]<class W>() -> W {
+    const int side = sign_of<long_text>([&]<class W>() -> W {
       const auto p = way.template operator()<W>(e.p), q = way.template operator()<W>(e.q);
       return p[0] * q[1] - p[1] * q[0];
     });
@@ -136,7 +136,7 @@ inline bool corner_is_among(const std::vector<Edge>& edges, const HalfSpaces& so
   const std::vector<half_spaces::Face> faces = sphere_half_spaces::detail::with_corners(solid);
   bool among = false;
   const auto found = [&](const auto& corner, const auto& scale) {
-    const double turned = sign_of_long(scale);
+    const double turned = sign_of<long_text>(scale);
     among = is_among(edges, [&]<class W>(const Point2& v) -> Components<W, 2> {
       const Components<W, 3> x = corner.template operator()<W>();
       const W k = scale.template operator()<W>();

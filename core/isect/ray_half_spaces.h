@@ -33,11 +33,11 @@ std::optional<Interval<S>> clip(const Point<double, 3>& origin, const Direction&
     };
   };
   const auto rate = [&](int i) {
-    return sign_of_long([&]<class W>() -> W { return bound(i).template operator()<W>().den; }, trace);
+    return sign_of<long_text>([&]<class W>() -> W { return bound(i).template operator()<W>().den; }, trace);
   };
   // The sign of t_i - t_j, whose rates have the same sign
   const auto order = [&](int i, int j) {
-    return sign_of_long(
+    return sign_of<long_text>(
         [&]<class W>() -> W {
           const Ratio<W> x = bound(i).template operator()<W>(), y = bound(j).template operator()<W>();
           return x.num * y.den - y.num * x.den;
@@ -49,7 +49,7 @@ std::optional<Interval<S>> clip(const Point<double, 3>& origin, const Direction&
     const int sign = rate(i);
     if (sign > 0 && (first < 0 || order(i, first) > 0)) first = i;
     if (sign < 0 && (last < 0 || order(i, last) < 0)) last = i;
-    if (sign == 0 && sign_of_long([&]<class W>() -> W { return bound(i).template operator()<W>().num; }, trace) > 0)
+    if (sign == 0 && sign_of<long_text>([&]<class W>() -> W { return bound(i).template operator()<W>().num; }, trace) > 0)
       return {};
   }
   const auto after = [&](int i, int side, const S& end) {
@@ -60,7 +60,7 @@ std::optional<Interval<S>> clip(const Point<double, 3>& origin, const Direction&
       const Ratio<W> x = bound(first).template operator()<W>(), y = bound(last).template operator()<W>();
       return y.num * x.den - x.num * y.den;
     };
-    if (sign_of_long(gap, trace) > 0) return {};
+    if (sign_of<long_text>(gap, trace) > 0) return {};
   }
   Interval<S> result = range;
   if (first >= 0) {

@@ -13,7 +13,7 @@
 #include <optional>
 #include <variant>
 
-#include <isect/numbers/memo.h>
+#include <isect/parts/memo.h>
 #include <isect/parts/slabs.h>
 #include <isect/parts/unit_of_length.h>
 #include <isect/point_obb.h>
@@ -194,7 +194,7 @@ std::optional<Interval<S>> meet(const Ray<S, N>& ray, const Obb<S, N>& box, Trac
 /// empty box or range, NaN or an infinite coordinate: nothing.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> intersect(const Ray<S, N>& ray, const Obb<S, N>& box, Trace&& trace = {}) {
-  return with_values_first<S>([&](auto& pass) { return ray_obb::detail::meet(ray, box, pass); }, trace);
+  return in_doubles_first<S>([&](auto& pass) { return ray_obb::detail::meet(ray, box, pass); }, trace);
 }
 
 /// Whether ray and box have a common point; see intersect.

@@ -155,7 +155,7 @@ template <class S, bool ends, class Trace>
 std::optional<S> first_hit(const Straight<2, ends>& line, const Interval<S>& range, std::span<const Ring<S, 2>> rings,
                            FillRule rule, Trace&& trace) {
   if (!ray_range::has_points(range) || !all_finite(rings)) return {};
-  return with_values_first<S>(
+  return in_doubles_first<S>(
       [&](auto& pass) {
         return first(
             line, rings, rule, pass, [&]() -> S { return range.lo; },

@@ -93,7 +93,7 @@ RayPlane<S> meet(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace& trace) {
 /// coordinate: no hit.
 template <class S, int N, class Trace = NoTrace>
 RayPlane<S> intersect(const Ray<S, N>& ray, const Plane<S, N>& plane, Trace&& trace = {}) {
-  return with_values_first<S>([&](auto& pass) { return ray_plane::detail::meet(ray, plane, pass); }, trace);
+  return in_doubles_first<S>([&](auto& pass) { return ray_plane::detail::meet(ray, plane, pass); }, trace);
 }
 
 /// Whether ray and plane have a common point: what `intersect` says, by the signs of a height and a heading, and at an

@@ -21,7 +21,7 @@
 #include <utility>
 #include <variant>
 
-#include <isect/numbers/memo.h>
+#include <isect/parts/memo.h>
 #include <isect/parts/ray_range.h>
 #include <isect/point_polygon.h>
 
@@ -197,7 +197,7 @@ RayPolygon<S> meet(const Ray<S, 3>& ray, std::span<const Ring<S, 3>> rings, Fill
 
 template <class S, class Trace>
 RayPolygon<S> intersect(const Ray<S, 3>& ray, std::span<const Ring<S, 3>> rings, FillRule rule, Trace&& trace) {
-  return with_values_first<S>([&](auto& pass) { return meet(ray, rings, rule, pass); }, trace);
+  return in_doubles_first<S>([&](auto& pass) { return meet(ray, rings, rule, pass); }, trace);
 }
 
 }  // namespace detail

@@ -17,6 +17,7 @@
 #include <variant>
 
 #include <isect/parts/ray_range.h>
+#include <isect/parts/three_quotients.h>
 #include <isect/trace.h>
 
 namespace isect {
@@ -152,7 +153,7 @@ bool met(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace& trace) {
 /// the plane. A triangle without area has no plane: no hit. NaN or an infinite coordinate, or an empty range: no hit.
 template <class S, class Trace = NoTrace>
 RayTriangle<S> intersect(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&& trace = {}) {
-  return with_values_first<S>([&](auto& pass) { return ray_triangle::detail::meet(ray, triangle, pass); }, trace);
+  return in_doubles_first<S>([&](auto& pass) { return ray_triangle::detail::meet(ray, triangle, pass); }, trace);
 }
 
 /// Whether the ray meets the triangle; see intersect. No for a coplanar ray.

@@ -59,7 +59,7 @@ RayPlane<S> meet(const Segment<double, N>& segment, const Plane<double, N>& plan
 template <class S, int N, class Trace = NoTrace>
 RayPlane<S> intersect(const Segment<S, N>& segment, const Plane<S, N>& plane, Trace&& trace = {}) {
   if (!finite(segment) || !finite(plane) || plane.normal.isZero(0)) return {};
-  return with_values_first<S>(
+  return in_doubles_first<S>(
       [&](auto& pass) { return segment_plane::detail::meet<S, N>(in_doubles(segment), in_doubles(plane), pass); },
       trace);
 }

@@ -146,7 +146,7 @@ RayPolygon<S> intersect(const Segment<S, 3>& segment, std::span<const Ring<S, 3>
   result.flat = rings.empty() || rings[0].empty();
   if (result.flat) return result;
   const Straight<3, true> line = straight(segment);
-  return with_values_first<S>([&](auto& pass) { return meet(line, rings, rule, pass); }, trace);
+  return in_doubles_first<S>([&](auto& pass) { return meet(line, rings, rule, pass); }, trace);
 }
 
 }  // namespace detail

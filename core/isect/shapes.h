@@ -12,7 +12,7 @@
 
 namespace isect {
 
-/// The scalars for which error bounds are proved; isect/numbers/counted.h adds those that count their operations.
+/// The scalars for which error bounds are proved; isect/counted.h adds those that count their operations.
 template <class S>
 inline constexpr bool has_bounds = std::is_same_v<S, float> || std::is_same_v<S, double>;
 

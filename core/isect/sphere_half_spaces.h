@@ -52,9 +52,9 @@ std::optional<int> plain_reach(const std::array<Point<double, 3>, corners>& set,
         const Components<W, 3> n = inequalities::detail::normal(x);
         return x[3] * x[3] - W(r) * W(r) * dot(n, n);
       };
-      const bool outside = sign_of_long(height, trace) < 0;
+      const bool outside = sign_of<long_text>(height, trace) < 0;
       in[k] = in[k] && !outside;
-      beyond = beyond && outside && (r == 0 || sign_of_long(excess, trace) > 0);
+      beyond = beyond && outside && (r == 0 || sign_of<long_text>(excess, trace) > 0);
     }
     if (beyond) return 1;
   }
@@ -67,13 +67,13 @@ template <class Trace>
 bool contained(const Point<double, 3>& center, double r, const HalfSpaces& solid, Trace&& trace) {
   const auto rows = seen_from(solid.faces, center);
   for (int i = 0; i < half_spaces::detail::count(solid.faces); ++i) {
-    if (sign_of_long([&]<class W>() -> W { return rows.template operator()<W>(i)[3]; }, trace) < 0) return false;
+    if (sign_of<long_text>([&]<class W>() -> W { return rows.template operator()<W>(i)[3]; }, trace) < 0) return false;
     const auto room = [&]<class W>() -> W {
       const inequalities::Row<W> row = rows.template operator()<W>(i);
       const Components<W, 3> n = inequalities::detail::normal(row);
       return row[3] * row[3] - W(r) * W(r) * dot(n, n);
     };
-    if (sign_of_long(room, trace) < 0) return false;
+    if (sign_of<long_text>(room, trace) < 0) return false;
   }
   return true;
 }
@@ -116,7 +116,7 @@ Relation relate(const Sphere<S, N>& sphere, const HalfSpaces& solid, Trace&& tra
   const bool a_in_b = sphere_half_spaces::detail::contained(center, r, solid, trace);
   const std::vector<half_spaces::Face> faces = sphere_half_spaces::detail::with_corners(solid);
   const auto held = [&](const auto& corner, const auto& scale) {
-    return sign_of_long(
+    return sign_of<long_text>(
                [&]<class W>() -> W {
                  const Components<W, 3> x = corner.template operator()<W>();
                  const W d = scale.template operator()<W>();

@@ -30,7 +30,7 @@ int by_foot(const Point<double, 3>& c, double r, const Triangle<double, 3>& x, T
   const Point<double, 3>&p = x.vertices[0], &q = x.vertices[1], &s = x.vertices[2];
   if (triangle_half_spaces::detail::degenerate(x, trace)) return 1;
   const auto beside = [&](const Point<double, 3>& a, const Point<double, 3>& b) {
-    return sign_of_long(
+    return sign_of<long_text>(
         [&]<class W>() -> W {
           const Components<W, 3> n = half_spaces::detail::normal<W>(p, q, s);
           return dot(cross(n, difference<W>(b, a)), difference<W>(c, a));
@@ -38,7 +38,7 @@ int by_foot(const Point<double, 3>& c, double r, const Triangle<double, 3>& x, T
         trace);
   };
   if (beside(p, q) < 0 || beside(q, s) < 0 || beside(s, p) < 0) return 1;
-  return sign_of_long(
+  return sign_of<long_text>(
       [&]<class W>() -> W {
         const Components<W, 3> n = half_spaces::detail::normal<W>(p, q, s);
         const W height = dot(n, difference<W>(c, p));

@@ -38,7 +38,7 @@ template <class Trace>
 bool beyond_a_face(const Triangle<double, 3>& x, const std::vector<half_spaces::Face>& faces, Trace&& trace) {
   return std::ranges::any_of(faces, [&](const half_spaces::Face& face) {
     return std::ranges::all_of(x.vertices, [&](const Point<double, 3>& v) {
-      return sign_of_long(
+      return sign_of<long_text>(
                  [&]<class W>() -> W {
                    const inequalities::Row<W> row = half_spaces::detail::row<W>(face);
                    return dot(inequalities::detail::normal(row), exactly<W>(v)) + row[3];
@@ -75,7 +75,7 @@ template <class Trace>
 bool degenerate(const Triangle<double, 3>& x, Trace&& trace) {
   const Point<double, 3>&a = x.vertices[0], &b = x.vertices[1], &c = x.vertices[2];
   for (std::size_t i = 0; i < 3; ++i)
-    if (sign_of_long([&]<class W>() -> W { return half_spaces::detail::normal<W>(a, b, c)[i]; }, trace) != 0)
+    if (sign_of<long_text>([&]<class W>() -> W { return half_spaces::detail::normal<W>(a, b, c)[i]; }, trace) != 0)
       return false;
   return true;
 }
@@ -85,7 +85,7 @@ template <class Trace>
 Capsule<double, 3> as_segment(const Triangle<double, 3>& x, Trace&& trace) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Point<double, 3>&p = x.vertices[i], &q = x.vertices[(i + 1) % 3], &r = x.vertices[(i + 2) % 3];
-    if (sign_of_long([&]<class W>() -> W { return dot(difference<W>(p, r), difference<W>(q, r)); }, trace) <= 0)
+    if (sign_of<long_text>([&]<class W>() -> W { return dot(difference<W>(p, r), difference<W>(q, r)); }, trace) <= 0)
       return {p, q, 0};
   }
   return {x.vertices[0], x.vertices[0], 0};

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <isect/convex_hull_3d.h>
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include <isect/triangle_mesh.h>
 #include "viz/lesson.h"
 

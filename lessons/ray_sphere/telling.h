@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "lessons/ray_sphere/picture.h"
 #include "lessons/shared/script.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include <isect/shapes.h>
 #include "lessons/shared/flat.h"
 #include "viz/lesson.h"

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons {

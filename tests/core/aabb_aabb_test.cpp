@@ -1,7 +1,7 @@
 #include <isect/aabb_aabb.h>
 #include <isect/methods/aabb_aabb.h>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "bench/aabb_aabb/oracle.h"
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"

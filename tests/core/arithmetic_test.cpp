@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <isect/parts/ray_sphere_arithmetic.h>
 #include "bench/random.h"
 #include "tests/catch.h"
 #include "tests/core/common.h"
@@ -9,6 +10,7 @@
 
 namespace arithmetic_test {
 using namespace isect;
+using namespace isect::ray_sphere::detail;
 using tests::inf, tests::not_a_number;
 
 namespace {}

@@ -6,6 +6,7 @@
 
 #include <isect/numbers/quotient.h>
 #include <isect/orient.h>
+#include <isect/parts/three_quotients.h>
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
 #include "tests/catch.h"
@@ -201,7 +202,7 @@ TEST_CASE("a size that overflowed and was multiplied by 0 hides no error beside 
     };
     INFO(i);
     CHECK(sign_of(in_dot) == -1);
-    CHECK(sign_of_long(in_dot) == -1);
+    CHECK(sign_of<long_text>(in_dot) == -1);
     CHECK(sign_of(in_cross) == -1);
   }
 }

@@ -1,4 +1,4 @@
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 
 #include <isect/methods/ray_sphere.h>
 #include "tests/catch.h"

@@ -57,6 +57,7 @@ set(tested_by
   ray_mesh_parts=many/ray_mesh
   ray_range=ray_plane
   ray_round=ray_cylinder
+  ray_sphere_arithmetic=arithmetic
   ray_sphere_meeting=ray_sphere
   ray_sphere_roots=ray_sphere
   ray_sphere_settle=ray_sphere
@@ -67,6 +68,7 @@ set(tested_by
   sphere_half_spaces=half_spaces
   sphere_round=sphere_cylinder
   straight=ray_capsule
+  three_quotients=bounded
   triangle_aabb_first_pass=triangle_aabb
   triangle_half_spaces=half_spaces
   two_triangles=mesh_mesh

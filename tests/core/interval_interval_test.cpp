@@ -1,6 +1,6 @@
 #include <isect/interval_interval.h>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "bench/aabb_aabb/oracle.h"
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"

@@ -1,6 +1,6 @@
 // A value kept in an arithmetic is found there once, by each copy for itself, and anew where steps are recorded.
 
-#include <isect/numbers/memo.h>
+#include <isect/parts/memo.h>
 
 #include <array>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <isect/methods/obb_obb.h>
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "bench/obb_obb/families.h"
 #include "bench/obb_obb/oracle.h"
 #include "bench/random_obb.h"

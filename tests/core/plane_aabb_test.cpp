@@ -1,7 +1,7 @@
 #include <isect/methods/plane_aabb.h>
 #include <isect/plane_aabb.h>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "bench/rational.h"
 #include "bench/simple_shapes.h"
 #include "tests/catch.h"

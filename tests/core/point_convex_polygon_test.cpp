@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "tests/catch.h"
 #include "tests/core/hull_oracle.h"
 #include "tests/settings.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "bench/random_shapes.h"
 #include "bench/rational.h"
 #include "tests/catch.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "bench/random_rays.h"
 #include "bench/ray_plane/oracle.h"
 #include "tests/catch.h"

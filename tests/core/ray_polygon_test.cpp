@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include <isect/ray_triangle.h>
 #include "bench/random_rays.h"
 #include "bench/ray_polygon/oracle.h"

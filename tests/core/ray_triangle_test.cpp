@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include <isect/orient.h>
 #include "bench/random_rays.h"
 #include "bench/ray_triangle/oracle.h"

@@ -95,7 +95,7 @@ TEST_CASE("a long text settles the same sign as a short one", "[recorded]") {
       void operator()(const Fallback&) { ++count; }
     } listener;
     const int truth = text.operator()<Exact>().sign();
-    REQUIRE(sign_of_long(text, listener) == truth);
+    REQUIRE(sign_of<long_text>(text, listener) == truth);
     REQUIRE(sign_of(text) == truth);
     settled += listener.count;
   }

@@ -26,7 +26,7 @@ Both<Number> expression(bench::Random& random, int depth, const Leaf& leaf) {
   if (depth == 0) {
     const double x = leaf(), y = leaf();
     if (random.one_in(2)) return {Number(x), Rational(x)};
-    return {Number::difference(x, y), Rational(x) - Rational(y)};
+    return {difference<Number>(x, y), Rational(x) - Rational(y)};
   }
   const Both<Number> a = expression<Number>(random, depth - 1, leaf),
                      b = expression<Number>(random, random.below(depth), leaf);
@@ -163,7 +163,7 @@ TEST_CASE("0 times the unknown is 0, all else made of the unknown is unknown", "
 TEST_CASE("the ends of the doubles are known, infinity and NaN are not", "[short_exact]") {
   CHECK(ShortExact(-0.).sign() == 0);
   CHECK(ShortExact(5e-324).sign() == 1);
-  CHECK(ShortExact::difference(5e-324, 0).sign() == 1);
+  CHECK(difference<ShortExact>(5e-324, 0).sign() == 1);
   CHECK(ShortExact(-std::numeric_limits<double>::max()).sign() == -1);
   CHECK_FALSE(ShortExact(std::numeric_limits<double>::infinity()).sign());
   CHECK_FALSE(ShortExact(std::numeric_limits<double>::quiet_NaN()).sign());

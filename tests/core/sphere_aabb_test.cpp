@@ -1,7 +1,7 @@
 #include <isect/methods/sphere_aabb.h>
 #include <isect/sphere_aabb.h>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "bench/sphere_aabb/families.h"
 #include "bench/sphere_aabb/oracle.h"
 #include "tests/catch.h"

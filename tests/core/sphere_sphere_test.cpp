@@ -1,7 +1,7 @@
 #include <isect/methods/sphere_sphere.h>
 #include <isect/sphere_sphere.h>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "bench/sphere_sphere/families.h"
 #include "bench/sphere_sphere/oracle.h"
 #include "tests/catch.h"

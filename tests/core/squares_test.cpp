@@ -1,4 +1,4 @@
-#include <isect/numbers/squares.h>
+#include <isect/parts/squares.h>
 
 #include <limits>
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include <isect/methods/triangle_aabb.h>
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "bench/random_obb.h"
 #include "bench/triangle_aabb/families.h"
 #include "bench/triangle_aabb/oracle.h"

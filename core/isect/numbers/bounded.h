@@ -137,8 +137,4 @@ concept PolynomialScalar = std::same_as<W, Bounded<double>> || std::same_as<W, G
     is_compensated<W> || is_triple_double<W> || std::same_as<W, Bounded<DoubleDouble>> || std::same_as<W, ShortExact> ||
     std::same_as<W, MediumExact> || std::same_as<W, Exact>;
 
-/// x - y of two doubles.
-template <PolynomialScalar W>
-requires(!Arithmetic<W>) ISECT_INLINE W difference(double x, double y) { return W::difference(x, y); }
-
 }  // namespace isect

@@ -135,24 +135,13 @@ template <class Algorithm, class Trace>
 }  // namespace detail
 
 /// Returns algorithm(trace), with all that sign_of and value_of can do. First it runs in plain doubles: straight code
-/// without a branch for each sign, which settles all but a few cases. A listener hears the whole.
-template <class Algorithm, class Trace>
+/// without a branch for each sign, which settles all but a few cases. S is the scalar of the values that the algorithm
+/// finds, if it finds any: doubles are found faster where products are fused. A listener hears the whole.
+template <class S = void, class Algorithm, class Trace>
 inline auto in_doubles_first(const Algorithm& algorithm, Trace& trace) {
-  if constexpr (!small_code && !heard<Trace>) {
-    DoublesOnly<Compensated> first;
-    auto result = detail::tried(algorithm, first);
-    if (first.open) [[unlikely]]
-      result = detail::settled(algorithm, trace);
-    return result;
-  } else {
+  if constexpr (small_code || heard<Trace>) {
     return algorithm(trace);
-  }
-}
-
-/// Works as in_doubles_first, for an algorithm that finds values in doubles, which are faster with fused products.
-template <class S, class Algorithm, class Trace>
-inline auto with_values_first(const Algorithm& algorithm, Trace& trace) {
-  if constexpr (!small_code && std::is_same_v<S, double> && !heard<Trace>) {
+  } else if constexpr (std::is_same_v<S, double>) {
     bool open = false;
     auto result = compensated([&]<class W>() {
       DoublesOnly<W> first;
@@ -164,34 +153,33 @@ inline auto with_values_first(const Algorithm& algorithm, Trace& trace) {
       result = detail::settled(algorithm, trace);
     return result;
   } else {
-    return in_doubles_first(algorithm, trace);
+    DoublesOnly<Compensated> first;
+    auto result = detail::tried(algorithm, first);
+    if (first.open) [[unlikely]]
+      result = detail::settled(algorithm, trace);
+    return result;
   }
 }
 
+/// Whether a text is long: sign_of<long_text>(text) compiles it for doubles and for Recorded alone, which allocates
+/// where doubles leave the sign open.
+inline constexpr bool long_text = true;
+
 /// The true sign of the polynomial: 1, 0 or -1. Reports Fallback when doubles do not settle it.
-template <class Text, class Trace = NoTrace>
+template <bool is_long = false, class Text, class Trace = NoTrace>
 int sign_of(const Text& text, Trace&& trace = {}) {
   const Bounded<double> quick = text.template operator()<Bounded<double>>();
-  if constexpr (doubles_only<Trace>) {
+  if constexpr (doubles_only<Trace> && !is_long) {
     trace.open |= !quick.certain();
     return quick.apparent_sign();
   } else {
     if (quick.certain()) return quick.apparent_sign();
     trace(Fallback{});
-    if constexpr (detail::recorded_for<Text, Trace>)
+    if constexpr (is_long || detail::recorded_for<Text, Trace>)
       return detail::sign_after_doubles(RecordedSum(text), quick);
     else
       return detail::sign_after_doubles(text, quick);
   }
-}
-
-/// Works as sign_of, for a long text, which then is not compiled for each arithmetic anew.
-template <class Text, class Trace = NoTrace>
-int sign_of_long(const Text& text, Trace&& trace = {}) {
-  const Bounded<double> quick = text.template operator()<Bounded<double>>();
-  if (quick.certain()) return quick.apparent_sign();
-  trace(Fallback{});
-  return detail::sign_after_doubles(RecordedSum(text), quick);
 }
 
 // Vectors of any arithmetic, in as many components as the shape has.

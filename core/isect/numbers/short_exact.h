@@ -105,8 +105,6 @@ class FixedExact {
     bits_ = detail::either(zero, zero_bits, 53 - zeros + (static_cast<int>(field == 0x7ff) << 10));
   }
 
-  ISECT_INLINE static FixedExact difference(double x, double y) { return FixedExact(x) - FixedExact(y); }
-
   ISECT_INLINE friend FixedExact operator+(const FixedExact& a, const FixedExact& b) {
     const int ahead = a.exponent_ - b.exponent_, behind = ahead & ahead >> 31, up = ahead - behind;
     const int bits_a = a.bits_ + up, bits_b = b.bits_ - behind, more = bits_a - bits_b;

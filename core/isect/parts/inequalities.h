@@ -151,7 +151,7 @@ class System {
   /// The sign of a row at that corner, where the basis' own row at `place` counts as positive.
   template <class Of>
   int sign_without(std::size_t place, const Row<Bounded<double>>& quick, const Of& of) const {
-    const int sign = sign_of_long(
+    const int sign = sign_of<long_text>(
         [&]<class W>() -> W {
           const Row<W> row = of.template operator()<W>();
           const auto at = [&]() -> Row<W> {
@@ -256,7 +256,7 @@ void each_corner(const Rows& rows, const Take& take, Trace&& trace) {
         const auto det = [&]<class W>() -> W {
           return determinant(rows.template row<W>(i), rows.template row<W>(j), rows.template row<W>(k));
         };
-        const int side = sign_of_long(det, trace);
+        const int side = sign_of<long_text>(det, trace);
         bool common = side != 0;
         for (int m = 0; m < rows.count() && common; ++m) {
           if (m == i || m == j || m == k) continue;
@@ -264,7 +264,7 @@ void each_corner(const Rows& rows, const Take& take, Trace&& trace) {
             return value_at_corner(rows.template row<W>(m), rows.template row<W>(i), rows.template row<W>(j),
                                    rows.template row<W>(k));
           };
-          common = side * sign_of_long(value, trace) >= 0;
+          common = side * sign_of<long_text>(value, trace) >= 0;
         }
         if (common && !take(i, j, k, side)) return;
       }

@@ -22,13 +22,13 @@ int distance(int count, int dimension, const Text& text, bool above_0, const Exc
   const Rows rows(count, text);
   std::vector<char> beyond;  // those that do not hold at the origin
   for (int i = 0; i < count; ++i)
-    beyond.push_back(sign_of_long([&]<class W>() -> W { return rows.template row<W>(i)[3]; }, trace) < 0);
+    beyond.push_back(sign_of<long_text>([&]<class W>() -> W { return rows.template row<W>(i)[3]; }, trace) < 0);
 
   int most = above_0 ? -1 : 0;
   const auto take = [&](int sign) { most = std::max(most, sign); };
   for (int i = 0; i < count && most < 1; ++i) {
     if (!beyond[static_cast<std::size_t>(i)]) continue;
-    take(sign_of_long(
+    take(sign_of<long_text>(
         [&]<class W>() -> W {
           const Row<W> x = rows.template row<W>(i);
           return excess.template operator()<W>(x[3] * x[3], dot(normal(x), normal(x)));
@@ -39,7 +39,7 @@ int distance(int count, int dimension, const Text& text, bool above_0, const Exc
     for (int j = i + 1; j < count && most < 1; ++j) {
       if (!beyond[static_cast<std::size_t>(i)] && !beyond[static_cast<std::size_t>(j)]) continue;
       const auto weight = [&](int p, int q) {
-        return sign_of_long(
+        return sign_of<long_text>(
             [&]<class W>() -> W {
               const Row<W> x = rows.template row<W>(p), y = rows.template row<W>(q);
               return y[3] * dot(normal(x), normal(y)) - x[3] * dot(normal(y), normal(y));
@@ -51,8 +51,8 @@ int distance(int count, int dimension, const Text& text, bool above_0, const Exc
         const Components<W, 3> n = cross(normal(rows.template row<W>(i)), normal(rows.template row<W>(j)));
         return dot(n, n);
       };
-      if (sign_of_long(independent, trace) == 0) continue;
-      take(sign_of_long(
+      if (sign_of<long_text>(independent, trace) == 0) continue;
+      take(sign_of<long_text>(
           [&]<class W>() -> W {
             const Row<W> x = rows.template row<W>(i), y = rows.template row<W>(j);
             const Components<W, 3> a = normal(x), b = normal(y);
@@ -76,7 +76,7 @@ int distance(int count, int dimension, const Text& text, bool above_0, const Exc
           return corner(rows.template row<W>(i), rows.template row<W>(j), rows.template row<W>(k));
         };
         const auto weight = [&](int p, int q) {
-          return sign_of_long(
+          return sign_of<long_text>(
               [&]<class W>() -> W {
                 return dot(at.template operator()<W>(),
                            cross(normal(rows.template row<W>(p)), normal(rows.template row<W>(q))));
@@ -84,8 +84,8 @@ int distance(int count, int dimension, const Text& text, bool above_0, const Exc
               trace);
         };
         if (weight(j, k) < 0 || weight(k, i) < 0 || weight(i, j) < 0) continue;
-        if (sign_of_long(det, trace) == 0) continue;
-        take(sign_of_long(
+        if (sign_of<long_text>(det, trace) == 0) continue;
+        take(sign_of<long_text>(
             [&]<class W>() -> W {
               const Components<W, 3> x = at.template operator()<W>();
               const W d = det.template operator()<W>();

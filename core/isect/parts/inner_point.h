@@ -79,7 +79,7 @@ inline std::optional<InnerPoint> inner_point(const HalfSpaces& solid) {
   const auto take = [&](int i, int j, int k, int side) {
     const auto leaves = [&](int face) {
       if (face == i || face == j || face == k) return false;
-      return sign_of_long([&]<class W>() -> W {
+      return sign_of<long_text>([&]<class W>() -> W {
                return inequalities::detail::value_at_corner(rows.template row<W>(face), rows.template row<W>(i),
                                                             rows.template row<W>(j), rows.template row<W>(k));
              }) != 0;

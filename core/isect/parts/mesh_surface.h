@@ -61,13 +61,13 @@ Pierced pierced(const Place& place, const Vector<double, 3>& direction, const Co
   const auto to = [&]<class W>(std::size_t i) { return place.template way_to<W>(x.vertices[i % 3]); };
   bool positive = false, negative = false, zero = false;
   for (std::size_t i = 0; i < 3; ++i) {
-    const int side = sign_of_long([&]<class W>() -> W {
+    const int side = sign_of<long_text>([&]<class W>() -> W {
       return dot(exactly<W>(direction), cross(to.template operator()<W>(i), to.template operator()<W>(i + 1)));
     });
     (side > 0 ? positive : side < 0 ? negative : zero) = true;
   }
   if (positive && negative) return Pierced::no;
-  const int height = sign_of_long([&]<class W>() -> W {
+  const int height = sign_of<long_text>([&]<class W>() -> W {
     return dot(to.template operator()<W>(0), cross(to.template operator()<W>(1), to.template operator()<W>(2)));
   });
   if (!positive && !negative) return height == 0 ? Pierced::unclear : Pierced::no;  // in its plane, or parallel to it

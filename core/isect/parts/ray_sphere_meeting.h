@@ -84,7 +84,8 @@ ISECT_INLINE bool quick_meeting(const Ray<S, N>& ray, const Sphere<S, N>& sphere
       return c < 0;
     }
   }
-  return settled_meeting(ray, sphere, NoTrace{});
+  NoTrace nobody;
+  return settled_meeting(ray, sphere, nobody);
 }
 
 }  // namespace isect::ray_sphere::detail

@@ -10,7 +10,7 @@
 #include <utility>
 #include <variant>
 
-#include <isect/numbers/arithmetic.h>
+#include <isect/parts/ray_sphere_arithmetic.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
 

@@ -90,7 +90,7 @@ int reach(const Solid& solid, const HalfSpaces& between, Trace&& trace) {
   std::vector<std::pair<int, int>> edges;
   for (int i = 0; i < half_spaces::detail::count(between.faces); ++i) {
     const int sign =
-        sign_of_long([&]<class W>() -> W { return at_eye<W>(rows.template operator()<W>(i), solid); }, trace);
+        sign_of<long_text>([&]<class W>() -> W { return at_eye<W>(rows.template operator()<W>(i), solid); }, trace);
     if (sign == 0) edges.emplace_back(i, i);
     if (sign > 0) grow.push_back(i);
     if (sign < 0) fall.push_back(i);
@@ -124,9 +124,9 @@ int extreme(const Solid& solid, const Disc& disc, const HalfSpaces& other, std::
   const auto row = [&]<class W>() -> inequalities::Row<W> {
     return sphere_half_spaces::detail::seen_from(other.faces, disc.center).template operator()<W>(static_cast<int>(i));
   };
-  const int center = sign_of_long([&]<class W>() -> W { return row.template operator()<W>()[3]; }, trace);
+  const int center = sign_of<long_text>([&]<class W>() -> W { return row.template operator()<W>()[3]; }, trace);
   if (center == way || disc.radius == 0) return center;
-  return way * sign_of_long(
+  return way * sign_of<long_text>(
                    [&]<class W>() -> W {
                      const inequalities::Row<W> seen = row.template operator()<W>();
                      const Components<W, 3> d = axis<W>(solid), across = cross(inequalities::detail::normal(seen), d);
@@ -182,8 +182,8 @@ bool holds(const Solid& solid, const HalfSpaces& other, Trace&& trace) {
       return left ? k * k * dot(d, d) - place : place;
     };
     for (const bool left : {false, true})
-      if (sign_of_long([&]<class W>() -> W { return along.template operator()<W>(left); }, trace) < 0) return false;
-    return sign_of_long(
+      if (sign_of<long_text>([&]<class W>() -> W { return along.template operator()<W>(left); }, trace) < 0) return false;
+    return sign_of<long_text>(
                [&]<class W>() -> W {
                  return round_solid::beside<W>(solid, corner.template operator()<W>(), scale.template operator()<W>());
                },

@@ -17,7 +17,7 @@
 #include <optional>
 #include <vector>
 
-#include <isect/numbers/memo.h>
+#include <isect/parts/memo.h>
 #include <isect/numbers/predicate.h>
 #include <isect/numbers/quotient.h>
 #include <isect/parts/fit_tight_guess.h>
@@ -75,7 +75,7 @@ class Through {
   bool least() const {
     if (sign_of_den() == 0) return false;
     for (int i = 0; i < weights(); ++i)
-      if (sign_of_long([&]<class W>() -> W { return weight<W>(i); }) < 0) return false;
+      if (sign_of<long_text>([&]<class W>() -> W { return weight<W>(i); }) < 0) return false;
     return true;
   }
 
@@ -86,7 +86,7 @@ class Through {
     return difference<W, N>(p_[i], p_[0]);
   }
   int sign_of_den() const {
-    if (!den_) den_ = sign_of_long([&]<class W>() -> W { return way<W>().den; });
+    if (!den_) den_ = sign_of<long_text>([&]<class W>() -> W { return way<W>().den; });
     return *den_;
   }
 

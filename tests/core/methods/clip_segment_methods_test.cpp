@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "bench/random.h"
 #include "tests/catch.h"
 #include "tests/settings.h"

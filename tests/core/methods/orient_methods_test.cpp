@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "bench/orient2d/families.h"
 #include "tests/catch.h"
 #include "tests/settings.h"

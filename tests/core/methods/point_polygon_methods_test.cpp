@@ -2,7 +2,7 @@
 
 #include <isect/methods/point_polygon.h>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "bench/point_polygon/families.h"
 #include "tests/catch.h"
 #include "tests/settings.h"

@@ -1,6 +1,6 @@
 #include <isect/methods/ray_obb.h>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "bench/random_obb.h"
 #include "tests/catch.h"
 #include "tests/settings.h"

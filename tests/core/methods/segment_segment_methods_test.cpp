@@ -1,6 +1,6 @@
 #include <isect/methods/segment_segment.h>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "bench/random.h"
 #include "tests/catch.h"
 #include "tests/settings.h"

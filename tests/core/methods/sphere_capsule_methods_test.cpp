@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include <isect/numbers/counted.h>
+#include <isect/counted.h>
 #include "bench/sphere_capsule/families.h"
 #include "bench/sphere_capsule/oracle.h"
 #include "tests/catch.h"
