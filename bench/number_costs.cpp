@@ -94,7 +94,8 @@ void measure() {
   row("sign_of", cases, 100, [](const Four& c) { return orient3d(c.p[0], c.p[1], c.p[2], c.p[3]); });
   row("sign_of, integers", whole, 50, [](const Four& c) { return orient3d(c.p[0], c.p[1], c.p[2], c.p[3]); });
   row("sign_of<long_text>", cases, 100, [](const Four& c) {
-    return sign_of<long_text>([&]<class W>() -> W { return orient::detail::volume6<W>(c.p[0], c.p[1], c.p[2], c.p[3]); });
+    return sign_of<long_text>(
+        [&]<class W>() -> W { return orient::detail::volume6<W>(c.p[0], c.p[1], c.p[2], c.p[3]); });
   });
   if (sum == 42) std::puts("");
 }

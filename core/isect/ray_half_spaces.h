@@ -49,7 +49,8 @@ std::optional<Interval<S>> clip(const Point<double, 3>& origin, const Direction&
     const int sign = rate(i);
     if (sign > 0 && (first < 0 || order(i, first) > 0)) first = i;
     if (sign < 0 && (last < 0 || order(i, last) < 0)) last = i;
-    if (sign == 0 && sign_of<long_text>([&]<class W>() -> W { return bound(i).template operator()<W>().num; }, trace) > 0)
+    if (sign == 0 &&
+        sign_of<long_text>([&]<class W>() -> W { return bound(i).template operator()<W>().num; }, trace) > 0)
       return {};
   }
   const auto after = [&](int i, int side, const S& end) {

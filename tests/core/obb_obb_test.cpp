@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include <isect/methods/obb_obb.h>
 #include <isect/counted.h>
+#include <isect/methods/obb_obb.h>
 #include "bench/obb_obb/families.h"
 #include "bench/obb_obb/oracle.h"
 #include "bench/random_obb.h"

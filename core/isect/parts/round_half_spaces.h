@@ -182,7 +182,8 @@ bool holds(const Solid& solid, const HalfSpaces& other, Trace&& trace) {
       return left ? k * k * dot(d, d) - place : place;
     };
     for (const bool left : {false, true})
-      if (sign_of<long_text>([&]<class W>() -> W { return along.template operator()<W>(left); }, trace) < 0) return false;
+      if (sign_of<long_text>([&]<class W>() -> W { return along.template operator()<W>(left); }, trace) < 0)
+        return false;
     return sign_of<long_text>(
                [&]<class W>() -> W {
                  return round_solid::beside<W>(solid, corner.template operator()<W>(), scale.template operator()<W>());

@@ -17,10 +17,10 @@
 #include <optional>
 #include <vector>
 
-#include <isect/parts/memo.h>
 #include <isect/numbers/predicate.h>
 #include <isect/numbers/quotient.h>
 #include <isect/parts/fit_tight_guess.h>
+#include <isect/parts/memo.h>
 
 namespace isect::fit_tight::detail {
 
