@@ -15,7 +15,8 @@
 #     -DWORK=<scratch> -DEIGEN=<include> -P zero_cost_trace.cmake
 cmake_minimum_required(VERSION 3.22)
 
-if(CALLS MATCHES "^(RAYS|OUTLINES|LINES|STRAIGHTS|SOLIDS)$" AND NOT "$ENV{ISECT_LONG}" STREQUAL 1)
+set(longest RAYS OUTLINES LINES STRAIGHTS SOLIDS ROUND ROUND_SOLIDS PIECES POLYGONS)
+if(CALLS IN_LIST longest AND NOT "$ENV{ISECT_LONG}" STREQUAL 1)
   message("skipped: these calls take the longest to compile, and are for a long run (ISECT_LONG=1)")
   return()
 endif()
