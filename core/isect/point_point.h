@@ -33,7 +33,7 @@ namespace detail {
 
 /// The sign of |p - q|^2 - tolerance^2, computed as x - y, where that does not settle it.
 template <class S, int N, class Trace>
-[[gnu::noinline]] int settled(const Point<S, N>& p, const Point<S, N>& q, S tolerance, double x, double y,
+[[gnu::noinline]] int sign_of_gap(const Point<S, N>& p, const Point<S, N>& q, S tolerance, double x, double y,
                               Trace&& trace) {
   const Point<double, N> wide_p = p.template cast<double>(), wide_q = q.template cast<double>();
   const auto text = [&]<class W>() -> W {
@@ -71,7 +71,7 @@ bool nearly_equal(const Point<S, N>& p, const Point<S, N>& q, S tolerance, Trace
   const double distance2 = (p.template cast<double>() - q.template cast<double>()).squaredNorm();
   const double tolerance2 = double(tolerance) * double(tolerance);
   const int sign = order_of_squares(distance2, tolerance2, [&] {
-    return point_point::detail::settled<S, N>(p, q, tolerance, distance2, tolerance2, trace);
+    return point_point::detail::sign_of_gap<S, N>(p, q, tolerance, distance2, tolerance2, trace);
   });
   trace(point_point::Distance{sign});
   return sign <= 0;

@@ -22,7 +22,7 @@ namespace detail {
 
 /// The sign of |p - c|^2 - r^2 where doubles do not settle it. Finite arguments.
 template <class S, int N, class Trace>
-[[gnu::noinline]] int settled(const Point<S, N>& point, const Sphere<S, N>& sphere, Trace&& trace) {
+[[gnu::noinline]] int sign_of_gap(const Point<S, N>& point, const Sphere<S, N>& sphere, Trace&& trace) {
   const Point<double, N> p = point.template cast<double>();
   const Sphere<double, N> ball = cast<double>(sphere);
   return sign_of(
@@ -46,7 +46,7 @@ Location locate(const Point<S, N>& point, const Sphere<S, N>& sphere, Trace&& tr
   const double distance2 = (point.template cast<double>() - sphere.center.template cast<double>()).squaredNorm();
   const double radius2 = double(sphere.radius) * double(sphere.radius);
   const int sign = order_of_squares(distance2, radius2, [&] {
-    return finite(point) && finite(sphere) ? point_sphere::detail::settled<S, N>(point, sphere, trace) : 1;
+    return finite(point) && finite(sphere) ? point_sphere::detail::sign_of_gap<S, N>(point, sphere, trace) : 1;
   });
   trace(point_sphere::Distance{sign});
 

@@ -65,19 +65,19 @@ Point<double, N> farthest(const Point<double, N>& center, const Aabb<double, N>&
 
 /// The sign of nearest^2 - r^2 where doubles do not settle it; 1 for what is empty or not finite.
 template <class S, int N, class Trace>
-[[gnu::noinline]] int settled(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace) {
+[[gnu::noinline]] int sign_of_gap(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace) {
   if (empty(sphere) || empty(box) || !finite(sphere) || !finite(box)) return 1;
   const Sphere<double, N> ball = cast<double>(sphere);
-  return point_sphere::detail::settled<double, N>(nearest<N>(ball.center, cast<double>(box)), ball, trace);
+  return point_sphere::detail::sign_of_gap<double, N>(nearest<N>(ball.center, cast<double>(box)), ball, trace);
 }
 
-/// The sign of farthest^2 - r^2. Rounding keeps the order of c - lo and hi - c, so the larger of the two as computed is
-/// the larger one as computed.
+/// The sign of farthest^2 - r^2. Rounding keeps order: the truly larger one of c - lo and hi - c is the larger one as
+/// computed, too, or both come out equal.
 template <int N, class Trace>
 int contained(const Aabb<double, N>& box, const Sphere<double, N>& ball, Trace&& trace) {
   const Vector<double, N> f = (ball.center - box.lo).cwiseMax(box.hi - ball.center);
   return order_of_squares(f.squaredNorm(), ball.radius * ball.radius, [&] {
-    return point_sphere::detail::settled<double, N>(farthest<N>(ball.center, box, trace), ball, trace);
+    return point_sphere::detail::sign_of_gap<double, N>(farthest<N>(ball.center, box, trace), ball, trace);
   });
 }
 
@@ -108,7 +108,7 @@ bool intersects(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace
 
   const bool plain = ordered(distance2, radius2) & (widths.sum() <= std::numeric_limits<S>::max());
   if (!plain) [[unlikely]]
-    return sphere_aabb::detail::settled(sphere, box, trace) <= 0;
+    return sphere_aabb::detail::sign_of_gap(sphere, box, trace) <= 0;
   return (distance2 < radius2) & (std::min(widths.minCoeff(), sphere.radius) >= 0);  // neither is empty
 }
 
@@ -122,7 +122,7 @@ Relation relate(const Sphere<S, N>& sphere, const Aabb<S, N>& box, Trace&& trace
 
   const Vector<double, N> f = ball.center - sphere_aabb::nearest<N>(ball.center, wide_box);
   const int nearest = order_of_squares(f.squaredNorm(), ball.radius * ball.radius,
-                                       [&] { return sphere_aabb::detail::settled(sphere, box, trace); });
+                                       [&] { return sphere_aabb::detail::sign_of_gap(sphere, box, trace); });
   const int farthest = nearest > 0 ? 1 : sphere_aabb::detail::contained<N>(wide_box, ball, trace);
   const bool ball_inside = nearest <= 0 && sphere_aabb::detail::contained<N>(ball, wide_box, trace);
   if constexpr (heard<Trace>) trace(sphere_aabb::Decision{nearest, farthest, ball_inside});

@@ -11,6 +11,7 @@ set(tested_by
   ask_pairs=answer
   bvh_split=many/bvh
   capsule_half_spaces=half_spaces
+  components=bounded
   conventions=shapes
   convex_hull_3d_growth=convex_hull_3d
   directions=kdop_polytope

@@ -1,6 +1,6 @@
 #pragma once
-// The question that an algorithm asks of arithmetic: what sign does this polynomial have? For values it asks
-// isect/numbers/quotient.h.
+// The first of the four entrances to the numbers, sign_of: what sign does this polynomial have? isect/numbers/README.md
+// tells of all four.
 //
 // The polynomial is a text over an arithmetic W, written once as a generic lambda:
 //
@@ -19,6 +19,7 @@
 #include <type_traits>
 
 #include <isect/numbers/bounded.h>
+#include <isect/numbers/components.h>
 #include <isect/numbers/exact.h>
 #include <isect/numbers/grid.h>
 #include <isect/numbers/recorded.h>
@@ -56,23 +57,25 @@ template <class Text, class Trace>
 inline constexpr bool recorded_for = small_code || heard<Trace>;
 template <class Text, class Trace>
 inline constexpr bool recorded_for<NotRecorded<Text>, Trace> = false;
-/// The sign in W, Compensated or finer, by the size and the count of roundings that doubles found.
+/// The sign in W, TripleDouble, by the size and the count of roundings that doubles found.
 template <class W, class Text>
-ISECT_INLINE std::optional<int> sign_on_grid(const Text& text, const Bounded<double>& quick, double step) {
+ISECT_INLINE std::optional<int> sign_in_finer(const Text& text, const Bounded<double>& quick, double step) {
   return sign_on_grid(Bounded<W>(text.template operator()<W>(), quick.size(), quick.roundings()), step);
 }
 ISECT_INLINE bool in_range(const Bounded<double>& x) { return 0x1p-800 < x.size() && x.size() < 0x1p900; }
 
-/// Returns the sign where Compensated leaves it open as well, or is out of range.
+/// Returns the sign of a text whose size is out of range.
+template <class Text>
+[[gnu::noinline]] int sign_out_of_range(const Text& text) {
+  if (const std::optional<int> s = sign_in<ShortExact>(text)) return *s;
+  return exact_sign(text);
+}
+/// Returns the sign where Compensated leaves it open as well.
 template <class Text>
 [[gnu::noinline]] int sign_after_compensated(const Text& text, const Bounded<double>& quick, double step) {
-  if (!in_range(quick)) {
-    if (const std::optional<int> s = sign_in<ShortExact>(text)) return *s;
-    return exact_sign(text);
-  }
   if (step > 0)  // nothing underflows
     if (const std::optional<int> s =
-            compensated([&]<class W>() { return sign_on_grid<finer_than_t<W>>(text, quick, step); }))
+            compensated([&]<class W>() { return sign_in_finer<finer_than_t<W>>(text, quick, step); }))
       return *s;
   if (quick.size() < 0x1p248 * step)
     if (const std::optional<int> s = sign_in<MediumExact>(text)) return *s;
@@ -103,7 +106,7 @@ template <class Text>
     step = text.template operator()<Grid>().step();
     if (quick.error() < step) return 0;
   }
-  return in_range(quick) ? sign_in_compensated(text, quick, step) : sign_after_compensated(text, quick, step);
+  return in_range(quick) ? sign_in_compensated(text, quick, step) : sign_out_of_range(text);
 }
 }  // namespace detail
 
@@ -129,7 +132,7 @@ template <class Algorithm, class W>
   return algorithm(first);
 }
 template <class Algorithm, class Trace>
-[[gnu::noinline, gnu::cold]] auto settled(const Algorithm& algorithm, Trace& trace) {
+[[gnu::noinline, gnu::cold]] auto run_in_full(const Algorithm& algorithm, Trace& trace) {
   return algorithm(trace);
 }
 }  // namespace detail
@@ -150,13 +153,13 @@ inline auto in_doubles_first(const Algorithm& algorithm, Trace& trace) {
       return found;
     });
     if (open) [[unlikely]]
-      result = detail::settled(algorithm, trace);
+      result = detail::run_in_full(algorithm, trace);
     return result;
   } else {
     DoublesOnly<Compensated> first;
     auto result = detail::tried(algorithm, first);
     if (first.open) [[unlikely]]
-      result = detail::settled(algorithm, trace);
+      result = detail::run_in_full(algorithm, trace);
     return result;
   }
 }
@@ -180,49 +183,6 @@ int sign_of(const Text& text, Trace&& trace = {}) {
     else
       return detail::sign_after_doubles(text, quick);
   }
-}
-
-// Vectors of any arithmetic, in as many components as the shape has.
-
-template <class W, int N>
-using Components = std::array<W, N>;
-
-/// x - y, component by component.
-template <PolynomialScalar W, int N>
-ISECT_INLINE Components<W, N> difference(const Point<double, N>& x, const Point<double, N>& y) {
-  Components<W, N> v;
-  for (int i = 0; i < N; ++i) v[i] = difference<W>(x[i], y[i]);
-  return v;
-}
-
-/// x itself in W.
-template <PolynomialScalar W, int N>
-ISECT_INLINE Components<W, N> exactly(const Vector<double, N>& x) {
-  Components<W, N> v;
-  for (int i = 0; i < N; ++i) v[i] = W(x[i]);
-  return v;
-}
-
-template <PolynomialScalar W, std::size_t N>
-ISECT_INLINE W dot(const std::array<W, N>& x, const std::array<W, N>& y) {
-  W sum = x[0] * y[0];
-  for (std::size_t i = 1; i < N; ++i) sum = sum + x[i] * y[i];
-  return sum;
-}
-
-/// A vector of doubles in W, one of W as it is.
-template <PolynomialScalar W, int N>
-ISECT_INLINE Components<W, N> in(const Vector<double, N>& x) {
-  return exactly<W>(x);
-}
-template <PolynomialScalar W, int N>
-ISECT_INLINE const Components<W, N>& in(const Components<W, N>& x) {
-  return x;
-}
-
-template <PolynomialScalar W>
-ISECT_INLINE std::array<W, 3> cross(const std::array<W, 3>& x, const std::array<W, 3>& y) {
-  return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
 }
 
 }  // namespace isect

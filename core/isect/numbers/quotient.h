@@ -1,6 +1,6 @@
 #pragma once
-// The other question that an algorithm asks of arithmetic: what is this quotient of two polynomials? For the first,
-// what sign one has, see isect/numbers/predicate.h.
+// Two of the four entrances to the numbers: value_of, what is this quotient of two polynomials; and signs_of, what signs
+// have its two parts. isect/numbers/README.md tells of all four.
 
 #include <algorithm>
 #include <array>
@@ -86,15 +86,6 @@ ISECT_INLINE std::optional<double> fine_quotient(const Text& text) {
   return good ? std::optional(q) : std::nullopt;
 }
 
-/// The quotient in V by its own bounds, if it is finite there and num and den are within a relative `tolerance`.
-template <class V, class Text>
-[[gnu::noinline]] std::optional<double> bounded_quotient(const Text& text, double tolerance) {
-  const Ratio<Bounded<V>> r = text.template operator()<Bounded<V>>();
-  if (!r.num.within(tolerance) || !r.den.within(tolerance)) return {};
-  const double q = quotient(r.num.value(), r.den.value());
-  return std::isfinite(q) ? std::optional(q) : std::nullopt;  // beyond 2^996 DoubleDouble's steps overflow
-}
-
 /// What is known of K quotients with one denominator.
 template <std::size_t K>
 struct KnownQuotients {
@@ -122,7 +113,7 @@ struct KnownQuotients {
 /// known to be a whole multiple of a step is 0 or not; three of them, about 150; then whole numbers. The steps are
 /// asked for first where doubles found 0, as for shapes that touch on integers, and after two doubles otherwise.
 template <class S, std::size_t K, class Text>
-[[gnu::noinline]] KnownQuotients<K> settled(const Text& text, KnownQuotients<K> known = {}) {
+[[gnu::noinline]] KnownQuotients<K> quotients_by_stages(const Text& text, KnownQuotients<K> known = {}) {
   using Value = std::optional<double>;
   constexpr double tolerance = std::numeric_limits<S>::epsilon() / 3;
   const auto finite_only = [](double q) { return std::isfinite(q) ? Value(q) : std::nullopt; };
@@ -202,28 +193,31 @@ template <class S, std::size_t K, class Text>
 /// The quotient in S, within 2 ulp of S of its true value; infinite beyond the largest S. The text returns a
 /// Ratio<W> whose den is not zero.
 ///
-/// Bound. Each of num and den is within a relative eps / 3 of the truth, eps that of S, or Exact takes over; so the
+/// Bound. Each of num and den is within a relative eps / 3 of the truth, eps that of S, or a finer arithmetic takes over; so the
 /// quotient is within 2/3 eps (1 + eps), at most 1.34 ulp, rounded once to S: within 1.85 ulp in all. Subnormal results
 /// lose what S loses there: half a unit of the least subnormal more. In double most are within 0.51 ulp.
 template <class S, class Text, class Trace = NoTrace>
 S value_of(const Text& text, Trace&& trace = {}) {
-  if constexpr (detail::recorded_for<Text, Trace> && !std::is_same_v<Text, RecordedRatio>)
-    return value_of<S>(RecordedRatio(text), trace);
   constexpr double tolerance = std::numeric_limits<S>::epsilon() / 3;
-  std::optional<double> q;
-  if constexpr (std::is_same_v<S, float>)
-    q = detail::rough_quotient(text, tolerance);
-  else if constexpr (doubles_only<Trace>)
-    q = detail::fine_quotient<typename std::remove_cvref_t<Trace>::Fine>(text);
-  else
-    q = compensated([&]<class W>() { return detail::fine_quotient<W>(text); });
-  if constexpr (doubles_only<Trace>) {
+  if constexpr (detail::recorded_for<Text, Trace> && !std::is_same_v<Text, RecordedRatio>) {
+    return value_of<S>(RecordedRatio(text), trace);
+  } else if constexpr (doubles_only<Trace>) {
+    std::optional<double> q;
+    if constexpr (std::is_same_v<S, float>)
+      q = detail::rough_quotient(text, tolerance);
+    else
+      q = detail::fine_quotient<typename std::remove_cvref_t<Trace>::Fine>(text);
     trace.open |= !q;
     return static_cast<S>(q.value_or(0));
   } else {
+    std::optional<double> q;
+    if constexpr (std::is_same_v<S, float>)
+      q = detail::rough_quotient(text, tolerance);
+    else
+      q = compensated([&]<class W>() { return detail::fine_quotient<W>(text); });
     if (q) return static_cast<S>(*q);
     trace(Fallback{});
-    return static_cast<S>(*detail::settled<S, 1>(text).values[0]);
+    return static_cast<S>(*detail::quotients_by_stages<S, 1>(text).values[0]);
   }
 }
 
@@ -243,7 +237,7 @@ ISECT_INLINE SignsAndValue<S> signs_of(const Text& text, Trace&& trace = {}) {
     const int den = sign_of([&]<class W>() -> W { return text.template operator()<W>().den; }, trace);
     return {sign_of([&]<class W>() -> W { return text.template operator()<W>().num; }, trace), den};
   } else {
-    const detail::KnownQuotients<1> known = detail::settled<S, 1>(text);
+    const detail::KnownQuotients<1> known = detail::quotients_by_stages<S, 1>(text);
     SignsAndValue<S> found = {*known.signs[0], *known.signs[1]};
     if (found.den != 0) found.value = static_cast<S>(*known.values[0]);
     return found;

@@ -1,6 +1,6 @@
 #pragma once
-// The third question that an algorithm asks of arithmetic: what is this root of a quadratic polynomial? For the other
-// two see isect/numbers/predicate.h and isect/numbers/quotient.h.
+// The last of the four entrances to the numbers, root_of: what is this root of a quadratic polynomial?
+// isect/numbers/README.md tells of all four.
 //
 // The roots of a t^2 + 2 b t + c are (-b -+ sqrt D) / a, D = b^2 - a c. Where -b and the square root have opposite
 // signs they cancel, so that root is found from the other one, as the product of both is c / a: with q = |b| + sqrt D
@@ -94,18 +94,20 @@ template <class Text>
 /// where a = 0 with a b of the sign of `side`.
 template <class S, class Text, class Trace = NoTrace>
 S root_of(const Text& text, int side, Trace&& trace = {}) {
-  if constexpr (detail::recorded_for<Text, Trace> && !std::is_same_v<Text, RecordedQuadratic>)
+  if constexpr (detail::recorded_for<Text, Trace> && !std::is_same_v<Text, RecordedQuadratic>) {
     return root_of<S>(RecordedQuadratic(text), side, trace);
-  constexpr double tolerance = std::numeric_limits<S>::epsilon() / 128;
-  using V = std::conditional_t<std::is_same_v<S, float>, double, DoubleDouble>;
-  const std::optional<double> t = detail::bounded_root<V>(text, side, tolerance);
-  if constexpr (doubles_only<Trace>) {
-    trace.open |= !t;
-    return static_cast<S>(t.value_or(0));
   } else {
-    if (t) return static_cast<S>(*t);
-    trace(Fallback{});
-    return static_cast<S>(detail::exact_root(text, side));
+    constexpr double tolerance = std::numeric_limits<S>::epsilon() / 128;
+    using V = std::conditional_t<std::is_same_v<S, float>, double, DoubleDouble>;
+    const std::optional<double> t = detail::bounded_root<V>(text, side, tolerance);
+    if constexpr (doubles_only<Trace>) {
+      trace.open |= !t;
+      return static_cast<S>(t.value_or(0));
+    } else {
+      if (t) return static_cast<S>(*t);
+      trace(Fallback{});
+      return static_cast<S>(detail::exact_root(text, side));
+    }
   }
 }
 

@@ -228,6 +228,15 @@ std::vector<int> support(const std::vector<Point<double, N>>& points, const fit:
   }
 }
 
+/// The quotient in DoubleDouble, if it is finite there and num and den are within a relative `tolerance`.
+template <class Text>
+[[gnu::noinline]] std::optional<double> fine_quotient(const Text& text, double tolerance) {
+  const Ratio<Bounded<DoubleDouble>> r = text.template operator()<Bounded<DoubleDouble>>();
+  if (!r.num.within(tolerance) || !r.den.within(tolerance)) return {};
+  const double q = quotient(r.num.value(), r.den.value());
+  return std::isfinite(q) ? std::optional(q) : std::nullopt;  // beyond 2^996 DoubleDouble's steps overflow
+}
+
 /// The center of the smallest ball through these points, which are independent. Each coordinate is the nearest number
 /// of S, up to 0.001 ulp: the quotient is, to a relative 2^-69, rounded once, and for float once more, by a 2^-29th of
 /// that.
@@ -239,7 +248,7 @@ Point<S, N> center(const Through<N>& ball) {
       const Way<W, N>& v = ball.template way<W>();
       return {W(ball.first()[k]) * v.den + v.num[k], v.den};
     };
-    const std::optional<double> quick = isect::detail::bounded_quotient<DoubleDouble>(coordinate, 0x1p-70);
+    const std::optional<double> quick = fine_quotient(coordinate, 0x1p-70);
     if (quick && std::abs(*quick) > 0x1p-900) {
       c[k] = static_cast<S>(*quick);
     } else {

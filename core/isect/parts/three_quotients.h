@@ -41,7 +41,7 @@ ISECT_INLINE std::array<S, 3> values_of(const Text& text, const std::array<bool,
     detail::KnownQuotients<3> known;
     for (int i = 0; i < 3; ++i)
       if (zero[i]) known.values[i] = 0;
-    known = detail::settled<S>(text, known);
+    known = detail::quotients_by_stages<S>(text, known);
     return {static_cast<S>(*known.values[0]), static_cast<S>(*known.values[1]), static_cast<S>(*known.values[2])};
   } else {
     const auto value = [&](auto part, bool is_zero) -> S {
