@@ -34,7 +34,7 @@ namespace detail {
 /// The sign of |p - q|^2 - tolerance^2, computed as x - y, where that does not settle it.
 template <class S, int N, class Trace>
 [[gnu::noinline]] int sign_of_gap(const Point<S, N>& p, const Point<S, N>& q, S tolerance, double x, double y,
-                              Trace&& trace) {
+                                  Trace&& trace) {
   const Point<double, N> wide_p = p.template cast<double>(), wide_q = q.template cast<double>();
   const auto text = [&]<class W>() -> W {
     const Components<W, N> f = difference<W, N>(wide_p, wide_q);

@@ -1,6 +1,6 @@
 #pragma once
-// Two of the four entrances to the numbers: value_of, what is this quotient of two polynomials; and signs_of, what signs
-// have its two parts. isect/numbers/README.md tells of all four.
+// Two of the four entrances to the numbers: value_of, what is this quotient of two polynomials; and signs_of, what
+// signs have its two parts. isect/numbers/README.md tells of all four.
 
 #include <algorithm>
 #include <array>
@@ -193,9 +193,10 @@ template <class S, std::size_t K, class Text>
 /// The quotient in S, within 2 ulp of S of its true value; infinite beyond the largest S. The text returns a
 /// Ratio<W> whose den is not zero.
 ///
-/// Bound. Each of num and den is within a relative eps / 3 of the truth, eps that of S, or a finer arithmetic takes over; so the
-/// quotient is within 2/3 eps (1 + eps), at most 1.34 ulp, rounded once to S: within 1.85 ulp in all. Subnormal results
-/// lose what S loses there: half a unit of the least subnormal more. In double most are within 0.51 ulp.
+/// Bound. Each of num and den is within a relative eps / 3 of the truth, eps that of S, or a finer arithmetic takes
+/// over; so the quotient is within 2/3 eps (1 + eps), at most 1.34 ulp, rounded once to S: within 1.85 ulp in all.
+/// Subnormal results lose what S loses there: half a unit of the least subnormal more. In double most are within 0.51
+/// ulp.
 template <class S, class Text, class Trace = NoTrace>
 S value_of(const Text& text, Trace&& trace = {}) {
   constexpr double tolerance = std::numeric_limits<S>::epsilon() / 3;
