@@ -114,8 +114,8 @@ query::Answer answer(Lines::Next next, const std::string& line, std::size_t numb
     case Lines::Next::out_of_memory:
       return query::out_of_memory(number);
     default:
-      return scene::is_scene_line(line) ? scene::answer_line(line, number, options.files)
-                                        : query::answer(line, number, options.strict);
+      if (const auto scene = scene::answer_line(line, number, options.files)) return *scene;
+      return query::answer(line, number, options.strict);
   }
 }
 

@@ -27,6 +27,7 @@ struct Hit {
   std::size_t object;
   double t;
   mutable std::optional<Place> place = {};  ///< t itself, if it was asked for
+  std::optional<viz::Item> mark = {};       ///< what shows where they meet
 };
 
 /// Whether their doubles, each within 4 ulp of the true t, leave no doubt that x is less than y.
@@ -51,7 +52,12 @@ std::optional<Hit> thin_hit(const Context& c, std::size_t ray, std::size_t i) {
   if (!(type == Type::point || type == Type::cloud || type == Type::plane || runs_along_a_line(type))) return {};
   const std::optional<Place> place = first_place(c.shaped(ray), c.shaped(i));
   if (!place) return {};
-  return Hit{i, nearest(*place), place};
+  return Hit{i, nearest(*place), place, {}};
+}
+
+/// Returns what shows where two objects meet.
+std::optional<viz::Item> mark_of(const Told& told) {
+  return told.marks.empty() ? std::nullopt : std::optional(told.marks.front());
 }
 
 /// What a ray meets of some objects.
@@ -68,9 +74,9 @@ Hits hits_of(const Context& c, std::size_t ray, const std::vector<std::size_t>& 
     if (told.open)
       hits.open.push_back(i);
     else if (told.answer.t)
-      hits.in_order.push_back({i, *told.answer.t});
+      hits.in_order.push_back({i, *told.answer.t, {}, mark_of(told)});
     else if (const std::optional<Hit> hit = thin_hit(c, ray, i))
-      hits.in_order.push_back(*hit);
+      hits.in_order.push_back({i, hit->t, hit->place, mark_of(told)});
     else if (c.object(ray).type == Type::line && told.verdict.kind != viz::Verdict::Kind::no)
       hits.endless.push_back(i);
   }
@@ -157,8 +163,7 @@ Answered answered(const Context& c, const FirstHitAsked& asked) {
     if (std::isfinite(hit.t)) out.values.push_back({"*t* of " + c.name(hit.object), hit.t, "t", viz::Role::hit, true});
     out.lit.push_back(hit.object);
     out.json["hits"].push_back({{"object", c.object(hit.object).name}, {"t", query::number(hit.t)}});
-    const Told told = ask(c.shaped(asked.ray), c.shaped(hit.object));
-    if (!told.marks.empty()) out.items.push_back(told.marks.front());
+    if (hit.mark) out.items.push_back(*hit.mark);
   }
   out.caption = hits.empty() && found.endless.empty() ? "Each object was asked; none is met."
                 : hits.empty()                        ? "Each object was asked."

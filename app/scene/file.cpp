@@ -20,13 +20,15 @@ namespace {
 
 class SceneReader {
  public:
-  SceneReader(const std::string& text, const std::string& folder) : source_(text), folder_(folder) {}
+  SceneReader(Source source, const std::string& folder, const std::vector<std::string>& beside)
+      : source_(std::move(source)), folder_(folder), beside_(beside) {}
 
   File read() {
     if (json().is_object() && json().contains("lesson") && !json().contains("objects"))
       source_.refuse({"lesson"},
                      "this is a preset’s file, which show, render and explain take; a scene has \"objects\"");
-    source_.only(json(), {}, {"title", "objects", "ask", "notes", "camera"});
+    std::vector<std::string> allowed = {"title", "objects", "ask", "notes", "camera"};
+    source_.only(json(), {}, {"title", "objects", "ask", "notes", "camera"}, beside_);
     file_.title = json().contains("title") ? source_.text(json()["title"], {"title"}) : "A scene";
     ReadObjects objects = read_objects(source_, folder_);
     file_.objects = std::move(objects.all), file_.parameters = std::move(objects.parameters);
@@ -267,6 +269,7 @@ class SceneReader {
 
   Source source_;
   const std::string& folder_;
+  const std::vector<std::string>& beside_;
   File file_;
 };
 
@@ -300,6 +303,9 @@ bool is_scene(const std::string& text) {
   return json.is_discarded() && text.find("\"objects\"") != text.npos;  // meant as a scene, though broken
 }
 
-File read_scene(const std::string& text, const std::string& folder) { return SceneReader(text, folder).read(); }
+File read_scene(Source source, const std::string& folder, const std::vector<std::string>& beside) {
+  return SceneReader(std::move(source), folder, beside).read();
+}
+File read_scene(const std::string& text, const std::string& folder) { return read_scene(Source(text), folder, {}); }
 
 }  // namespace isect::program::scene

@@ -29,14 +29,14 @@ void require_own_files(const Json& objects, const std::optional<std::string>& fo
   }
 }
 
-/// Returns the line's answers as a list. Fields that are not a scene's own are removed first.
+/// Returns the line's answers as a list.
 std::string result_of(const std::string& line, const std::optional<std::string>& folder) {
-  Json scene = Json::parse(line);
-  scene.erase("id");
-  for (const std::string& name : query::notes()) scene.erase(name);
-  require_own_files(scene["objects"], folder);
+  Source source(line);
+  require_own_files(source.json()["objects"], folder);
+  std::vector<std::string> beside = query::notes();
+  beside.push_back("id");
   std::string list;
-  each_answer(read_scene(scene.dump(), folder.value_or("")),
+  each_answer(read_scene(std::move(source), folder.value_or(""), beside),
               [&](const Json& answer) { list += (list.empty() ? "[" : ",") + query::written(answer); });
   return list.empty() ? "[]" : list + "]";
 }
@@ -47,27 +47,27 @@ std::string without_line(std::string what) {
   return what.starts_with(place) ? what.substr(place.size()) : what;
 }
 
-}  // namespace
-
-bool is_scene_line(const std::string& line) try {
-  if (line.size() > query::most_bytes() || line.find("\"objects\"") == line.npos) return false;
-  const query::Document document(line);
+bool is_scene_line(const query::Document& document) {
   if (!document.error.empty() || document.value(0).type != query::Type::object) return false;
   const query::Field fields(document, 0);
   return fields.find("objects") && !fields.find("kind");
-} catch (const std::bad_alloc&) {
-  return false;  // the next reader reports it
 }
 
-query::Answer answer_line(const std::string& line, std::size_t number, const std::optional<std::string>& folder) {
+}  // namespace
+
+std::optional<query::Answer> answer_line(const std::string& line, std::size_t number,
+                                         const std::optional<std::string>& folder) {
+  if (line.size() > query::most_bytes() || line.find("\"objects\"") == line.npos) return {};
   std::string id = "null";
   const auto failed = [&](const std::string& what) -> query::Answer {
     const std::string where = id == "null" && number > 0 ? fmt::format("line {}: ", number) : "";
     return {fmt::format(R"({{"id":{},"error":{}}})", id, query::written(where + without_line(what))), true};
   };
   try {
-    id = query::Document(line).id;
-    return {fmt::format(R"({{"id":{},"result":{}}})", id, result_of(line, folder)), false};
+    const query::Document document(line);
+    if (!is_scene_line(document)) return {};
+    id = document.id;
+    return query::Answer{fmt::format(R"({{"id":{},"result":{}}})", id, result_of(line, folder)), false};
   } catch (const std::bad_alloc&) {
     return query::out_of_memory(number);
   } catch (const std::exception& e) {

@@ -144,10 +144,11 @@ std::string Source::place(const Path& path) const {
   return fmt::format("line {}: {}", line_of(path), path.empty() ? "the file" : told(path));
 }
 
-void Source::only(const Json& object, const Path& path, const std::vector<std::string>& allowed) const {
+void Source::only(const Json& object, const Path& path, const std::vector<std::string>& allowed,
+                  const std::vector<std::string>& ignored) const {
   if (!object.is_object()) refuse(path, "an object in braces is expected");
   for (const auto& [key, value] : object.items())
-    if (std::ranges::find(allowed, key) == allowed.end())
+    if (std::ranges::find(allowed, key) == allowed.end() && std::ranges::find(ignored, key) == ignored.end())
       refuse(below(path, key), "unknown" + spelling::instead(key, allowed, "allowed: " + spelling::listed(allowed)));
 }
 

@@ -25,7 +25,8 @@ class Source {
   std::string place(const Path&) const;
 
   // Return or check what is expected at a place; anything else is refused.
-  void only(const Json& object, const Path&, const std::vector<std::string>& allowed) const;
+  void only(const Json& object, const Path&, const std::vector<std::string>& allowed,
+            const std::vector<std::string>& ignored = {}) const;
   const Json& member(const Json& object, const Path&, const std::string& key) const;
   std::string text(const Json&, const Path&) const;
   double number(const Json&, const Path&) const;

@@ -117,7 +117,7 @@ class Judge {
           things.back().points.empty())  // a frustum whose planes are rounded
         return static_cast<void>(++refused_["a scene with an empty " + things.back().type]);
     }
-    const Json line = Json::parse(scene::answer_line(text_of(drawn.objects, ask).dump(), 1).text);
+    const Json line = Json::parse(scene::answer_line(text_of(drawn.objects, ask).dump(), 1).value().text);
     for (std::size_t i = 0; i < file.asked.size(); ++i) {
       const auto [a, b] = std::get<scene::PairAsked>(file.asked[i]);
       one_pair(drawn, context, a, b, things, line.contains("result") ? line["result"][i] : Json());
