@@ -51,7 +51,7 @@ bool has_no_point(const Aabb<S, N>& box) {
 }
 template <class S, int N>
 bool has_no_point(const Obb<S, N>& box) {
-  return !obb_obb::detail::exists(box, NoTrace());
+  return !has_points(box);
 }
 template <class S>
 bool has_no_point(const Cylinder<S>& cylinder) {

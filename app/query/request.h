@@ -234,8 +234,7 @@ Obb<S, N> obb(const Field& request) {
   for (const Field row : request["u"].list(N)) b.axes.col(i++) = vector<S, N>(row);
   b.half = vector<S, N>(request["e"]);
   request["e"].need_points(empty(b), Described<Obb<S, N>>::needs[0].otherwise);
-  request["u"].need_points(!obb_obb::detail::exists(b, NoTrace()),
-                           "there is no such box: its axes depend on each other");
+  request["u"].need_points(!has_points(b), "there is no such box: its axes depend on each other");
   return b;
 }
 /// Reads normals, and {lo, hi} lists of as many ends.

@@ -2,7 +2,7 @@
 // Oriented box against oriented box, exactly right: separating axes. isect/parts/obb_obb_axes.h says which they are,
 // and why they suffice.
 //
-// The first pass is the classical test in plain doubles, with a proved margin in place of its epsilon. It settles
+// The first pass is the classical test in the scalar itself, with a proved margin in place of its epsilon. It settles
 // nearly all pairs; the axes of the others are tested exactly, one by one, each by the sign of a polynomial. The
 // classical test itself stands in isect/methods/obb_obb.h. Source: Gottschalk, Lin, Manocha, OBBTree, SIGGRAPH 1996;
 // Ericson, Real-Time Collision Detection (2005), 4.4.1.
@@ -103,6 +103,12 @@ bool exists(const Obb<S, N>& box, Trace&& trace) {
 }  // namespace detail
 
 }  // namespace obb_obb
+
+/// Whether a box has a point: its numbers are finite, its half-lengths not negative, its axes independent. Exact.
+template <class S, int N>
+bool has_points(const Obb<S, N>& box) {
+  return obb_obb::detail::exists(box, NoTrace());
+}
 
 /// An axis that separates the boxes; of several, one that plain doubles are sure of. Nothing when the boxes have a
 /// common point, and for boxes without points (see `intersects`). Exact.

@@ -2,8 +2,7 @@
 // The side of a line, or of a plane, that a point is on: the predicate that most others are made of.
 //
 // Source: Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, Discrete
-// Comput. Geom. 18 (1997); Ozaki et al., Simple floating-point filters for the two-dimensional orientation problem,
-// BIT 56 (2016), for the filter in orient2d.
+// Comput. Geom. 18 (1997).
 
 #include <isect/numbers/predicate.h>
 #include <isect/shapes.h>

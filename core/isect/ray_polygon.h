@@ -80,7 +80,7 @@ PlanePoint<W> plane_point(const Ray<double, 3>& ray, const Ring<S, 3>& ring) {
   return result;
 }
 
-/// P, found once in the arithmetic of the filter and, where that can't decide, once in each of the others: a sum over
+/// P, found once in doubles and, where that can't decide, once in each of the others: a sum over
 /// all vertices each time, which no sign of a vertex or an edge may cost.
 template <class S>
 class Crossing {

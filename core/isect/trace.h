@@ -19,7 +19,7 @@ struct NoTrace {
   constexpr void operator()(const Event&) const {}
 };
 
-/// Keeps every event in order. `Event` is the header's own std::variant, such as ray_sphere::Event<double, 3>.
+/// Keeps every event in order. `Event` is the header's own std::variant, such as ray_sphere::Event.
 template <class Event>
 struct Record {
   std::vector<Event> events;

@@ -1,5 +1,5 @@
 #pragma once
-// The first pass of isect/obb_obb.h: the classical test in plain doubles, with a proved margin in place of an epsilon.
+// The first pass of isect/obb_obb.h: the classical test in the scalar itself, with a proved margin for an epsilon.
 
 #include <algorithm>
 #include <cmath>
