@@ -194,6 +194,12 @@ void current_line(Player& player, Ui& ui, const Rect& r) {
   code_line(player, ui, player.step().line, laid_out_alone(player, ui, r.width()), 34, r, false);
 }
 
+void parted_mark(Ui& ui, const std::string& name, const Rect& r, bool lit) {
+  ui.rects[name] = r;
+  outlined(r, ui.palette.miss, 1.5f, 5);
+  text(ui.fonts.small, r.left + 7, r.middle_y(), packed(lit ? ui.palette.on_highlight : ui.palette.miss), "≠", 0.5f);
+}
+
 void code_panel(Player& player, Ui& ui, const Rect& r, const Parted* parted) {
   begin_region(ui, "code panel", r);
   ImGui::GetWindowDrawList()->AddRectFilled({r.left, r.top}, {r.left + 1, r.bottom}, packed(ui.palette.rule));

@@ -7,13 +7,12 @@ namespace isect::viz {
 
 /// Texts and buttons set below each other.
 struct Column {
-  WindowSession& s;
+  Ui& ui;
   float x, y, width;
 
   void paragraph(const std::string& markup, const Colour& colour, double size = 15, double pitch = 23,
                  bool bold = false) {
-    y += rich(s.ui,
-              {.markup = markup, .width = width, .size = size, .line_pitch = pitch, .bold = bold, .colour = colour},
+    y += rich(ui, {.markup = markup, .width = width, .size = size, .line_pitch = pitch, .bold = bold, .colour = colour},
               {x, y})
              .y;
   }
@@ -22,17 +21,18 @@ struct Column {
 };
 
 /// Draws the question before the next step, or the result of the one before this step. `fresh`: it was not there in the
-/// last frame. (question.cpp)
-void question(Column&, bool fresh);
+/// last frame. `values`: it names those that are known, which no panel shows. (question.cpp)
+void question(Column&, Player&, bool fresh, bool values);
 /// Draws, where the current line errs as published, what it should be and a button to see it fail. (practice.cpp)
-void erratum(Column&);
+void erratum(Column&, Player&, Toast&);
 /// Draws, on the closing card, what was answered wrong, to be answered again. (practice.cpp)
-void missed(Column&);
-/// Draws the closing card's exercises, each to be tried or looked up. (practice.cpp)
-void exercises(Column&);
+void missed(Column&, Player&, const Settings&);
+/// Draws the closing card's exercises, each to be tried or looked up: then its solution is among those `shown`.
+/// (practice.cpp)
+void exercises(Column&, Player&, std::set<const Exercise*>& shown, Toast&);
 /// Draws the lessons in which this one's ideas occur again, each to be opened. (practice.cpp)
-void same_ideas(Column&);
+void same_ideas(Column&, Player&, Toast&);
 /// Draws the exercise that is being tried, and whether its setting has been found. (practice.cpp)
-void exercise_on_hand(Column&);
+void exercise_on_hand(Column&, Player&);
 
 }  // namespace isect::viz

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viz/chart/case_map.h"
 #include "viz/player/camera_moves.h"
 #include "viz/player/practice.h"
 #include "viz/text/rich_text.h"
@@ -17,26 +16,26 @@ bool pressed(key::Code code, bool repeat = false) { return ImGui::IsKeyPressed(c
 
 void paste(WindowSession& s) {
   const char* text = ImGui::GetClipboardText();
-  if (!text || !*text) return s.complain("The clipboard holds no text");
+  if (!text || !*text) return s.toast.complain("The clipboard holds no text");
   const std::string words = text;
   if (words.find_first_not_of(" \t\r\n") != words.find('{'))
-    return s.complain("The clipboard holds some other text; Ctrl+C copies a state that can be pasted");
-  s.attempt([&] {
+    return s.toast.complain("The clipboard holds some other text; Ctrl+C copies a state that can be pasted");
+  attempt(s.toast, [&] {
     const ReaderState state = reader_state_from_json(text, s.player.lessons());
     s.player.go(state);
     s.settings.beside = beside_of(state);
-    s.say("State pasted. Ctrl+Z goes back");
+    s.toast.say("State pasted. Ctrl+Z goes back");
   });
 }
 
 void with_control(WindowSession& s) {
   if (pressed(key::o)) s.requests.sheet = Sheet::picker;
   const bool again = pressed(key::y) || (pressed(key::z) && ImGui::GetIO().KeyShift);
-  s.attempt([&] {
+  attempt(s.toast, [&] {
     if (again) {
-      if (!s.player.redo()) s.say("Nothing to do again");
+      if (!s.player.redo()) s.toast.say("Nothing to do again");
     } else if (pressed(key::z) && !s.player.undo()) {
-      s.say("Nothing to take back");
+      s.toast.say("Nothing to take back");
     }
   });
   if (pressed(key::v)) paste(s);
@@ -49,25 +48,24 @@ void with_control(WindowSession& s) {
   size = std::clamp(std::round(10 * size) / 10, least_size, most_size);
   if (!pressed(key::c)) return;
   ReaderState state = s.player.reader_state();
-  if (two_panes(s)) state.beside = OtherSide{s.settings.beside->method, s.settings.beside->preset};
+  if (two_panes(s.player, s.settings)) state.beside = OtherSide{s.settings.beside->method, s.settings.beside->preset};
   ImGui::SetClipboardText(to_json(state).c_str());
-  s.say("State copied as JSON");
+  s.toast.say("State copied as JSON");
 }
 
 /// Loads the preset after the one loaded last, or before it.
-void neighbour_preset(WindowSession& s, int by) {
-  const std::vector<const Preset*> group = s.player.played().group();
+void neighbour_preset(Player& player, Toast& toast, int by) {
+  const std::vector<const Preset*> group = player.played().group();
   const int count = static_cast<int>(group.size());
   if (count == 0) return;
-  const auto at = std::ranges::find(group, s.player.origin(), &Preset::id);
+  const auto at = std::ranges::find(group, player.origin(), &Preset::id);
   const int now = at == group.end() ? (by > 0 ? -1 : 0) : static_cast<int>(at - group.begin());
-  s.attempt([&] { s.player.load(*group[static_cast<std::size_t>((now + by + count) % count)]); });
+  attempt(toast, [&] { player.load(*group[static_cast<std::size_t>((now + by + count) % count)]); });
 }
 
 /// Moves through the widgets, one after the other; also in a sheet, while its search field takes the letters.
-void focus_keys(WindowSession& s, bool in_popup) {
+void focus_keys(Focus& focus, bool in_popup) {
   const ImGuiIO& io = ImGui::GetIO();
-  Focus& focus = s.ui.focus;
   if (io.MouseClicked[0]) focus.clear();
   if (in_popup && !io.KeyCtrl && pressed(key::tab, true)) focus.move(io.KeyShift ? -1 : 1);
   if ((io.WantTextInput && !in_popup) || io.KeyCtrl || io.KeyShift) return;
@@ -84,8 +82,8 @@ void moving_keys(WindowSession& s) {
   const bool shift = ImGui::GetIO().KeyShift;  // with it the arrows turn the scene, or move a handle
   if (!shift && pressed(key::right, true)) player.next();
   if (!shift && pressed(key::left, true)) player.back();
-  if (pressed(key::page_down, true)) neighbour_preset(s, 1);
-  if (pressed(key::page_up, true)) neighbour_preset(s, -1);
+  if (pressed(key::page_down, true)) neighbour_preset(player, s.toast, 1);
+  if (pressed(key::page_up, true)) neighbour_preset(player, s.toast, -1);
   if (pressed(key::escape)) s.ui.focus.clear();
   if (pressed(key::home)) player.first();
   if (pressed(key::end)) player.last();
@@ -94,13 +92,13 @@ void moving_keys(WindowSession& s) {
   if (pressed(key::f12)) s.requests.sheet = Sheet::save;
   if (pressed(key::f11)) {
     s.full_screen = !s.full_screen;
-    if (s.full_screen) s.say("Ctrl + and Ctrl − change the size of everything, Tab hides the panels");
+    if (s.full_screen) s.toast.say("Ctrl + and Ctrl − change the size of everything, Tab hides the panels");
   }
 }
 
-void load_number(WindowSession& s, std::size_t number) {
-  const std::vector<const Preset*> group = s.player.played().group();
-  if (number <= group.size()) s.attempt([&] { s.player.load(*group[number - 1]); });
+void load_number(Player& player, Toast& toast, std::size_t number) {
+  const std::vector<const Preset*> group = player.played().group();
+  if (number <= group.size()) attempt(toast, [&] { player.load(*group[number - 1]); });
 }
 
 /// Gives the answer that is this digit, unless another answer begins with it, too. Otherwise it does nothing: loading a
@@ -114,38 +112,33 @@ void answer_with(Player& player, char digit) {
     player.answer(static_cast<int>(found - choices.begin()));
 }
 
-/// Handles characters, not keys: they work on every keyboard layout.
-void character(WindowSession& s, char c) {
+/// Does what a letter or a sign asks for.
+void command(WindowSession& s, char c) {
   Player& player = s.player;
-  if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  if (c >= '0' && c <= '9' && player.quiz().asked()) return answer_with(player, c);
-  if (c >= '0' && c <= '9') return load_number(s, c == '0' ? 10 : static_cast<std::size_t>(c - '0'));
-  if (player.quiz().asked() && c >= 'a' && c - 'a' < static_cast<int>(player.quiz().asked()->choices.size()))
-    return player.answer(c - 'a');
   switch (c) {
     case ' ':
       return player.toggle_play();
     case '[':
-      return s.attempt([&] { player.open_neighbour(-1); });
+      return attempt(s.toast, [&] { player.open_neighbour(-1); });
     case ']':
-      return s.attempt([&] { player.open_neighbour(1); });
+      return attempt(s.toast, [&] { player.open_neighbour(1); });
     case 'e':
-      return s.attempt([&] { show_erratum(player); });
+      return attempt(s.toast, [&] { show_erratum(player); });
     case 'g':
       s.requests.sheet = Sheet::terms;
       return;
     case 'm':
       s.settings.reduced_motion = !s.settings.reduced_motion;
       player.reduce_motion(s.settings.reduced_motion);
-      return s.say(s.settings.reduced_motion ? "Nothing moves by itself now" : "Steps and views glide again");
+      return s.toast.say(s.settings.reduced_motion ? "Nothing moves by itself now" : "Steps and views glide again");
     case 'n':
-      return pass_questions(s);
+      return pass_questions(player, s.settings, s.toast);
     case 'v':
-      return toggle_panes(s);
+      return toggle_panes(player, s.settings, s.toast);
     case 'w':
-      return show_map(s);
+      return show_map(player, s.settings, s.toast);
     case 'r':
-      return s.attempt([&] { player.restart(); });
+      return attempt(s.toast, [&] { player.restart(); });
     case 'p':
       return set_perspective(player, true);
     case 'o':
@@ -170,6 +163,16 @@ void character(WindowSession& s, char c) {
   }
 }
 
+/// Handles characters, not keys: they work on every keyboard layout.
+void character(WindowSession& s, char c) {
+  if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const Question* const asked = s.player.quiz().asked();
+  if (c >= '0' && c <= '9' && asked) return answer_with(s.player, c);
+  if (c >= '0' && c <= '9') return load_number(s.player, s.toast, c == '0' ? 10 : static_cast<std::size_t>(c - '0'));
+  if (asked && c >= 'a' && c - 'a' < static_cast<int>(asked->choices.size())) return s.player.answer(c - 'a');
+  command(s, c);
+}
+
 }  // namespace
 
 bool keeps_file(const WindowSession& s) { return s.scene_file.save && !s.player.lesson().made_from.empty(); }
@@ -179,10 +182,10 @@ void save_back(WindowSession& s) {
     s.requests.sheet = Sheet::save;
     return;
   }
-  s.attempt([&] {
+  attempt(s.toast, [&] {
     s.scene_file.save(s.player.parameters());
     s.player.reread();
-    s.say("Saved into the scene's file");
+    s.toast.say("Saved into the scene's file");
   });
 }
 
@@ -191,28 +194,14 @@ bool may_leave(WindowSession& s) {
       !keeps_file(s) || !s.player.played().preset_id().empty() || s.scene_file.told_unsaved == s.player.revision();
   if (saved) return true;
   s.scene_file.told_unsaved = s.player.revision();
-  s.complain("This scene is not saved: Ctrl+S saves it; Ctrl+Q once more leaves it as its file is");
+  s.toast.complain("This scene is not saved: Ctrl+S saves it; Ctrl+Q once more leaves it as its file is");
   return false;
-}
-
-void show_map(WindowSession& s) {
-  if (!s.player.lesson().map) return s.say_here("This lesson has no map of cases");
-  if (s.player.step().slug == case_map_slug) return s.say_here("This step is the map of cases");
-  if (!has_map(s.player)) return s.say_here("This setting has no place on the map of cases");
-  s.settings.map = !s.settings.map;
-  if (s.settings.map) s.settings.beside.reset();
-}
-
-void pass_questions(WindowSession& s) {
-  s.settings.nonstop = !s.settings.nonstop;
-  s.player.clock().stop_at_questions(!s.settings.nonstop);
-  s.say(s.settings.nonstop ? "Play passes over questions now" : "Play stops at questions again");
 }
 
 void keys(WindowSession& s) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool in_popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
-  focus_keys(s, in_popup);
+  focus_keys(s.ui.focus, in_popup);
   if (io.WantTextInput || in_popup) return;
   if (io.KeyCtrl) return with_control(s);
   moving_keys(s);

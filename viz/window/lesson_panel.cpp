@@ -18,7 +18,7 @@ constexpr float panel_margin = 20;
 
 /// Draws the formula as large as it fits on one line; on several lines where it would be hard to read.
 void formula_card(Column& c, const std::string& markup) {
-  Ui& ui = c.s.ui;
+  Ui& ui = c.ui;
   constexpr double largest = 24, least = 17;
   Paragraph p{.markup = markup, .size = largest, .line_pitch = 30, .math = true, .colour = ui.palette.text};
   const float room = c.width - 24, natural = ui.texts.size_of(p).x;
@@ -33,11 +33,11 @@ void formula_card(Column& c, const std::string& markup) {
 }
 
 /// Draws what each method says of this setting, and a button to keep a setting in which they differ.
-void side_by_side(Column& c) {
-  const std::vector<Opinion>& said = c.s.player.played().opinions();
-  const bool known = c.s.player.index() >= outcome(c.s.player.walk());  // before that they would give the answer away
+void side_by_side(Column& c, const Player& player, Requests& requests) {
+  const std::vector<Opinion>& said = player.played().opinions();
+  const bool known = player.index() >= outcome(player.walk());  // before that they would give the answer away
   if (said.empty() || !known) return;
-  Ui& ui = c.s.ui;
+  Ui& ui = c.ui;
   c.y += 24;
   c.paragraph("Methods side by side", ui.palette.text, 15, 23, true);
   const float top = c.y;
@@ -49,21 +49,21 @@ void side_by_side(Column& c) {
     c.x -= 22, c.width += 22;
   }
   ui.rects["methods side by side"] = {c.x, top, c.x + c.width, c.y};
-  if (!c.s.player.played().methods_differ()) return;
+  if (!player.played().methods_differ()) return;
   c.y += 8;
-  if (chip(ui, "save preset", {c.x, c.y, c.x + 180, c.y + 34}, "Save as preset", false))
-    c.s.requests.save_preset = true;
+  if (chip(ui, "save preset", {c.x, c.y, c.x + 180, c.y + 34}, "Save as preset", false)) requests.save_preset = true;
   c.y += 34;
 }
 
 /// `fresh`: these words were not there in the last frame.
-void lesson_text(WindowSession& s, const Rect& r, bool fresh, bool low) {
-  const Step& step = s.player.step();
-  const Palette& ink = s.ui.palette;
+void lesson_text(const LessonPanel& panel, const Rect& r, bool fresh, bool low) {
+  const Step& step = panel.player.step();
+  const Palette& ink = panel.ui.palette;
   const float top = ImGui::GetCursorScreenPos().y;  // moves with the scroll
-  Column c{s, r.left + panel_margin, top + (low ? 10.0f : 18.0f), r.width() - 2 * panel_margin};
-  exercise_on_hand(c);
-  if (s.player.quiz().asked()) {  // the scene is the next step's already: the words of this one would be taken for its
+  Column c{panel.ui, r.left + panel_margin, top + (low ? 10.0f : 18.0f), r.width() - 2 * panel_margin};
+  exercise_on_hand(c, panel.player);
+  if (panel.player.quiz()
+          .asked()) {  // the scene is the next step's already: the words of this one would be taken for its
     c.y -= 24;
   } else {
     c.paragraph(step.title, ink.text, 19, 26, true);
@@ -77,13 +77,14 @@ void lesson_text(WindowSession& s, const Rect& r, bool fresh, bool low) {
       c.y += 8;
       c.paragraph(step.source, ink.muted, 13, 19);
     }
-    erratum(c);
+    erratum(c, panel.player, panel.toast);
   }
-  question(c, fresh);
+  question(c, panel.player, fresh, false);
   if (step.slug == closing_slug)
-    missed(c), exercises(c), same_ideas(c);
+    missed(c, panel.player, panel.settings), exercises(c, panel.player, panel.words.solutions, panel.toast),
+        same_ideas(c, panel.player, panel.toast);
   else
-    side_by_side(c);
+    side_by_side(c, panel.player, panel.requests);
   ImGui::SetCursorScreenPos({r.left, c.y});
   ImGui::Dummy({1, 16});
 }
@@ -122,22 +123,22 @@ std::vector<Hint> hints_of(const Player& player, bool map) {
 
 constexpr float hint_sign = 28, hint_gap = 20;
 
-Paragraph words_of(const WindowSession& s, const Hint& hint, float width) {
-  return {.markup = hint.markup, .width = width, .line_pitch = 21, .colour = s.ui.palette.muted};
+Paragraph words_of(const Ui& ui, const Hint& hint, float width) {
+  return {.markup = hint.markup, .width = width, .line_pitch = 21, .colour = ui.palette.muted};
 }
 
-float hint_height(WindowSession& s, const Hint& hint, float width) {
-  return s.ui.texts.size_of(words_of(s, hint, width - hint_sign)).y + 11;
+float hint_height(Ui& ui, const Hint& hint, float width) {
+  return ui.texts.size_of(words_of(ui, hint, width - hint_sign)).y + 11;
 }
 
-float hints_height(WindowSession& s, const std::vector<Hint>& hints, float width) {
+float hints_height(Ui& ui, const std::vector<Hint>& hints, float width) {
   float height = 0;
-  for (const Hint& hint : hints) height += hint_height(s, hint, width);
+  for (const Hint& hint : hints) height += hint_height(ui, hint, width);
   return height;
 }
 
-void hint_mark(const WindowSession& s, const Hint& hint, float x, float y) {
-  const Theme& theme = s.ui.palette.theme;
+void hint_mark(const Ui& ui, const Hint& hint, float x, float y) {
+  const Theme& theme = ui.palette.theme;
   if (hint.turns)
     turn_sign(x + 9, y, theme.ink(hint.role));
   else
@@ -145,32 +146,33 @@ void hint_mark(const WindowSession& s, const Hint& hint, float x, float y) {
 }
 
 /// Draws the hints below each other.
-void draw_hints(WindowSession& s, const std::vector<Hint>& hints, float x, float y, float width) {
+void draw_hints(Ui& ui, const std::vector<Hint>& hints, float x, float y, float width) {
   for (const Hint& hint : hints) {
-    hint_mark(s, hint, x, y + 16);
-    rich(s.ui, words_of(s, hint, width - hint_sign), {x + hint_sign, y + 5.5f});
-    y += hint_height(s, hint, width);
+    hint_mark(ui, hint, x, y + 16);
+    rich(ui, words_of(ui, hint, width - hint_sign), {x + hint_sign, y + 5.5f});
+    y += hint_height(ui, hint, width);
   }
 }
 
 /// Draws the hints beside each other, as many as there is room for, around the middle y.
-void draw_hints_in_a_row(WindowSession& s, const std::vector<Hint>& hints, float x, float right, float y) {
+void draw_hints_in_a_row(Ui& ui, const std::vector<Hint>& hints, float x, float right, float y) {
   for (const Hint& hint : hints) {
-    const Paragraph words = words_of(s, hint, 0);
-    const float end = x + hint_sign + s.ui.texts.size_of(words).x;
+    const Paragraph words = words_of(ui, hint, 0);
+    const float end = x + hint_sign + ui.texts.size_of(words).x;
     if (end > right) continue;
-    hint_mark(s, hint, x, y);
-    rich_line(s.ui, words, x + hint_sign, y);
+    hint_mark(ui, hint, x, y);
+    rich_line(ui, words, x + hint_sign, y);
     x = end + hint_gap;
   }
 }
 
-void parameters_header(WindowSession& s, const Rect& r) {
-  const Press p = press(s.ui, "parameters", r);
-  const Palette& ink = s.ui.palette;
-  caret(r.left + 6, r.middle_y(), s.settings.parameters_open, packed(p.hovered ? ink.text : ink.muted));
-  text(s.ui.fonts.bold, r.left + 20, r.middle_y(), packed(ink.text), "Parameters");
-  if (p.clicked) s.settings.parameters_open = !s.settings.parameters_open;
+/// `open`: whether the fields are shown, which it changes.
+void parameters_header(Ui& ui, bool& open, const Rect& r) {
+  const Press p = press(ui, "parameters", r);
+  const Palette& ink = ui.palette;
+  caret(r.left + 6, r.middle_y(), open, packed(p.hovered ? ink.text : ink.muted));
+  text(ui.fonts.bold, r.left + 20, r.middle_y(), packed(ink.text), "Parameters");
+  if (p.clicked) open = !open;
 }
 
 /// The parts of the panel: the words, and the header of the parameters with their fields or the hints below it, or,
@@ -201,39 +203,41 @@ Parts parts_of(const Rect& r, bool open, float fields, float hints) {
 
 }  // namespace
 
-void lesson_panel(WindowSession& s, const Rect& r) {
-  begin_region(s.ui, "lesson panel", r);
-  const bool open = s.settings.parameters_open && !s.player.lesson().parameters.empty();
+void lesson_panel(const LessonPanel& panel, const Rect& r) {
+  begin_region(panel.ui, "lesson panel", r);
+  const bool open = panel.settings.parameters_open && !panel.player.lesson().parameters.empty();
   const float width = r.width() - 2 * panel_margin;
-  const std::vector<Hint> hints = hints_of(s.player, shows_map(s));
-  Parts at = parts_of(r, open, s.fields.height, r.height() > 420 ? hints_height(s, hints, width) : 0);
-  const bool bare = at.low && !open && s.player.quiz().asked();  // a question needs all the room
+  const std::vector<Hint> hints = hints_of(panel.player, shows_map(panel.player, panel.settings));
+  Parts at = parts_of(r, open, panel.fields.height, r.height() > 420 ? hints_height(panel.ui, hints, width) : 0);
+  const bool bare = at.low && !open && panel.player.quiz().asked();  // a question needs all the room
   if (bare) at.words.bottom = r.bottom;
-  scrolling(s.ui, "words", at.words, [&] {
-    const bool fresh = std::exchange(s.step_words.seen, s.player.revision()) != s.player.revision();
+  scrolling(panel.ui, "words", at.words, [&] {
+    const bool fresh = std::exchange(panel.words.seen, panel.player.revision()) != panel.player.revision();
     if (fresh) ImGui::SetScrollY(0);
-    lesson_text(s, at.words, fresh, at.low);
+    lesson_text(panel, at.words, fresh, at.low);
   });
-  s.ui.rects["lesson words"] = at.words;
+  panel.ui.rects["lesson words"] = at.words;
 
-  if (!bare) parameters_header(s, at.header);
+  if (!bare) parameters_header(panel.ui, panel.settings.parameters_open, at.header);
   if (at.low && open)
-    filled({at.words.right, r.top, at.words.right + 1, r.bottom}, s.ui.palette.rule, 0);
+    filled({at.words.right, r.top, at.words.right + 1, r.bottom}, panel.ui.palette.rule, 0);
   else if (!bare)
-    rule(s.ui, r.left + panel_margin, r.right - panel_margin, at.words.bottom);
+    rule(panel.ui, r.left + panel_margin, r.right - panel_margin, at.words.bottom);
   if (open) {
-    scrolling(s.ui, "fields", at.fields, [&] {
+    scrolling(panel.ui, "fields", at.fields, [&] {
       const float top = ImGui::GetCursorScreenPos().y;
-      s.fields.height = parameter_fields(s, at.header.left, top, at.header.width()) - top;
+      panel.fields.height =
+          parameter_fields(panel.player, panel.ui, panel.fields, panel.toast, at.header.left, top, at.header.width()) -
+          top;
     });
-    s.ui.rects["lesson fields"] = at.fields;
+    panel.ui.rects["lesson fields"] = at.fields;
   } else if (at.low && !bare) {
-    draw_hints_in_a_row(s, hints, at.header.right + hint_gap, r.right - panel_margin, at.header.middle_y());
+    draw_hints_in_a_row(panel.ui, hints, at.header.right + hint_gap, r.right - panel_margin, at.header.middle_y());
   } else if (!at.low && r.height() > 420) {
-    draw_hints(s, hints, at.header.left, at.words.bottom + 44, width);
+    draw_hints(panel.ui, hints, at.header.left, at.words.bottom + 44, width);
   }
-  if (r.top > s.ui.rects["scene"].top) rule(s.ui, r.left, r.right, r.top);  // it lies below the scene
-  filled({r.right - 1, r.top, r.right, r.bottom}, s.ui.palette.rule, 0);
+  if (r.top > panel.ui.rects["scene"].top) rule(panel.ui, r.left, r.right, r.top);  // it lies below the scene
+  filled({r.right - 1, r.top, r.right, r.bottom}, panel.ui.palette.rule, 0);
   ImGui::End();
 }
 

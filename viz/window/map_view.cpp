@@ -32,9 +32,9 @@ ImVec2 short_of(const ImVec2& marker, const ImVec2& a, const ImVec2& b) {
 }
 
 /// Returns the theme of the map: smaller in a smaller pane.
-Theme map_look(const WindowSession& s, const Rect& r) {
+Theme map_look(const Ui& ui, const Rect& r) {
   const double fits = std::min(r.width() / 420, r.height() / 330);
-  return window_theme(s.ui.palette.theme.name, std::clamp(fits, 0.7, 1.0));
+  return window_theme(ui.palette.theme.name, std::clamp(fits, 0.7, 1.0));
 }
 
 Rect below_header(const Rect& r) { return {r.left, r.top + map_header, r.right, r.bottom}; }
@@ -46,30 +46,37 @@ bool has_map(const Player& player) {
   return map && map->place(player.parameters()).allFinite();
 }
 
-bool shows_map(const WindowSession& s) {
-  const Player& p = s.player;
+bool shows_map(const Player& p, const Settings& settings) {
   const bool drags = ImGui::GetIO().MouseDown[0];  // then everything stays in place
-  return s.settings.map && p.step().slug != case_map_slug && (has_map(p) || (p.lesson().map && drags));
+  return settings.map && p.step().slug != case_map_slug && (has_map(p) || (p.lesson().map && drags));
 }
 
-void MapDrag::follow(WindowSession& s, const Cases& cases, const Box2& plane, bool hovered) {
+void show_map(const Player& player, Settings& settings, Toast& toast) {
+  if (!player.lesson().map) return toast.say_here(player, "This lesson has no map of cases");
+  if (player.step().slug == case_map_slug) return toast.say_here(player, "This step is the map of cases");
+  if (!has_map(player)) return toast.say_here(player, "This setting has no place on the map of cases");
+  settings.map = !settings.map;
+  if (settings.map) settings.beside.reset();
+}
+
+void MapDrag::follow(Player& player, Toast& toast, const Cases& cases, const Box2& plane, bool hovered) {
   const bool moved = pointer_now() != last_;
   last_ = pointer_now();
-  if (!ImGui::GetIO().MouseDown[0] || held_in_ != &s.player.lesson()) held_ = false;
+  if (!ImGui::GetIO().MouseDown[0] || held_in_ != &player.lesson()) held_ = false;
   const bool inside = (last_.array() >= plane.lo.array()).all() && (last_.array() <= plane.hi.array()).all();
   if (hovered && inside && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-    s.player.end_action();
-    s.player.remember("drag");
-    held_ = true, held_in_ = &s.player.lesson(), snapping_ = false;
+    player.end_action();
+    player.remember("drag");
+    held_ = true, held_in_ = &player.lesson(), snapping_ = false;
     start_ = case_at(cases, plane, last_);
   } else if (!moved && snapping_ == ImGui::GetIO().KeyShift) {
     return;
   }
   snapping_ = ImGui::GetIO().KeyShift;
   if (!held_) return;
-  s.attempt([&] {
-    const Moved came = drag_on_map(s.player, start_, case_at(cases, plane, last_), snapping_);
-    if (!came.told.empty()) s.say_here(came.told);
+  attempt(toast, [&] {
+    const Moved came = drag_on_map(player, start_, case_at(cases, plane, last_), snapping_);
+    if (!came.told.empty()) toast.say_here(player, came.told);
   });
 }
 
@@ -123,9 +130,9 @@ void MapView::draw_trail(Ui& ui, const Box2& plane) const {
 }
 
 /// Moves the setting by Shift and the arrows, while the keyboard holds it.
-void MapView::keyboard(WindowSession& s, const Box2& plane) {
+void MapView::keyboard(Player& player, const Ui& ui, Toast& toast, const Box2& plane) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (!io.KeyShift || io.KeyCtrl || s.ui.focus.name() != "map setting" || io.WantTextInput) return;
+  if (!io.KeyShift || io.KeyCtrl || ui.focus.name() != "map setting" || io.WantTextInput) return;
   Vec2 way = Vec2::Zero();
   if (ImGui::IsKeyPressed(key::left, true)) way.x() -= 1;
   if (ImGui::IsKeyPressed(key::right, true)) way.x() += 1;
@@ -133,22 +140,21 @@ void MapView::keyboard(WindowSession& s, const Box2& plane) {
   if (ImGui::IsKeyPressed(key::down, true)) way.y() += 1;
   if (way == Vec2::Zero()) return;
   const ImVec2 p = screen_at(map_.cases(), plane, map_.cases().here->at);
-  s.player.remember("nudge on the map");
-  s.attempt([&] { s.player.go_to_case(case_at(map_.cases(), plane, Vec2(p.x, p.y) + 8 * way)); });
+  player.remember("nudge on the map");
+  attempt(toast, [&] { player.go_to_case(case_at(map_.cases(), plane, Vec2(p.x, p.y) + 8 * way)); });
 }
 
-void MapView::name_under_pointer(const WindowSession& s, const Box2& plane) const {
+void MapView::name_under_pointer(const Player& player, const Ui& ui, const Box2& plane) const {
   const Vec2 p = pointer_now();
   if (!(p.array() >= plane.lo.array()).all() || !(p.array() <= plane.hi.array()).all()) return;
-  const CaseMap& map = *s.player.lesson().map;
-  tooltip(s.ui, plain(map.branches[map.branch(map.moved(s.player.parameters(), case_at(map_.cases(), plane, p)))]));
+  const CaseMap& map = *player.lesson().map;
+  tooltip(ui, plain(map.branches[map.branch(map.moved(player.parameters(), case_at(map_.cases(), plane, p)))]));
 }
 
-void MapView::show(WindowSession& s, const Rect& r) {
-  Ui& ui = s.ui;
+void MapView::show(Player& player, Ui& ui, Toast& toast, const Rect& r) {
   begin_region(ui, "map", r, ui.palette.card);
-  map_.find(s.player);
-  const Theme theme = map_look(s, r);
+  map_.find(player);
+  const Theme theme = map_look(ui, r);
   const Rect within = below_header(r);
   const Box2 plane = plane_of(map_.cases(), {within.left, within.top}, within.width(), within.height(), theme);
 
@@ -156,19 +162,19 @@ void MapView::show(WindowSession& s, const Rect& r) {
   ImGui::InvisibleButton("map picture", {within.width(), within.height()});
   const bool hovered = ImGui::IsItemHovered();
   if (map_.cases().here) {
-    drag_.follow(s, map_.cases(), plane, hovered);
-    keyboard(s, plane);
-    map_.find(s.player);
+    drag_.follow(player, toast, map_.cases(), plane, hovered);
+    keyboard(player, ui, toast, plane);
+    map_.find(player);
   }
-  leave_trail(s.player);
+  leave_trail(player);
   draw(within, theme);
   ImGui::GetWindowDrawList()->AddImage(picture_.id(), top_left(within), bottom_right(within), {0, 1}, {1, 0});
   draw_trail(ui, plane);
-  if (hovered && !ImGui::GetIO().MouseDown[0]) name_under_pointer(s, plane);
+  if (hovered && !ImGui::GetIO().MouseDown[0]) name_under_pointer(player, ui, plane);
 
   const float x = r.left + 20, y = r.top + 22;
   std::string told = "here: after your answer";
-  if (!s.player.quiz().asked())
+  if (!player.quiz().asked())
     told = map_.cases().here ? "here: " + map_.cases().branches[map_.cases().here->branch] : "beyond this map";
   const Paragraph words{.markup = told, .colour = map_.cases().here ? ui.palette.text : ui.palette.muted};
   ImGui::PushClipRect({x, r.top}, {r.right - 8, within.top}, true);

@@ -16,13 +16,15 @@ namespace isect::viz {
 /// Whether the lesson has a map, and the setting a place on it or beyond it.
 bool has_map(const Player&);
 /// Whether the map stands beside this step: the reader wants it, there is one, and the step does not show it itself.
-bool shows_map(const WindowSession&);
+bool shows_map(const Player&, const Settings&);
+/// Shows the map beside the scene, or hides it; a message says if the lesson has none.
+void show_map(const Player&, Settings&, Toast&);
 
 /// A drag over the plane of a map, which moves the setting.
 class MapDrag {
  public:
   /// `plane`: where the map's plane lies. `hovered`: the pointer is at the picture.
-  void follow(WindowSession&, const Cases&, const Box2& plane, bool hovered);
+  void follow(Player&, Toast&, const Cases&, const Box2& plane, bool hovered);
 
  private:
   bool held_ = false, snapping_ = false;
@@ -36,15 +38,15 @@ class MapView {
   MapView(Renderer& renderer, double scale, bool drawing) : renderer_(renderer), scale_(scale), drawing_(drawing) {}
 
   /// Draws the map, and does what pointer and keys ask for.
-  void show(WindowSession&, const Rect&);
+  void show(Player&, Ui&, Toast&, const Rect&);
   void rescale(double scale) { scale_ = scale; }
 
  private:
   void leave_trail(const Player&);
   void draw(const Rect&, const Theme&);
   void draw_trail(Ui&, const Box2& plane) const;
-  void keyboard(WindowSession&, const Box2& plane);
-  void name_under_pointer(const WindowSession&, const Box2& plane) const;
+  void keyboard(Player&, const Ui&, Toast&, const Box2& plane);
+  void name_under_pointer(const Player&, const Ui&, const Box2& plane) const;
 
   Renderer& renderer_;
   double scale_;

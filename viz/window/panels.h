@@ -6,11 +6,21 @@
 namespace isect::viz {
 
 /// Draws lesson, method and presets. (top_bar.cpp)
-void top_bar(WindowSession&, const Rect&);
+void top_bar(Player&, Ui&, Settings&, Requests&, Toast&, const Rect&);
+/// What the lesson's panel shows and changes.
+struct LessonPanel {
+  Player& player;
+  Ui& ui;
+  Settings& settings;
+  Fields& fields;
+  StepWords& words;
+  Requests& requests;
+  Toast& toast;
+};
 /// Draws what the lesson says here, its question, its parameters and what can be dragged. (lesson_panel.cpp)
-void lesson_panel(WindowSession&, const Rect&);
+void lesson_panel(const LessonPanel&, const Rect&);
 /// Draws the fields of all parameters from (x, y) down; returns where they end. (parameters.cpp)
-float parameter_fields(WindowSession&, float x, float y, float width);
+float parameter_fields(Player&, Ui&, Fields&, Toast&, float x, float y, float width);
 /// Draws pseudocode, values, comparison and operations; with `parted`, that of two panes, where lines and values
 /// replace headings and counts. (code_panel.cpp, values.cpp)
 void code_panel(Player&, Ui&, const Rect&, const Parted* = nullptr);
@@ -20,17 +30,22 @@ void current_line(Player&, Ui&, const Rect&);
 float values_height(const Ui&, const Step&, float width, float pitch);
 void values_block(Ui&, const Step&, const Rect&, float pitch, const Parted*);
 void operations_block(Ui&, const Counters&, const Rect&);
+/// Marks a row as the first that differs from the other pane's; `lit`: on the current line. (code_panel.cpp)
+void parted_mark(Ui&, const std::string& name, const Rect&, bool lit = false);
 /// Draws the question in a window of its own, where the lesson's panel is hidden: over the words that it follows, and
 /// the scene above them; once it is answered, over the scene alone. (question.cpp)
-void question_over_scene(WindowSession&, const Rect& scene, const Rect& words);
-/// Draws the question over both scenes of two panes, so that neither's code is covered.
-void question_over_scenes(WindowSession&, const Rect& scenes);
+void question_over_scene(Player&, Ui&, StepWords&, const Rect& scene, const Rect& words);
+/// Draws the question over both scenes of two panes, so that neither's code is covered. `values`: it names those that
+/// are known.
+void question_over_scenes(Player&, Ui&, StepWords&, bool values, const Rect& scenes);
 /// Draws, below the scene while the panels are hidden, the step's words, the current line and the formula.
 /// (lecture.cpp) `room`: the height of scene and words.
-float lecture_height(WindowSession&, float width, float room);
-void lecture(WindowSession&, const Rect&);
+float lecture_height(const Player&, Ui&, StepWords&, float width, float room);
+void lecture(Player&, Ui&, StepWords&, const Rect&);
 /// Draws scrubber and buttons. (transport.cpp)
-void transport(WindowSession&, const Rect&);
+void transport(Player&, Ui&, Settings&, Toast&, const Rect&);
+/// Lets play pass over questions, or stop at them again. (transport.cpp)
+void pass_questions(Player&, Settings&, Toast&);
 /// Draws the key sheet, the picker and the save sheet, over everything else. (sheets.cpp)
 void sheets(WindowSession&, const Rect& window);
 
@@ -47,14 +62,6 @@ bool keeps_file(const WindowSession&);
 /// Returns false once if numbers of a scene would be lost, with a message.
 bool may_leave(WindowSession&);
 void save_back(WindowSession&);
-/// Shows the lesson's map of cases beside the scene, or hides it; a message says if it has none. (keys.cpp)
-void show_map(WindowSession&);
-/// Lets play pass over questions, or stop at them again. (keys.cpp)
-void pass_questions(WindowSession&);
-/// Marks a row as the first that differs from the other pane's; `lit`: on the current line. (second_pane.cpp)
-void parted_mark(Ui&, const std::string& name, const Rect&, bool lit = false);
-/// Shows the next method or preset beside this one, or hides the second pane. (second_pane.cpp)
-void toggle_panes(WindowSession&);
 /// Does what this frame's keys ask for. (keys.cpp)
 void keys(WindowSession&);
 

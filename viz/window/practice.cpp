@@ -17,67 +17,65 @@ constexpr float button_height = 34;
 constexpr float button_sides = 28;  ///< beside its words, both
 
 /// Begins an exercise; if the keyboard began it, the keyboard focus moves to what can be moved.
-void begin_exercise(WindowSession& s, int index) {
-  const bool by_keyboard = s.ui.focus.pressed();
-  s.attempt([&] { begin_exercise(s.player, index); });
-  const std::vector<Handle>& handles = s.player.scene().handles;
-  const Exercise* e = s.player.exercise();
+void begin_exercise(Player& player, Focus& focus, Toast& toast, int index) {
+  const bool by_keyboard = focus.pressed();
+  attempt(toast, [&] { begin_exercise(player, index); });
+  const std::vector<Handle>& handles = player.scene().handles;
+  const Exercise* e = player.exercise();
   if (!by_keyboard || !e || handles.empty()) return;
   const auto meant = [&](const Handle& h) {
     return std::ranges::any_of(e->by, [&](const auto& set) { return set.first == h.parameter; });
   };
   const auto first = std::ranges::find_if(handles, meant);
-  s.ui.focus.take("handle " + (first == handles.end() ? handles.front() : *first).parameter);
+  focus.take("handle " + (first == handles.end() ? handles.front() : *first).parameter);
 }
 
 }  // namespace
 
 bool Column::button(const std::string& name, const std::string& words, float& from) {
-  ImFont* font = s.ui.fonts.body;
-  if (text_width(font, words) + button_sides > width) font = s.ui.fonts.small;
+  ImFont* font = ui.fonts.body;
+  if (text_width(font, words) + button_sides > width) font = ui.fonts.small;
   const float wide = text_width(font, words) + button_sides;
   if (from > x && from + wide > x + width) from = x, y += button_height + 6;
-  const bool pressed = chip(s.ui, name, {from, y, from + wide, y + button_height}, words, false, font);
+  const bool pressed = chip(ui, name, {from, y, from + wide, y + button_height}, words, false, font);
   from += wide + 8;
   return pressed;
 }
 
-void erratum(Column& c) {
-  Player& player = c.s.player;
+void erratum(Column& c, Player& player, Toast& toast) {
   const std::vector<ErratumText> all = errata_text(player.lesson(), player.walk());
   const auto e = std::ranges::find(all, player.step().line + 1, &ErratumText::line);
   if (e == all.end()) return;
   c.y += 20;
-  c.paragraph(e->says, c.s.ui.palette.text, 15, 23, true);
-  c.paragraph(e->why, c.s.ui.palette.text);
+  c.paragraph(e->says, c.ui.palette.text, 15, 23, true);
+  c.paragraph(e->why, c.ui.palette.text);
   if (player.played().preset_id() == e->shown_by->id) return;  // the line fails in this setting
   c.y += 8;
   float x = c.x;
-  if (c.button("see it fail", "See it fail (E)", x)) c.s.attempt([&] { show_erratum(player); });
+  if (c.button("see it fail", "See it fail (E)", x)) attempt(toast, [&] { show_erratum(player); });
   c.y += button_height;
 }
 
-void missed(Column& c) {
-  const std::vector<int> steps = missed_questions(c.s.player, c.s.settings);
+void missed(Column& c, Player& player, const Settings& settings) {
+  const std::vector<int> steps = missed_questions(player, settings);
   if (steps.empty()) return;
-  const Palette& ink = c.s.ui.palette;
+  const Palette& ink = c.ui.palette;
   c.y += 24;
   c.paragraph("Not yet right", ink.text, 15, 23, true);
   for (const int step : steps) {
     c.y += 10;
-    c.paragraph(c.s.player.walk().steps[step].question->prompt, ink.text);
+    c.paragraph(player.walk().steps[step].question->prompt, ink.text);
     c.y += 6;
     float x = c.x;
-    if (c.button("again " + std::to_string(step + 1), "Answer again", x)) return c.s.player.ask_again(step);
+    if (c.button("again " + std::to_string(step + 1), "Answer again", x)) return player.ask_again(step);
     c.y += button_height + 4;
   }
 }
 
-void exercises(Column& c) {
-  WindowSession& s = c.s;
-  const Closing* closing = s.player.lesson().closing;
+void exercises(Column& c, Player& player, std::set<const Exercise*>& shown, Toast& toast) {
+  const Closing* closing = player.lesson().closing;
   if (!closing) return;
-  const Palette& ink = s.ui.palette;
+  const Palette& ink = c.ui.palette;
   c.y += 24;
   c.paragraph("Exercises", ink.text, 15, 23, true);
   for (std::size_t i = 0; i < closing->exercises.size(); ++i) {
@@ -87,40 +85,40 @@ void exercises(Column& c) {
     c.paragraph(number + ". " + e.prompt, ink.text);
     c.y += 6;
     float x = c.x;
-    if (e.found && c.button("try " + number, "Try it", x)) return begin_exercise(s, static_cast<int>(i));
-    const bool open = s.step_words.solutions.contains(&e);
+    if (e.found && c.button("try " + number, "Try it", x))
+      return begin_exercise(player, c.ui.focus, toast, static_cast<int>(i));
+    const bool open = shown.contains(&e);
     if (c.button("solution " + number, open ? "Hide the solution" : "Solution", x))
-      open ? (void)s.step_words.solutions.erase(&e) : (void)s.step_words.solutions.insert(&e);
+      open ? (void)shown.erase(&e) : (void)shown.insert(&e);
     c.y += button_height + 4;
     if (open) c.paragraph(e.solution, ink.muted);
   }
 }
 
-void same_ideas(Column& c) {
-  const std::vector<SharedIdea> all = shared_ideas(c.s.player.lesson());
+void same_ideas(Column& c, Player& player, Toast& toast) {
+  const std::vector<SharedIdea> all = shared_ideas(player.lesson());
   if (all.empty()) return;
   c.y += 24;
-  c.paragraph("The same idea elsewhere", c.s.ui.palette.text, 15, 23, true);
+  c.paragraph("The same idea elsewhere", c.ui.palette.text, 15, 23, true);
   for (const SharedIdea& shared : all) {
     c.y += 6;
-    c.paragraph(heading(shared), c.s.ui.palette.muted);
+    c.paragraph(heading(shared), c.ui.palette.muted);
     c.y += 4;
     float x = c.x;
     for (const Lesson* other : shared.others) {
       const std::string title = plain(short_title(*other));
       if (c.button("same idea " + shared.idea + ": " + other->id, title, x))
-        return c.s.attempt([&] { c.s.player.open(*other); });
+        return attempt(toast, [&] { player.open(*other); });
     }
     c.y += button_height + 4;
   }
 }
 
-void exercise_on_hand(Column& c) {
-  WindowSession& s = c.s;
-  const Exercise* e = s.player.exercise();
+void exercise_on_hand(Column& c, Player& player) {
+  const Exercise* e = player.exercise();
   if (!e) return;
-  const Palette& ink = s.ui.palette;
-  const bool solved = exercise_solved(s.player);
+  const Palette& ink = c.ui.palette;
+  const bool solved = exercise_solved(player);
   const float top = c.y;
   c.paragraph(e->prompt, ink.text, 15, 23, true);
   if (solved) {
@@ -134,14 +132,14 @@ void exercise_on_hand(Column& c) {
         "Parameters.",
         ink.muted);
   }
-  s.ui.rects["exercise"] = {c.x, top, c.x + c.width, c.y};
+  c.ui.rects["exercise"] = {c.x, top, c.x + c.width, c.y};
   c.y += 8;
   float x = c.x;
   const bool back = c.button("end exercise", solved ? "Back to the exercises" : "Give up", x);
   c.y += button_height + 20;
   if (!back) return;
-  s.player.set_exercise({});
-  s.player.last();
+  player.set_exercise({});
+  player.last();
 }
 
 }  // namespace isect::viz

@@ -47,7 +47,7 @@ bool choice_button(Ui& ui, const Choice& choice, const Rect& r) {
 
 /// Draws the question's answers, side by side if they fit. Returns the one that was pressed, or -1.
 int choices(Column& c, const Question& question, int given) {
-  Ui& ui = c.s.ui;
+  Ui& ui = c.ui;
   const int n = static_cast<int>(question.choices.size());
   float widest = 0;
   for (const std::string& markup : question.choices)
@@ -70,19 +70,18 @@ int choices(Column& c, const Question& question, int given) {
 
 }  // namespace
 
-void question(Column& c, bool fresh) {
-  Player& player = c.s.player;
-  const Palette& ink = c.s.ui.palette;
+void question(Column& c, Player& player, bool fresh, bool values) {
+  const Palette& ink = c.ui.palette;
   if (const Question* asked = player.quiz().asked()) {
     c.y += 24;
     if (fresh) ImGui::SetScrollFromPosY(c.y - ImGui::GetWindowPos().y, 0);
     c.paragraph("Your turn", ink.text, 15, 23, true);
     c.y += 2;
     c.paragraph(asked->prompt, ink.text);
-    if (const std::vector<Value>& known = player.shown().values; !c.s.panels && !known.empty()) {
+    if (const std::vector<Value>& known = player.shown().values; values && !known.empty()) {
       const float top = c.y += 8;
       c.paragraph(given_text(known), ink.text);
-      c.s.ui.rects["known values"] = {c.x, top, c.x + c.width, c.y};
+      c.ui.rects["known values"] = {c.x, top, c.x + c.width, c.y};
     }
     c.y += 10;
     const int pressed = choices(c, *asked, -1);
@@ -99,7 +98,7 @@ void question(Column& c, bool fresh) {
   c.x += 22, c.width -= 22;
   c.paragraph(right ? "Right" : "Not quite", colour, 15, 23, true);
   c.x -= 22, c.width += 22;
-  c.s.ui.rects["what came of it"] = {c.x, begin, c.x + c.width, c.y};
+  c.ui.rects["what came of it"] = {c.x, begin, c.x + c.width, c.y};
   c.paragraph(answered->question->prompt, ink.muted);
   c.y += 8;
   choices(c, *answered->question, answered->choice);
@@ -117,34 +116,35 @@ void question(Column& c, bool fresh) {
 namespace {
 
 /// Draws the question at the lower end of `r`, as high as its words, which scroll if there is too little room.
-void question_within(WindowSession& s, Rect r) {
+void question_within(Player& player, Ui& ui, StepWords& step_words, bool values, Rect r) {
   constexpr float margin = 16;
-  r.top = std::max(r.top, r.bottom - s.step_words.question_height);
-  begin_region(s.ui, "question over scene", r, s.ui.palette.window, true);
-  outlined(r, s.ui.palette.rule, 1.5f, 0);
+  r.top = std::max(r.top, r.bottom - step_words.question_height);
+  begin_region(ui, "question over scene", r, ui.palette.window, true);
+  outlined(r, ui.palette.rule, 1.5f, 0);
   const float top = ImGui::GetCursorScreenPos().y;
-  Column c{s, r.left + margin, top - 12, r.width() - 2 * margin};
-  question(c, false);
-  s.step_words.question_height = c.y - top + margin;
+  Column c{ui, r.left + margin, top - 12, r.width() - 2 * margin};
+  question(c, player, false, values);
+  step_words.question_height = c.y - top + margin;
   ImGui::SetCursorScreenPos({r.left, c.y});
   ImGui::Dummy({1, margin});
   ImGui::End();
 }
 
-bool has_question(const WindowSession& s) { return s.player.quiz().asked() || s.player.quiz().answered(); }
+bool has_question(const Player& player) { return player.quiz().asked() || player.quiz().answered(); }
 
 }  // namespace
 
-void question_over_scene(WindowSession& s, const Rect& scene, const Rect& words) {
-  if (!has_question(s)) return;
+void question_over_scene(Player& player, Ui& ui, StepWords& step_words, const Rect& scene, const Rect& words) {
+  if (!has_question(player)) return;
   // Once it is answered, the axes in the scene's corner and a ray's t-axis stay visible below it, if there is room.
   const float width = std::min(640.0f, scene.width() - 40), axes = scene.height() < 480 ? 0 : 94;
-  const float bottom = s.player.quiz().asked() ? words.bottom : scene.bottom - axes;
-  question_within(s, {scene.left + 20, scene.top + 70, scene.left + 20 + width, bottom - 12});
+  const float bottom = player.quiz().asked() ? words.bottom : scene.bottom - axes;
+  question_within(player, ui, step_words, true,
+                  {scene.left + 20, scene.top + 70, scene.left + 20 + width, bottom - 12});
 }
 
-void question_over_scenes(WindowSession& s, const Rect& scenes) {
-  if (has_question(s)) question_within(s, scenes.inset(12));
+void question_over_scenes(Player& player, Ui& ui, StepWords& step_words, bool values, const Rect& scenes) {
+  if (has_question(player)) question_within(player, ui, step_words, values, scenes.inset(12));
 }
 
 }  // namespace isect::viz

@@ -9,7 +9,6 @@
 #include "viz/formats/formats.h"
 #include "viz/text/rich_text.h"
 #include "viz/window/number_text.h"
-#include "viz/window/panels.h"
 #include "viz/window/sheets.h"
 
 namespace isect::viz {
@@ -56,22 +55,14 @@ void preview(const SaveSheet& sheet, Ui& ui, const Rect& room) {
   outlined(r, ui.palette.rule, 1, 0);
 }
 
-}  // namespace
-
-void save_sheet(WindowSession& s, const Rect& window) {
-  Ui& ui = s.ui;
-  SaveSheet& sheet = s.save_sheet;
-  sheet.open = begin_sheet(ui, "save sheet", window, 780, 310);
-  if (!sheet.open) return;
+/// Draws the chips of formats, themes and sizes from `at` down.
+void choices_of_figure(SaveSheet& sheet, Ui& ui, Settings& settings, const ImVec2& at) {
   const Palette& c = ui.palette;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  float x = at.x, y = at.y + 10;
-  text(ui.fonts.heading, x, y, packed(c.text), "Save this figure");
-  y += 46;
+  float x = at.x, y = at.y;
   text(ui.fonts.body, x, y, packed(c.muted), "Format");
   for (const std::string& format : still_format_names()) {
-    if (chip(ui, "format " + format, {x + 80, y - 15, x + 140, y + 15}, format, s.settings.save_format == format))
-      s.settings.save_format = format;
+    if (chip(ui, "format " + format, {x + 80, y - 15, x + 140, y + 15}, format, settings.save_format == format))
+      settings.save_format = format;
     x += 66;
   }
   x = at.x, y += 42;
@@ -79,8 +70,8 @@ void save_sheet(WindowSession& s, const Rect& window) {
   for (const std::string& name : theme_names()) {
     const float width = text_width(ui.fonts.body, name) + 20;
     if (chip(ui, "save theme " + name, {x + 80, y - 15, x + 80 + width, y + 15}, name,
-             s.settings.save_theme == theme_named(name)))
-      s.settings.save_theme = theme_named(name);
+             settings.save_theme == theme_named(name)))
+      settings.save_theme = theme_named(name);
     x += width + 6;
   }
   x = at.x, y += 42;
@@ -88,30 +79,42 @@ void save_sheet(WindowSession& s, const Rect& window) {
   for (const double cm : {0.0, 8.0, 12.0, 16.0}) {
     const std::string name = cm > 0 ? shown(cm) + " cm" : std::string("960 × 600");
     const float width = text_width(ui.fonts.body, name) + 20;
-    if (chip(ui, "size " + shown(cm), {x + 80, y - 15, x + 80 + width, y + 15}, name, s.settings.save_width_cm == cm))
-      s.settings.save_width_cm = cm, sheet.width_text.clear(), sheet.width_wrong.clear();
+    if (chip(ui, "size " + shown(cm), {x + 80, y - 15, x + 80 + width, y + 15}, name, settings.save_width_cm == cm))
+      settings.save_width_cm = cm, sheet.width_text.clear(), sheet.width_wrong.clear();
     x += width + 6;
   }
-  other_width(sheet, ui, s.settings, {x + 80, y - 15, x + 150, y + 15});
+  other_width(sheet, ui, settings, {x + 80, y - 15, x + 150, y + 15});
   if (const std::string why = sheet.width_wrong; !why.empty()) {
     const float width = text(ui.fonts.small, at.x + 80, y + 28, packed(c.miss), why);
     ui.rects["refused width"] = {at.x + 80, y + 20, at.x + 80 + width, y + 36};
   }
-  x = at.x, y += 60;
+}
+
+}  // namespace
+
+void save_sheet(const Player& player, Ui& ui, SaveSheet& sheet, Settings& settings, bool to_file, Requests& requests,
+                const Rect& window) {
+  sheet.open = begin_sheet(ui, "save sheet", window, 780, 310);
+  if (!sheet.open) return;
+  const Palette& c = ui.palette;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  text(ui.fonts.heading, at.x, at.y + 10, packed(c.text), "Save this figure");
+  choices_of_figure(sheet, ui, settings, {at.x, at.y + 56});
+  const float x = at.x, y = at.y + 200;
   const bool again = ImGui::GetIO().InputQueueCharacters.contains('s') && !ImGui::IsWindowAppearing();
   const bool held = !ui.focus.name().empty() || ImGui::GetIO().WantTextInput;  // then Enter belongs to them
   const bool enter = (!held && (key_down(key::enter) || key_down(key::keypad_enter))) || key_down(key::f12) || again;
   if ((chip(ui, "save", {x, y - 18, x + 110, y + 18}, "Save", true) || enter) && sheet.width_wrong.empty()) {
-    s.requests.save_figure = true;
+    requests.save_figure = true;
     ImGui::CloseCurrentPopup();
   }
-  const bool scene = !s.player.lesson().made_from.empty();
-  if (scene && keeps_file(s) && chip(ui, "save scene", {x + 120, y - 18, x + 260, y + 18}, "Save the scene", false)) {
-    save_back(s);
+  const bool scene = !player.lesson().made_from.empty();
+  if (scene && to_file && chip(ui, "save scene", {x + 120, y - 18, x + 260, y + 18}, "Save the scene", false)) {
+    requests.save_back = true;
     ImGui::CloseCurrentPopup();
   }
   if (!scene && chip(ui, "save as preset", {x + 120, y - 18, x + 260, y + 18}, "Save as preset", false)) {
-    s.requests.save_preset = true;
+    requests.save_preset = true;
     ImGui::CloseCurrentPopup();
   }
   text(ui.fonts.small, x + 276, y, packed(c.muted), "Enter saves");

@@ -46,9 +46,9 @@ void verdict_sign(Verdict::Kind kind, float x, float y, ImU32 ink) {
   }
 }
 
-Rect projection_rect(const WindowSession& s, const Rect& scene) {
-  const char* name = s.player.camera().goal().perspective ? "perspective" : "orthographic";
-  const float width = text_width(s.ui.fonts.small, name);
+Rect projection_rect(const Player& player, const Ui& ui, const Rect& scene) {
+  const char* name = player.camera().goal().perspective ? "perspective" : "orthographic";
+  const float width = text_width(ui.fonts.small, name);
   return {scene.right - 28 - width, scene.bottom - 38, scene.right - 12, scene.bottom - 10};
 }
 
@@ -68,43 +68,45 @@ constexpr float low_head = 42, high_head = 60;
 float edge(const Rect& scene) { return is_low(scene) ? 8.0f : 20.0f; }
 
 /// Whether methods differ; not before the outcome: it would tell what the exact method says.
-bool has_alarm(const WindowSession& s) {
-  const bool known = s.player.index() >= outcome(s.player.walk());
-  return s.player.played().methods_differ() && known && !s.player.quiz().asked() && !is_card(s.player.step().scene);
+bool has_alarm(const Player& player) {
+  const bool known = player.index() >= outcome(player.walk());
+  return player.played().methods_differ() && known && !player.quiz().asked() && !is_card(player.step().scene);
 }
 
-std::string alarm_words(const WindowSession& s) {
-  const std::vector<Opinion>& said = s.player.played().opinions();
+std::string alarm_words(const Player& player) {
+  const std::vector<Opinion>& said = player.played().opinions();
   const auto differ = std::ranges::count_if(said, [](const Opinion& o) { return !o.agrees; });
   return fmt::format("{} of {} methods {}", differ, said.size(), differ == 1 ? "differs" : "differ");
 }
 
-float alarm_width(const WindowSession& s) { return 46 + text_width(s.ui.fonts.small, alarm_words(s)); }
+float alarm_width(const Player& player, const Ui& ui) { return 46 + text_width(ui.fonts.small, alarm_words(player)); }
 
 /// Returns the verdict on one line if there is room, else on several.
-Paragraph verdict_words(WindowSession& s, const Rect& scene, const std::string& verdict) {
-  Paragraph words{.markup = verdict, .colour = s.ui.palette.text};
+Paragraph verdict_words(const Player& player, Ui& ui, const Rect& scene, const std::string& verdict) {
+  Paragraph words{.markup = verdict, .colour = ui.palette.text};
   if (is_low(scene)) words.size = 13, words.line_pitch = 19;
-  const float alarm = is_low(scene) && has_alarm(s) ? alarm_width(s) + 12 : 0;
+  const float alarm = is_low(scene) && has_alarm(player) ? alarm_width(player, ui) + 12 : 0;
   const float room = scene.width() - 60 - 2 * edge(scene) - alarm;
-  if (s.ui.texts.size_of(words).x > room) words.width = room;
+  if (ui.texts.size_of(words).x > room) words.width = room;
   return words;
 }
 
 /// Returns the height of the verdict's chip; 0 if there is none.
-float verdict_height(WindowSession& s, const Rect& scene, const Step& step) {
+float verdict_height(const Player& player, Ui& ui, const Rect& scene, const Step& step) {
   if (step.verdict.text.empty() || is_card(step.scene)) return 0;
-  return s.ui.texts.size_of(verdict_words(s, scene, step.verdict.text)).y + (is_low(scene) ? 9.0f : 13.0f);
+  return ui.texts.size_of(verdict_words(player, ui, scene, step.verdict.text)).y + (is_low(scene) ? 9.0f : 13.0f);
 }
-float verdict_height(WindowSession& s, const Rect& scene) { return verdict_height(s, scene, s.player.shown()); }
+float verdict_height(const Player& player, Ui& ui, const Rect& scene) {
+  return verdict_height(player, ui, scene, player.shown());
+}
 
 }  // namespace
 
 /// Returns the tallest of the walk's verdicts, which may take several lines. Of very many it measures the longest.
-static float tallest_verdict(WindowSession& s, const Rect& scene) {
+static float tallest_verdict(const Player& player, Ui& ui, const Rect& scene) {
   constexpr std::size_t most = 100;
   std::vector<const Step*> told;
-  for (const Step& step : s.player.walk().steps)
+  for (const Step& step : player.walk().steps)
     if (told.empty() || told.back()->verdict.text != step.verdict.text) told.push_back(&step);
   if (told.size() > most) {
     const auto length = [](const Step* step) { return step->verdict.text.size(); };
@@ -112,38 +114,36 @@ static float tallest_verdict(WindowSession& s, const Rect& scene) {
     told.resize(most);
   }
   float tallest = 0;
-  for (const Step* step : told) tallest = std::max(tallest, verdict_height(s, scene, *step));
+  for (const Step* step : told) tallest = std::max(tallest, verdict_height(player, ui, scene, *step));
   return tallest;
 }
 
-float steady_head(WindowSession& s, const Rect& scene) {
+float steady_head(const Player& player, Ui& ui, TallestVerdict& known, const Rect& scene) {
   const bool low = is_low(scene);
-  SteadyHead wanted = {.walk = s.player.walk_number(),
-                       .width = scene.width(),
-                       .height = scene.height(),
-                       .alarm = has_alarm(s) ? alarm_width(s) : 0,
-                       .size = s.settings.size,
-                       .tallest = s.steady_head.tallest};
-  if (wanted != s.steady_head) wanted.tallest = tallest_verdict(s, scene), s.steady_head = wanted;
+  TallestVerdict wanted = {.walk = player.walk_number(),
+                           .width = scene.width(),
+                           .height = scene.height(),
+                           .alarm = has_alarm(player) ? alarm_width(player, ui) : 0,
+                           .tallest = known.tallest};
+  if (wanted != known) wanted.tallest = tallest_verdict(player, ui, scene), known = wanted;
   const float tallest = wanted.tallest;
   if (tallest > 0) return std::max(low ? low_head : high_head, edge(scene) + tallest + 5);
-  return low && s.player.played().methods_differ() ? low_head : 0;
+  return low && player.played().methods_differ() ? low_head : 0;
 }
 
-float head_of(WindowSession& s, const Rect& scene) {
-  if (!s.player.scene().chart) return steady_head(s, scene);
-  const float verdict = verdict_height(s, scene), alarm = has_alarm(s) ? 40.0f : 0.0f;
+float head_of(const Player& player, Ui& ui, float steady, const Rect& scene) {
+  if (!player.scene().chart) return steady;
+  const float verdict = verdict_height(player, ui, scene), alarm = has_alarm(player) ? 40.0f : 0.0f;
   if (is_low(scene)) return std::max(verdict, alarm) + 14;
   return (verdict > 0 ? verdict + 28 : 12) + alarm;
 }
 
-void verdict_chip(WindowSession& s, const Rect& scene) {
-  const Verdict& verdict = s.player.shown().verdict;
-  const float height = verdict_height(s, scene), in = edge(scene);
+void verdict_chip(const Player& player, Ui& ui, const Rect& scene) {
+  const Verdict& verdict = player.shown().verdict;
+  const float height = verdict_height(player, ui, scene), in = edge(scene);
   if (height == 0) return;
-  Ui& ui = s.ui;
   const Colour& ink = ink_of(ui.palette, verdict.kind);
-  const Paragraph words = verdict_words(s, scene, verdict.text);
+  const Paragraph words = verdict_words(player, ui, scene, verdict.text);
   const ImVec2 size = ui.texts.size_of(words);
   const Rect r{scene.left + in, scene.top + in, scene.left + in + 60 + size.x, scene.top + in + height};
   ui.rects["verdict"] = r;
@@ -153,10 +153,9 @@ void verdict_chip(WindowSession& s, const Rect& scene) {
   rich(ui, words, {r.left + 40, r.middle_y() - size.y / 2});
 }
 
-void alarm_chip(WindowSession& s, const Rect& scene) {
-  if (!has_alarm(s)) return;
-  Ui& ui = s.ui;
-  const float verdict = verdict_height(s, scene), width = alarm_width(s), in = edge(scene);
+void alarm_chip(const Player& player, Ui& ui, const Rect& scene) {
+  if (!has_alarm(player)) return;
+  const float verdict = verdict_height(player, ui, scene), width = alarm_width(player, ui), in = edge(scene);
   const bool low = is_low(scene);
   const float top = scene.top + in + (verdict > 0 && !low ? verdict + 8 : 0);
   const float left = low ? scene.right - in - width : scene.left + in;
@@ -165,10 +164,10 @@ void alarm_chip(WindowSession& s, const Rect& scene) {
   filled(r, ui.palette.window, 8);
   outlined(r, ui.palette.miss, 1.5f, 8);
   cross(r.left + 20, r.middle_y(), 11, packed(ui.palette.miss));
-  text(ui.fonts.small, r.left + 40, r.middle_y(), packed(ui.palette.text), alarm_words(s));
+  text(ui.fonts.small, r.left + 40, r.middle_y(), packed(ui.palette.text), alarm_words(player));
   if (!ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) return;
   std::string all;
-  for (const Opinion& o : s.player.played().opinions())
+  for (const Opinion& o : player.played().opinions())
     all += fmt::format("{}{}: {}{}", all.empty() ? "" : "\n", plain(o.method), plain(o.says),
                        o.agrees ? "" : "  (differs)");
   tooltip(ui, all);
@@ -176,13 +175,12 @@ void alarm_chip(WindowSession& s, const Rect& scene) {
 
 namespace {
 
-bool meets_handle(const WindowSession& s, const View& view, const Rect& r) {
+bool meets_handle(const std::vector<Handle>& handles, const View& view, const Rect& r) {
   constexpr double ring = 14;
-  return s.pane != Pane::fixed && std::ranges::any_of(s.player.scene().handles, [&](const Handle& handle) {
-           const Vec2 at = view.project(handle.at).at;
-           return at.x() > r.left - ring && at.x() < r.right + ring && at.y() > r.top - ring &&
-                  at.y() < r.bottom + ring;
-         });
+  return std::ranges::any_of(handles, [&](const Handle& handle) {
+    const Vec2 at = view.project(handle.at).at;
+    return at.x() > r.left - ring && at.x() < r.right + ring && at.y() > r.top - ring && at.y() < r.bottom + ring;
+  });
 }
 
 bool meets_label(const Rect& place, const Rect& scene, const std::vector<PlacedLabel>& labels) {
@@ -194,13 +192,14 @@ bool meets_label(const Rect& place, const Rect& scene, const std::vector<PlacedL
 
 }  // namespace
 
-void tripod(WindowSession& s, const View& view, const Rect& scene, const std::vector<PlacedLabel>& labels) {
+void tripod(Ui& ui, const View& view, const Rect& scene, const std::vector<PlacedLabel>& labels,
+            const std::vector<Handle>& handles) {
   constexpr float length = 28;
   const ImVec2 origin{scene.left + 46, scene.bottom - 44};
   const Rect place{origin.x - 40, origin.y - 46, origin.x + 46, origin.y + 36};
-  if (meets_label(place, scene, labels) || meets_handle(s, view, place)) return;
-  s.ui.rects["tripod"] = place;
-  const Palette& c = s.ui.palette;
+  if (meets_label(place, scene, labels) || meets_handle(handles, view, place)) return;
+  ui.rects["tripod"] = place;
+  const Palette& c = ui.palette;
   const ImU32 ink = packed(c.muted);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (int i = 0; i < 3; ++i) {
@@ -213,7 +212,7 @@ void tripod(WindowSession& s, const View& view, const Rect& scene, const std::ve
     list.AddTriangleFilled({tip.x + 5 * u.x, tip.y + 5 * u.y}, {tip.x - 2.5f * u.y, tip.y + 2.5f * u.x},
                            {tip.x + 2.5f * u.y, tip.y - 2.5f * u.x}, ink);
     const Paragraph name{.markup = std::array{"*x*", "*y*", "*z*"}[i], .colour = c.muted};
-    rich_line(s.ui, name, tip.x + 14 * u.x, tip.y + 15 * u.y, 0.5f);
+    rich_line(ui, name, tip.x + 14 * u.x, tip.y + 15 * u.y, 0.5f);
   }
   list.AddCircleFilled(origin, 1.5f, ink, 8);
 }
@@ -224,46 +223,46 @@ bool shows_cases(const Scene& scene) { return scene.chart && std::holds_alternat
 
 }  // namespace
 
-float changed_room(const WindowSession& s) {
-  const Scene& scene = s.player.scene();
-  if (!s.player.played().preset_id().empty() || !scene.handles.empty() || shows_cases(scene)) return 0;
+float changed_room(const Player& player) {
+  const Scene& scene = player.scene();
+  if (!player.played().preset_id().empty() || !scene.handles.empty() || shows_cases(scene)) return 0;
   return scene.chart || is_page(scene) ? 26 : 0;
 }
 
-Rect changed_rect(const WindowSession& s, const Rect& scene) {
-  const float left = scene.right - 28 - text_width(s.ui.fonts.small, "changed"), right = scene.right - 12;
-  if (const float room = changed_room(s); room > 0) return {left, scene.bottom - room, right, scene.bottom - 2};
-  if (shows_cases(s.player.scene()) && !is_low(scene))  // beside the verdict, above all numbers
+static Rect changed_rect(const Player& player, const Ui& ui, const Rect& scene) {
+  const float left = scene.right - 28 - text_width(ui.fonts.small, "changed"), right = scene.right - 12;
+  if (const float room = changed_room(player); room > 0) return {left, scene.bottom - room, right, scene.bottom - 2};
+  if (shows_cases(player.scene()) && !is_low(scene))  // beside the verdict, above all numbers
     return {left, scene.top + 26, right, scene.top + 50};
   return {left, scene.bottom - 64, right, scene.bottom - 40};
 }
 
-void changed_mark(WindowSession& s, const Rect& scene) {
-  if (!s.player.played().preset_id().empty()) return;
-  if (press(s.ui, "changed", changed_rect(s, scene)).clicked) s.attempt([&] { s.player.restart(); });
+void changed_mark(Player& player, Ui& ui, Toast& toast, const Rect& scene) {
+  if (!player.played().preset_id().empty()) return;
+  if (press(ui, "changed", changed_rect(player, ui, scene)).clicked) attempt(toast, [&] { player.restart(); });
 }
 
-void changed_text(WindowSession& s, const Rect& scene) {
-  if (!s.player.played().preset_id().empty()) return;
-  const Rect r = changed_rect(s, scene);
-  text(s.ui.fonts.small, r.right - 8, r.middle_y(), packed(s.ui.palette.fresh_text), "changed", 1);
+void changed_text(const Player& player, const Ui& ui, const Rect& scene) {
+  if (!player.played().preset_id().empty()) return;
+  const Rect r = changed_rect(player, ui, scene);
+  text(ui.fonts.small, r.right - 8, r.middle_y(), packed(ui.palette.fresh_text), "changed", 1);
   if (ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
-    tooltip(s.ui, "Parameters were changed by hand. Here or R: back to the preset. Ctrl+Z: one change back");
+    tooltip(ui, "Parameters were changed by hand. Here or R: back to the preset. Ctrl+Z: one change back");
 }
 
-void projection_name(WindowSession& s, const Rect& scene) {
-  if (press(s.ui, "projection", projection_rect(s, scene)).clicked)
-    set_perspective(s.player, !s.player.camera().goal().perspective);
+void projection_name(Player& player, Ui& ui, const Rect& scene) {
+  if (press(ui, "projection", projection_rect(player, ui, scene)).clicked)
+    set_perspective(player, !player.camera().goal().perspective);
 }
 
-void projection_text(WindowSession& s, const Rect& scene, const std::vector<PlacedLabel>& labels) {
-  const Rect r = projection_rect(s, scene);
+void projection_text(const Player& player, Ui& ui, const Rect& scene, const std::vector<PlacedLabel>& labels) {
+  const Rect r = projection_rect(player, ui, scene);
   if (meets_label({r.left + 8, r.top + 4, r.right - 4, r.bottom - 4}, scene, labels)) return;
-  s.ui.rects["projection text"] = r;
+  ui.rects["projection text"] = r;
   const bool hovered = ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r));
-  const Palette& c = s.ui.palette;
-  const char* name = s.player.camera().goal().perspective ? "perspective" : "orthographic";
-  text(s.ui.fonts.small, r.right - 8, r.middle_y(), packed(hovered ? c.text : c.muted), name, 1);
+  const Palette& c = ui.palette;
+  const char* name = player.camera().goal().perspective ? "perspective" : "orthographic";
+  text(ui.fonts.small, r.right - 8, r.middle_y(), packed(hovered ? c.text : c.muted), name, 1);
 }
 
 void toast(Ui& ui, const Toast& toast, const Rect& scene) {
@@ -283,45 +282,45 @@ void toast(Ui& ui, const Toast& toast, const Rect& scene) {
                                       toast.text.c_str(), nullptr, room - 56);
 }
 
-void handle_by_keyboard(WindowSession& s, const View& view, const Handle& handle) {
-  if (is_named(s.player, handle)) return;
+void handle_by_keyboard(const Player& player, Ui& ui, const View& view, const Handle& handle) {
+  if (is_named(player, handle)) return;
   const Vec2 at = view.project(handle.at).at;
   const float x = static_cast<float>(at.x()) + 20, y = static_cast<float>(at.y());
-  rich_line(s.ui, {.markup = name_of(s.player, handle), .colour = s.ui.palette.text}, x, y);
-  s.ui.rects["name of the ringed handle"] = {x, y - 9, x + 40, y + 9};
+  rich_line(ui, {.markup = name_of(player, handle), .colour = ui.palette.text}, x, y);
+  ui.rects["name of the ringed handle"] = {x, y - 9, x + 40, y + 9};
 }
 
-void handle_under_pointer(WindowSession& s, const View& view, const Handle& handle, const std::string& forbidden) {
+void handle_under_pointer(const Player& player, const Ui& ui, const View& view, const Handle& handle,
+                          const std::string& forbidden) {
   const Vec2 at = view.project(handle.at).at;
   const ImVec2 middle{static_cast<float>(at.x()), static_cast<float>(at.y())};
-  ImGui::GetWindowDrawList()->AddCircle(middle, 14, packed(s.ui.palette.highlight), 32, 2);
+  ImGui::GetWindowDrawList()->AddCircle(middle, 14, packed(ui.palette.highlight), 32, 2);
   std::string name = handle.parameter, help;
-  for (const Parameter& p : s.player.lesson().parameters)
+  for (const Parameter& p : player.lesson().parameters)
     if (p.name == handle.parameter) {
       if (!p.label.empty()) name = plain(p.label);
       help = "\n" + p.help;
     }
-  const auto value = s.player.parameters().find(handle.parameter);  // a parameter that was not moved yet has no value
-  tooltip(s.ui, name + " = " +
-                    value_in_words(value == s.player.parameters().end() ? Setting(handle.at) : value->second,
-                                   s.player.lesson().flat) +
-                    help + (forbidden.empty() ? "" : "\n" + forbidden));
+  const auto value = player.parameters().find(handle.parameter);  // a parameter that was not moved yet has no value
+  tooltip(ui, name + " = " +
+                  value_in_words(value == player.parameters().end() ? Setting(handle.at) : value->second,
+                                 player.lesson().flat) +
+                  help + (forbidden.empty() ? "" : "\n" + forbidden));
 }
 
-void item_under_pointer(WindowSession& s, const View& view, const Vec2& pixel) {
-  const auto picked = pick(s.player.scene(), view.viewing_ray(pixel));
+void item_under_pointer(const Player& player, Ui& ui, const View& view, const Vec2& pixel) {
+  const auto picked = pick(player.scene(), view.viewing_ray(pixel));
   if (!picked) return;
   const float x = static_cast<float>(pixel.x()), y = static_cast<float>(pixel.y());
-  s.ui.rects["item under pointer"] = {x, y, x + 1, y + 1};
+  ui.rects["item under pointer"] = {x, y, x + 1, y + 1};
   std::string name = "surface";
   if (const Ball* ball = std::get_if<Ball>(picked->item)) {
-    name = "ball: centre " + value_in_words(Setting(ball->center), s.player.lesson().flat) + ", radius " +
+    name = "ball: centre " + value_in_words(Setting(ball->center), player.lesson().flat) + ", radius " +
            shown(ball->radius);
     const Vec2 middle = view.project(ball->center).at;
     const double radius = ball->radius * view.scale_at(ball->center);
-    s.ui.rects["ball under pointer"] = {
-        static_cast<float>(middle.x() - radius), static_cast<float>(middle.y() - radius),
-        static_cast<float>(middle.x() + radius), static_cast<float>(middle.y() + radius)};
+    ui.rects["ball under pointer"] = {static_cast<float>(middle.x() - radius), static_cast<float>(middle.y() - radius),
+                                      static_cast<float>(middle.x() + radius), static_cast<float>(middle.y() + radius)};
   } else if (const Solid* solid = std::get_if<Solid>(picked->item))
     name = fmt::format("solid: {} corners, {} faces", solid->vertices.size(), solid->faces.size());
   else if (const Mesh* mesh = std::get_if<Mesh>(picked->item))
@@ -337,7 +336,7 @@ void item_under_pointer(WindowSession& s, const View& view, const Vec2& pixel) {
       },
       *picked->item);
   if (!own.empty()) name = own + ", " + name;
-  tooltip(s.ui, name + "\nthe viewing ray meets it at " + value_in_words(Setting(picked->at), s.player.lesson().flat));
+  tooltip(ui, name + "\nthe viewing ray meets it at " + value_in_words(Setting(picked->at), player.lesson().flat));
 }
 
 }  // namespace isect::viz

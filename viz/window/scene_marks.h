@@ -8,38 +8,44 @@ namespace isect::viz {
 
 /// Whether the scene is so low that the marks would cover much of it.
 inline bool is_low(const Rect& scene) { return scene.height() < 340; }
+/// The tallest of a walk's verdicts, which may be thousands, and what it depends on.
+struct TallestVerdict {
+  unsigned walk = 0;
+  float width = 0, height = 0, alarm = 0, tallest = 0;
+  bool operator==(const TallestVerdict&) const = default;
+};
 /// Returns the height that the scene leaves free at its top for the chips: in a chart as much as they take, in a low
-/// scene the same at each step, as they would cover much of it.
-float head_of(WindowSession&, const Rect& scene);
-/// Returns the part of that height that does not change from step to step.
-float steady_head(WindowSession&, const Rect& scene);
+/// scene the same at each step, as they would cover much of it. `steady`: the part that does not change.
+float head_of(const Player&, Ui&, float steady, const Rect& scene);
+/// Returns the part of that height that does not change from step to step. `known`: from the frame before.
+float steady_head(const Player&, Ui&, TallestVerdict& known, const Rect& scene);
 /// Draws the verdict in a chip at the top left.
-void verdict_chip(WindowSession&, const Rect& scene);
+void verdict_chip(const Player&, Ui&, const Rect& scene);
 /// Draws, below the verdict, or beside it in a low scene, a chip if methods that should agree do not: how many differ,
 /// and with the pointer on it what each says.
-void alarm_chip(WindowSession&, const Rect& scene);
+void alarm_chip(const Player&, Ui&, const Rect& scene);
 /// Draws the directions of the axes at the bottom left, unless a label or a handle stands there.
-void tripod(WindowSession&, const View&, const Rect& scene, const std::vector<PlacedLabel>&);
+void tripod(Ui&, const View&, const Rect& scene, const std::vector<PlacedLabel>&, const std::vector<Handle>&);
 /// Draw the projection's name at the bottom right: a button (before the scene's own), and its text (over the picture,
 /// unless a label stands there).
-void projection_name(WindowSession&, const Rect& scene);
-void projection_text(WindowSession&, const Rect& scene, const std::vector<PlacedLabel>&);
+void projection_name(Player&, Ui&, const Rect& scene);
+void projection_text(const Player&, Ui&, const Rect& scene, const std::vector<PlacedLabel>&);
 /// A mark above it, where parameters were changed by hand: a button, with its text, that leads back to the preset.
 /// Charts and pages, whose words reach everywhere, leave a strip of this height below them for it; not if a drag makes
 /// the change: nothing else may move during a drag.
-float changed_room(const WindowSession&);
-void changed_mark(WindowSession&, const Rect& scene);
-void changed_text(WindowSession&, const Rect& scene);
+float changed_room(const Player&);
+void changed_mark(Player&, Ui&, Toast&, const Rect& scene);
+void changed_text(const Player&, const Ui&, const Rect& scene);
 /// Draws the current message at the bottom.
 void toast(Ui&, const Toast&, const Rect& scene);
 
 /// Rings a handle, names its parameter and value, and says why it does not follow the pointer, if it is forbidden
 /// to.
-void handle_under_pointer(WindowSession&, const View&, const Handle&, const std::string& forbidden);
+void handle_under_pointer(const Player&, const Ui&, const View&, const Handle&, const std::string& forbidden);
 /// Draws the name of the handle with the keyboard's ring, if no name stands at it.
-void handle_by_keyboard(WindowSession&, const View&, const Handle&);
+void handle_by_keyboard(const Player&, Ui&, const View&, const Handle&);
 /// Names the ball, solid, mesh or polygon that the viewing ray through `pixel` hits first, by the core's own ray
 /// tests.
-void item_under_pointer(WindowSession&, const View&, const Vec2& pixel);
+void item_under_pointer(const Player&, Ui&, const View&, const Vec2& pixel);
 
 }  // namespace isect::viz

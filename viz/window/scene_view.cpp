@@ -34,48 +34,44 @@ bool has_drawings(const Scene& scene) {
 
 /// Returns a smaller theme in a small scene of small drawings, which are too close together for their texts, or of a
 /// chart, whose plane gets what its texts leave.
-Theme look(const WindowSession& s, const View& view) {
-  const Theme& theme = s.ui.palette.theme;
+Theme look(const Scene& scene, const Theme& theme, const View& view) {
   const double fits = std::clamp(std::min(view.width() / 600, view.height() / 350), 0.65, 1.0);
-  const bool smaller = s.player.scene().chart || has_drawings(s.player.scene());
+  const bool smaller = scene.chart || has_drawings(scene);
   return smaller ? window_theme(theme.name, fits) : theme;
 }
 
-std::string line_of(const WindowSession& s, const Rect& r, double scale) {
+std::string line_of(const ScenePane& s, const Rect& r, double scale) {
   const Camera& c = s.player.camera().now();
   const Scene* const before = s.player.motion().before();
   const double motion = before && may_move(*before, s.player.scene()) ? s.player.motion().share() : 1;
   const std::string what = fmt::format("{} {} {} {} {} {} {}", static_cast<int>(s.pane), s.player.revision(), motion,
-                                       r.width(), r.height(), scale, name_of(s.settings.theme));
+                                       r.width(), r.height(), scale, name_of(s.ui.palette.theme.name));
   if (s.player.scene().chart) return what;  // the camera does not matter
   return what + fmt::format(" {} {} {} {} {} {} {} {}", c.target.x(), c.target.y(), c.target.z(), c.azimuth,
                             c.elevation, c.half_height, c.perspective, c.field_of_view);
 }
 
 /// Returns the theme of the axis: smaller where the scene is low.
-Theme axis_look(const WindowSession& s, const Rect& r) {
-  return window_theme(s.ui.palette.theme.name, is_low(r) ? 0.7 : 0.9);
-}
+Theme axis_look(const Theme& theme, const Rect& r) { return window_theme(theme.name, is_low(r) ? 0.7 : 0.9); }
 
 /// Returns the height of a ray's t-axis below the scene: the same in all steps.
-float axis_room(const WindowSession& s, const Rect& r) {
-  return has_axis(s.player.walk()) ? static_cast<float>(axis_height * axis_look(s, r).sizes.axis) + 10 : 0;
+float axis_room(const Player& player, const Theme& theme, const Rect& r) {
+  return has_axis(player.walk()) ? static_cast<float>(axis_height * axis_look(theme, r).sizes.axis) + 10 : 0;
 }
 
 /// Draws the axis between the tripod and the name of the projection.
-Composed axis_below(const Axis& axis, const WindowSession& s, const Rect& r) {
+Composed axis_below(const Axis& axis, double room, const Theme& theme, const Rect& r) {
   constexpr double tripod_room = 100, projection_room = 130;
-  const Theme theme = axis_look(s, r);
   const double left = std::max(0.2 * r.width(), tripod_room),
                right = std::min(0.8 * r.width(), r.width() - projection_room);
-  const double y = r.height() - axis_room(s, r) + axis_line * theme.sizes.axis;
+  const double y = r.height() - room + axis_line * theme.sizes.axis;
   return compose_axis(axis, left, std::max(right, left + 40), y, r.width(), theme);
 }
 
 /// Returns the map of cases that this step shows, if any.
-const Cases* map_of(const WindowSession& s) {
-  const Scene& scene = s.player.scene();
-  return scene.chart && s.player.lesson().map ? std::get_if<Cases>(&scene.chart->kind) : nullptr;
+const Cases* map_of(const Player& player) {
+  const Scene& scene = player.scene();
+  return scene.chart && player.lesson().map ? std::get_if<Cases>(&scene.chart->kind) : nullptr;
 }
 
 /// Whether a drawing has so many facets or corners that it is drawn coarser while it moves.
@@ -96,26 +92,27 @@ bool has_much(const Drawing& drawing) {
 
 }  // namespace
 
-void SceneView::draw(WindowSession& s, const Rect& r, const View& view) {
+void SceneView::draw(const ScenePane& s, const Rect& r, const View& view) {
   behind_ = false;
   if (r.width() < 1 || r.height() < 1) return;  // a display may make a window as small as it likes
   const std::string wanted = line_of(s, r, scale_);
   const ImGuiIO& io = ImGui::GetIO();
   const bool moves = io.MouseDown[0] || io.MouseDown[1] || turning_ >= 0;
   if ((wanted == drawn_ && (moves || !sketched_)) || !placing_) return;
-  const Theme ink = look(s, view);
+  const Theme ink = look(s.player.scene(), s.ui.palette.theme, view);
   const View own(view.camera(), view.width(), view.height(), {0, view.corner().y() - r.top});
   Drawing drawing{r.width(), r.height(), ink.background, {}};
   Scene scene = with_names(s.player);
   const std::clock_t begun = std::clock();  // processor time: a busy machine is no reason to stop
   if (const Scene* before = s.player.motion().before()) scene = between(*before, scene, s.player.motion().share());
-  const Cases* const map = map_of(s);
+  const Cases* const map = map_of(s.player);
   Composed composed = map ? compose_map(*map, own.corner(), own.width(), own.height(), ink)
                           : compose(scene, own, ink, s.pane != Pane::fixed);
   drawing.shapes = std::move(composed.shapes);
   labels_ = std::move(composed.labels);
   if (scene.axis && !scene.chart) {
-    const Composed axis = axis_below(*scene.axis, s, r);
+    const Composed axis =
+        axis_below(*scene.axis, axis_room(s.player, s.ui.palette.theme, r), axis_look(s.ui.palette.theme, r), r);
     std::ranges::copy(axis.shapes, std::back_inserter(drawing.shapes));
     std::ranges::copy(axis.labels, std::back_inserter(labels_));
   }
@@ -133,18 +130,17 @@ void SceneView::draw(WindowSession& s, const Rect& r, const View& view) {
 }
 
 /// Returns the handle with the keyboard's ring.
-std::optional<Handle> handle_of_keyboard(const WindowSession& s) {
+static std::optional<Handle> handle_of_keyboard(const ScenePane& s) {
   const std::string name = s.ui.focus.name();
   for (const Handle& h : s.player.scene().handles)
     if (s.pane == Pane::lead && name == "handle " + h.parameter) return h;
   return {};
 }
 
-std::optional<Handle> SceneView::handle_near(const WindowSession& s, const View& view, const Vec2& pixel) const {
+static std::optional<Handle> handle_near(const std::vector<Handle>& handles, const View& view, const Vec2& pixel) {
   std::optional<Handle> nearest;
-  if (s.pane == Pane::fixed) return nearest;
   double least = hit_area;
-  for (const Handle& h : s.player.scene().handles) {
+  for (const Handle& h : handles) {
     const Projected p = view.project(h.at);
     const double distance = (p.at - pixel).norm();
     if (!(p.depth > 0) || !(distance <= least)) continue;
@@ -155,7 +151,7 @@ std::optional<Handle> SceneView::handle_near(const WindowSession& s, const View&
 }
 
 /// Drags the handle, with Shift only to a change of case next to the pointer. Where it was taken, it restores all.
-void SceneView::drag_held(WindowSession& s, const View& view) {
+void SceneView::drag_held(const ScenePane& s, const View& view) {
   const bool snapping = ImGui::GetIO().KeyShift;
   if (mouse() == followed_ &&
       (snapping == snapping_ || !snapping)) {  // it stays where it has snapped until the pointer moves
@@ -164,8 +160,8 @@ void SceneView::drag_held(WindowSession& s, const View& view) {
   }
   if (snapping && search_) return;  // one search after another: else none would end while the pointer moves
   snapping_ = snapping, followed_ = mouse();
-  end_search(s);
-  s.attempt([&] {
+  end_search(s.toast);
+  attempt(s.toast, [&] {
     if (mouse() == pressed_) {
       forbidden_.clear();
       s.player.set_parameters(begun_);
@@ -183,40 +179,35 @@ void SceneView::begin_snap(const Player& player, Snap snap) {
 
 /// Searches for as long as a frame has time, by the processor's clock; a result is shown in a frame that has searched
 /// little. It is shown, too, if the button has been released meanwhile.
-void SceneView::go_on_snapping(WindowSession& s) {
+void SceneView::go_on_snapping(Player& player, Toast& toast) {
   if (!search_) return;
-  if (search_->revision != s.player.revision()) return end_search(s);
+  if (search_->revision != player.revision()) return end_search(toast);
   constexpr int long_for_a_hand = 12;  // frames
-  if (++search_->frames == long_for_a_hand) s.say(searching);
+  if (++search_->frames == long_for_a_hand) toast.say(searching);
   constexpr std::clock_t most = CLOCKS_PER_SEC / 80, little = CLOCKS_PER_SEC / 400;
   const std::clock_t begun = std::clock();
   while (!search_->ended && std::clock() - begun < most) search_->ended = !search_->snap.go_on();
   if (!search_->ended || std::clock() - begun > little) return;
-  s.attempt([&] {
-    const Moved moved = search_->snap.settle(s.player);
+  attempt(toast, [&] {
+    const Moved moved = search_->snap.settle(player);
     forbidden_ = moved.refused;
-    end_search(s);
-    if (!moved.told.empty()) s.say_here(moved.told);
+    end_search(toast);
+    if (!moved.told.empty()) toast.say_here(player, moved.told);
   });
   search_.reset();
 }
 
-void SceneView::end_search(WindowSession& s) {
+void SceneView::end_search(Toast& toast) {
   search_.reset();
-  if (s.toast.text == searching) s.toast = {};
-}
-
-void SceneView::wheel(WindowSession& s, const View& view) {
-  const double turns = ImGui::GetIO().MouseWheel;
-  if (turns != 0) zoom(s.player, view, mouse(), std::pow(1.15, turns));
+  if (toast.text == searching) toast = {};
 }
 
 /// Moves the handle that the keyboard holds by Shift and the arrows, with Ctrl to where the case changes next; without
 /// such a handle, turns the scene. Ctrl and the arrows shift the scene.
-void SceneView::keyboard(WindowSession& s, const View& view) {
+void SceneView::keyboard(const ScenePane& s, const View& view) {
   const ImGuiIO& io = ImGui::GetIO();
   const Vec2 middle = view.corner() + Vec2(view.width(), view.height()) / 2;
-  if (const double factor = std::exchange(s.requests.zoom, 1.0); factor != 1) zoom(s.player, view, middle, factor);
+  if (const double factor = std::exchange(s.zoom, 1.0); factor != 1) zoom(s.player, view, middle, factor);
   const double held_for = std::exchange(turning_, -1);
   if (!(io.KeyShift || io.KeyCtrl) || io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;
   const auto way_of = [](auto&& asks) {
@@ -233,20 +224,25 @@ void SceneView::keyboard(WindowSession& s, const View& view) {
     const Handle handle = *held;
     if (io.KeyCtrl) {
       if (search_) return;
-      return s.attempt([&] {
+      return attempt(s.toast, [&] {
         Snap snap = snapping_nudge(s.player, view, handle, way);
         s.player.remember("snap " + handle.parameter);
         begin_snap(s.player, std::move(snap));
       });
     }
-    s.attempt([&] {
+    attempt(s.toast, [&] {
       const Moved moved = nudge(s.player, view, handle, way, false);
-      if (!moved.refused.empty()) s.complain(moved.refused);
+      if (!moved.refused.empty()) s.toast.complain(moved.refused);
     });
     return;
   }
-  if (io.KeyShift && io.KeyCtrl) return;
-  // A little at once, then frame by frame while the key is held.
+  if (!(io.KeyShift && io.KeyCtrl)) turn_by_keys(s, view, down, held_for);
+}
+
+/// Turns or shifts the scene a little at once, then frame by frame while the key is held.
+void SceneView::turn_by_keys(const ScenePane& s, const View& view, const Vec2& down, double held_for) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Vec2 middle = view.corner() + Vec2(view.width(), view.height()) / 2;
   constexpr double once = 6, a_second = 240, patience = 0.18;  // px, seconds
   const double passed = std::min<double>(io.DeltaTime, 0.05);
   turning_ = held_for < 0 ? 0 : held_for + passed;
@@ -258,12 +254,13 @@ void SceneView::keyboard(WindowSession& s, const View& view) {
     pan(s.player, view, middle, middle - far * down);
 }
 
-void SceneView::pointer(WindowSession& s, const View& view, bool hovered, bool active) {
+void SceneView::pointer(const ScenePane& s, const View& view, bool hovered, bool active) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (held_ && held_in_ != &s.player.lesson()) held_.reset(), end_search(s);  // a key has opened another lesson
-  if (const Cases* cases = map_of(s)) {
-    const Theme ink = look(s, view);
-    map_drag_.follow(s, *cases, plane_of(*cases, view.corner(), view.width(), view.height(), ink), hovered);
+  if (held_ && held_in_ != &s.player.lesson()) held_.reset(), end_search(s.toast);  // a key has opened another lesson
+  if (const Cases* cases = map_of(s.player)) {
+    const Theme ink = look(s.player.scene(), s.ui.palette.theme, view);
+    map_drag_.follow(s.player, s.toast, *cases, plane_of(*cases, view.corner(), view.width(), view.height(), ink),
+                     hovered);
     last_ = mouse();
     return;
   }
@@ -271,29 +268,8 @@ void SceneView::pointer(WindowSession& s, const View& view, bool hovered, bool a
     last_ = mouse();
     return;
   }
-  if (hovered) wheel(s, view);
-  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-    s.player.end_action();
-    held_ = handle_near(s, view, mouse());
-    forbidden_.clear();
-    end_search(s);
-    if (held_) {
-      s.player.remember("drag");
-      held_in_ = &s.player.lesson(), start_ = held_->at, snapping_ = false;
-      begun_ = s.player.parameters(), pressed_ = followed_ = mouse();
-      grip_ = mouse() - view.project(held_->at).at;
-    } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-      frame_all(s.player);
-    }
-  }
-  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) s.player.end_action();
-  if (!io.MouseDown[0] && held_) {
-    const Vec2 at = view.project(held_->at).at - view.corner();
-    const bool seen = at.x() >= 0 && at.x() <= view.width() && at.y() >= 0 && at.y() <= view.height();
-    if (!seen) s.say_here("It is out of sight: F shows all of the scene");
-    held_.reset();
-  }
-
+  if (const double turns = io.MouseWheel; hovered && turns != 0) zoom(s.player, view, mouse(), std::pow(1.15, turns));
+  take_or_release(s, view, hovered);
   const bool moved = mouse() != last_;
   if (held_) {
     drag_held(s, view);
@@ -308,55 +284,86 @@ void SceneView::pointer(WindowSession& s, const View& view, bool hovered, bool a
   last_ = mouse();
 }
 
-void SceneView::show(WindowSession& s, const Rect& r) {
+/// Takes the handle at the pointer when the button is pressed, and lets it go when the button is released.
+void SceneView::take_or_release(const ScenePane& s, const View& view, bool hovered) {
+  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    s.player.end_action();
+    held_ = handle_near(s.handles(), view, mouse());
+    forbidden_.clear();
+    end_search(s.toast);
+    if (held_) {
+      s.player.remember("drag");
+      held_in_ = &s.player.lesson(), start_ = held_->at, snapping_ = false;
+      begun_ = s.player.parameters(), pressed_ = followed_ = mouse();
+      grip_ = mouse() - view.project(held_->at).at;
+    } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+      frame_all(s.player);
+    }
+  }
+  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) s.player.end_action();
+  if (!ImGui::GetIO().MouseDown[0] && held_) {
+    const Vec2 at = view.project(held_->at).at - view.corner();
+    const bool seen = at.x() >= 0 && at.x() <= view.width() && at.y() >= 0 && at.y() <= view.height();
+    if (!seen) s.toast.say_here(s.player, "It is out of sight: F shows all of the scene");
+    held_.reset();
+  }
+}
+
+/// Lights the names of the handles and of what is drawn, and tells about what is at the pointer, or at the keyboard's
+/// ring.
+void SceneView::handles_and_names(const ScenePane& s, const Rect& r, const View& view, bool hovered, bool active) {
+  for (const Handle& h : s.handles()) {
+    const Vec2 at = view.project(h.at).at;
+    const float x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
+    const Rect grip{x - hit_area, y - hit_area, x + hit_area, y + hit_area};
+    s.ui.rects["handle " + h.parameter] = grip;
+    focused(s.ui, "handle " + h.parameter, grip);
+  }
+  const std::optional<Handle> under = held_ ? held_ : hovered ? handle_near(s.handles(), view, mouse()) : std::nullopt;
+  if (hovered && !active) point_at_names(s.player, s.ui, view, r, labels_, under);
+  light_names(s.player, s.ui, view, r, labels_);
+  if (under)
+    handle_under_pointer(s.player, s.ui, view, *under, held_ ? forbidden_ : std::string());
+  else if (const std::optional<Handle> ringed = handle_of_keyboard(s))
+    handle_by_keyboard(s.player, s.ui, view, *ringed);
+  else if (hovered && !active && s.ui.sum.empty())
+    item_under_pointer(s.player, s.ui, view, mouse());
+}
+
+void SceneView::show(const ScenePane& s, const Rect& r) {
+  Player& player = s.player;
   Ui& ui = s.ui;
   begin_region(ui, "scene", r);
-  s.player.set_aspect(r.width() / (r.height() - steady_head(s, r) - axis_room(s, r)));
-  const float head = head_of(s, r), below = s.player.scene().chart ? 0 : axis_room(s, r);
-  const float height = r.height() - head - std::max(below, changed_room(s));
+  const float steady = steady_head(player, ui, tallest_verdict_, r), axis = axis_room(player, ui.palette.theme, r);
+  player.set_aspect(r.width() / (r.height() - steady - axis));
+  const float head = head_of(player, ui, steady, r), below = player.scene().chart ? 0 : axis;
+  const float height = r.height() - head - std::max(below, changed_room(player));
   const Vec2 corner(r.left, r.top + head);
-  const View before(s.player.camera().now(), r.width(), height, corner);
+  const View before(player.camera().now(), r.width(), height, corner);
 
-  const bool lead = s.pane == Pane::lead, in_space = !s.player.scene().chart && !has_drawings(s.player.scene());
-  if (lead && in_space && !s.player.lesson().flat) projection_name(s, r);
-  if (lead) changed_mark(s, r);
+  const bool lead = s.pane == Pane::lead, in_space = !player.scene().chart && !has_drawings(player.scene());
+  if (lead && in_space && !player.lesson().flat) projection_name(player, ui, r);
+  if (lead) changed_mark(player, ui, s.toast, r);
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::InvisibleButton("picture", {r.width(), r.height()},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
   pointer(s, before, hovered, active);
   if (lead) keyboard(s, before);
-  go_on_snapping(s);
-  if (const Handle* now = held_ ? same_handle(s.player.scene(), *held_) : nullptr) held_ = *now;
+  go_on_snapping(player, s.toast);
+  if (const Handle* now = held_ ? same_handle(player.scene(), *held_) : nullptr) held_ = *now;
 
-  const View view(s.player.camera().now(), r.width(), height, corner);
+  const View view(player.camera().now(), r.width(), height, corner);
   draw(s, r, view);
   ImGui::GetWindowDrawList()->AddImage(picture_.id(), top_left(r), bottom_right(r), {0, 1}, {1, 0});
+  handles_and_names(s, r, view, hovered, active);
 
-  for (const Handle& h : s.player.scene().handles) {
-    if (s.pane == Pane::fixed) break;
-    const Vec2 at = view.project(h.at).at;
-    const float x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
-    const Rect grip{x - hit_area, y - hit_area, x + hit_area, y + hit_area};
-    ui.rects["handle " + h.parameter] = grip;
-    focused(ui, "handle " + h.parameter, grip);
-  }
-  const std::optional<Handle> under = held_ ? held_ : hovered ? handle_near(s, view, mouse()) : std::nullopt;
-  if (hovered && !active) point_at_names(s.player, s.ui, view, r, labels_, under);
-  light_names(s.player, s.ui, view, r, labels_);
-  if (under)
-    handle_under_pointer(s, view, *under, held_ ? forbidden_ : std::string());
-  else if (const std::optional<Handle> ringed = handle_of_keyboard(s))
-    handle_by_keyboard(s, view, *ringed);
-  else if (hovered && !active && ui.sum.empty())
-    item_under_pointer(s, view, mouse());
-
-  verdict_chip(s, r);
-  alarm_chip(s, r);
-  if (in_space && !(s.player.lesson().flat && is_low(r))) tripod(s, view, r, labels_);
-  if (lead && in_space && !s.player.lesson().flat) projection_text(s, r, labels_);
-  if (lead) changed_text(s, r);
-  toast(s.ui, s.toast, r);
+  verdict_chip(player, ui, r);
+  alarm_chip(player, ui, r);
+  if (in_space && !(player.lesson().flat && is_low(r))) tripod(ui, view, r, labels_, s.handles());
+  if (lead && in_space && !player.lesson().flat) projection_text(player, ui, r, labels_);
+  if (lead) changed_text(player, ui, r);
+  toast(ui, s.toast, r);
   if (!lead) filled({r.left, r.top, r.left + 1, r.bottom}, ui.palette.rule, 0);
   ImGui::End();
 }

@@ -9,9 +9,27 @@
 #include "viz/player/dragging.h"
 #include "viz/window/kept_picture.h"
 #include "viz/window/map_view.h"
+#include "viz/window/scene_marks.h"
 #include "viz/window/window_session.h"
 
 namespace isect::viz {
+
+/// The first pane or the only one; a second that a reader's hand moves along with it; one that stays as it is.
+enum class Pane { lead, along, fixed };
+
+/// What a pane's scene shows and changes.
+struct ScenePane {
+  Player& player;
+  Ui& ui;
+  Toast& toast;
+  double& zoom;  ///< asked for by keys, until it is done: then 1
+  Pane pane = Pane::lead;
+  /// Returns the handles that can be dragged.
+  const std::vector<Handle>& handles() const {
+    static const std::vector<Handle> none;
+    return pane == Pane::fixed ? none : player.scene().handles;
+  }
+};
 
 class SceneView {
  public:
@@ -21,28 +39,32 @@ class SceneView {
       : renderer_(renderer), scale_(scale), drawing_(drawing), placing_(placing) {}
 
   /// Draws the scene with its marks, and does what the pointer asks for.
-  void show(WindowSession&, const Rect&);
+  void show(const ScenePane&, const Rect&);
   const std::vector<PlacedLabel>& labels() const { return labels_; }
   /// Whether the next frame is wanted: not all is drawn yet, a key goes on turning it, or a snap is being searched.
   bool behind() const { return behind_ || turning_ >= 0 || search_; }
-  void rescale(double scale) { scale_ = scale; }
+  void rescale(double scale) { scale_ = scale, tallest_verdict_ = {}; }
+  /// Forgets what it has drawn: it shows another player from now on, whose numbers may be the same.
+  void forget() { drawn_.clear(), tallest_verdict_ = {}; }
 
  private:
-  void draw(WindowSession&, const Rect&, const View&);
-  void pointer(WindowSession&, const View&, bool hovered, bool active);
-  void wheel(WindowSession&, const View&);
-  void keyboard(WindowSession&, const View&);
-  void drag_held(WindowSession&, const View&);
+  void draw(const ScenePane&, const Rect&, const View&);
+  void pointer(const ScenePane&, const View&, bool hovered, bool active);
+  void take_or_release(const ScenePane&, const View&, bool hovered);
+  void keyboard(const ScenePane&, const View&);
+  void turn_by_keys(const ScenePane&, const View&, const Vec2& down, double held_for);
+  void drag_held(const ScenePane&, const View&);
   void begin_snap(const Player&, Snap);
-  void go_on_snapping(WindowSession&);
-  void end_search(WindowSession&);
-  std::optional<Handle> handle_near(const WindowSession&, const View&, const Vec2& pixel) const;
+  void go_on_snapping(Player&, Toast&);
+  void end_search(Toast&);
+  void handles_and_names(const ScenePane&, const Rect&, const View&, bool hovered, bool active);
 
   Renderer& renderer_;
   double scale_;
   bool drawing_, placing_, behind_ = false;
   std::vector<PlacedLabel> labels_;
   KeptPicture picture_;
+  TallestVerdict tallest_verdict_;
   std::string drawn_;           ///< what the picture shows, as one line: it is not drawn twice
   double turning_ = -1;         ///< seconds for which keys have turned or shifted it; < 0: they do not
   bool sketched_ = false;       ///< drawn coarsely during a drag, smoothly once the button is released

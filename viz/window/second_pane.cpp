@@ -23,14 +23,12 @@ std::string preset_title(const Player& p, const std::string& id) {
 }
 
 /// Returns the title of the method or preset in the first pane.
-std::string first_title(const WindowSession& s) {
-  const bool methods = !s.settings.beside->method.empty();
-  return methods ? method_title(s.player, s.player.played().method())
-                 : preset_title(s.player, s.player.played().preset_id());
+std::string first_title(const Player& first, const Beside& side) {
+  return side.method.empty() ? preset_title(first, first.played().preset_id())
+                             : method_title(first, first.played().method());
 }
-std::string second_title(const WindowSession& s) {
-  const Beside& side = *s.settings.beside;
-  return side.method.empty() ? preset_title(s.player, side.preset) : method_title(s.player, side.method);
+std::string second_title(const Player& first, const Beside& side) {
+  return side.method.empty() ? preset_title(first, side.preset) : method_title(first, side.method);
 }
 
 /// Returns the one after `now`, cyclically; empty if there is no other one.
@@ -56,24 +54,24 @@ std::optional<Beside> usual(const Player& p) {
   return side;
 }
 
-/// Draws what the second pane can show: methods, then presets of the first one's method.
-void menu(WindowSession& s, const ImVec2& at) {
+/// Draws what the second pane can show: methods, then presets of the first one's method. Its choice becomes `chosen`.
+void menu(const Player& first, Ui& ui, Beside& chosen, const ImVec2& at) {
   ImGui::SetNextWindowPos(at);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{6, 6});
   if (ImGui::BeginPopup("other side")) {
     std::vector<std::pair<std::string, Beside>> rows;
-    const std::string& lesson = s.player.lesson().id;
-    for (const Method& m : s.player.played().methods()) rows.emplace_back(plain(m.title), Beside{lesson, m.choice, {}});
-    for (const Preset* p : s.player.played().group())
-      rows.emplace_back(plain(s.player.told_title(*p)), Beside{lesson, {}, p->id});
+    const std::string& lesson = first.lesson().id;
+    for (const Method& m : first.played().methods()) rows.emplace_back(plain(m.title), Beside{lesson, m.choice, {}});
+    for (const Preset* p : first.played().group())
+      rows.emplace_back(plain(first.told_title(*p)), Beside{lesson, {}, p->id});
     float width = 160;
-    for (const auto& [title, side] : rows) width = std::max(width, text_width(s.ui.fonts.body, title) + 28);
+    for (const auto& [title, side] : rows) width = std::max(width, text_width(ui.fonts.body, title) + 28);
     const ImVec2 top = ImGui::GetCursorScreenPos();
     float y = top.y;
     for (const auto& [title, side] : rows) {
       const std::string name = "against " + (side.method.empty() ? side.preset : side.method);
-      if (chip(s.ui, name, {top.x, y, top.x + width, y + 28}, title, side == *s.settings.beside)) {
-        s.settings.beside = side;
+      if (chip(ui, name, {top.x, y, top.x + width, y + 28}, title, side == chosen)) {
+        chosen = side;
         ImGui::CloseCurrentPopup();
       }
       y += 31;
@@ -96,28 +94,33 @@ void told(Ui& ui, const std::string& side, const Step& step, int line, int value
   text(ui.fonts.small, right, y, packed(ui.palette.miss), words, 1);
 }
 
-void heads(WindowSession& s, const Player& other, const WalkDifference& difference, const PanesLayout& at) {
-  Ui& ui = s.ui;
+/// Draws what stands above the panes. Returns whether the second one is to be closed.
+bool heads(const Player& first, const Player& other, const WalkDifference& difference, Ui& ui, Beside& side,
+           const PanesLayout& at) {
   begin_region(ui, "pane heads", at.heads);
   const float y = at.heads.middle_y(), left = at.heads.left + 20, middle = at.second_scene.left;
   const float end = left + text(ui.fonts.bold, left, y, packed(ui.palette.text),
-                                fitted(ui.fonts.bold, first_title(s), middle - left - 12));
-  told(ui, "", s.player.step(), difference.line_a, difference.value_a, end + 16, middle - 16, y);
+                                fitted(ui.fonts.bold, first_title(first, side), middle - left - 12));
+  told(ui, "", first.step(), difference.line_a, difference.value_a, end + 16, middle - 16, y);
   const Rect close{at.heads.right - 48, y - 14, at.heads.right - 20, y + 14};
   bool pressed = false;
-  const Opener against{"against", "against " + second_title(s), "Another method or preset on this side", middle + 20,
-                       y,         close.left - middle - 40};
+  const Opener against{"against",
+                       "against " + second_title(first, side),
+                       "Another method or preset on this side",
+                       middle + 20,
+                       y,
+                       close.left - middle - 40};
   const float opened = opener(ui, against, false, pressed);
   told(ui, "other ", other.step(), difference.line_b, difference.value_b, opened + 16, close.left - 12, y);
   if (pressed) ImGui::OpenPopup("other side");
-  menu(s, {middle + 12, at.heads.bottom});
+  menu(first, ui, side, {middle + 12, at.heads.bottom});
   const Press p = press(ui, "one pane", close);
   if (p.hovered) filled(close, ui.palette.hovered), tooltip(ui, "One pane again (V)");
   cross(close.middle_x(), y, 15, packed(ui.palette.text));
   rule(ui, at.heads.left, at.heads.right, at.heads.bottom - 1);
   filled({middle, at.heads.top, middle + 1, at.heads.bottom}, ui.palette.rule, 0);
-  if (p.clicked) toggle_panes(s);
   ImGui::End();
+  return p.clicked;
 }
 
 /// Returns where the panes part, without values while a question is open: those on show belong to no step.
@@ -129,83 +132,78 @@ WalkDifference difference_now(const Player& first, const Player& second) {
 
 }  // namespace
 
-bool two_panes(const WindowSession& s) {
-  return s.settings.beside && s.settings.beside->lesson == s.player.lesson().id;
+bool two_panes(const Player& player, const Settings& settings) {
+  return settings.beside && settings.beside->lesson == player.lesson().id;
 }
 
-void parted_mark(Ui& ui, const std::string& name, const Rect& r, bool lit) {
-  ui.rects[name] = r;
-  outlined(r, ui.palette.miss, 1.5f, 5);
-  text(ui.fonts.small, r.left + 7, r.middle_y(), packed(lit ? ui.palette.on_highlight : ui.palette.miss), "≠", 0.5f);
-}
-
-void toggle_panes(WindowSession& s) {
-  if (std::exchange(s.settings.beside, std::nullopt)) return;
-  s.settings.beside = usual(s.player);
-  if (!s.settings.beside) return s.say("There is nothing to set against this");
-  s.settings.map = false;
+void toggle_panes(const Player& player, Settings& settings, Toast& toast) {
+  if (std::exchange(settings.beside, std::nullopt)) return;
+  settings.beside = usual(player);
+  if (!settings.beside) return toast.say("There is nothing to set against this");
+  settings.map = false;
 }
 
 /// Returns false if the other side does not exist; then there is one pane.
-bool SecondPane::follow(WindowSession& s) {
-  const Beside& side = *s.settings.beside;
-  const Lesson& lesson = s.player.lesson();
+bool SecondPane::follow(Player& first, Settings& settings, Toast& toast) {
+  const Beside& side = *settings.beside;
+  const Lesson& lesson = first.lesson();
   try {
-    Parameters parameters = s.player.parameters();
+    Parameters parameters = first.parameters();
     if (side.method.empty())
       parameters = preset(lesson, side.preset).parameters;
     else
       parameters[lesson.group_by] = side.method;
-    if (!other_) other_.emplace(s.player);
-    other_->follow(s.player, parameters);
-    s.player.accompany(&*other_);
+    if (!other_) other_.emplace(first), scene_.forget(), names_.clear();
+    other_->follow(first, parameters);
+    first.accompany(&*other_);
     return true;
   } catch (const BadInput& wrong) {
-    s.complain(wrong.what());
-    s.settings.beside.reset();
-    leave(s);
+    toast.complain(wrong.what());
+    leave(first, settings);
     return false;
   }
 }
 
-void SecondPane::leave(WindowSession& s) {
-  if (s.settings.beside) s.settings.beside.reset();  // of another lesson
-  s.player.accompany(nullptr);
+void SecondPane::leave(Player& first, Settings& settings) {
+  settings.beside.reset();  // it may be of another lesson
+  first.accompany(nullptr);
   other_.reset();
 }
 
-void SecondPane::show_other(WindowSession& s, const PanesLayout& at) {
-  const bool methods = !s.settings.beside->method.empty();
-  WindowSession along{.player = *other_, .ui = s.ui, .settings = s.settings, .course = s.course, .figures = {}};
-  along.pane = methods ? Pane::along : Pane::fixed;
-  const WalkDifference difference = difference_now(s.player, *other_);
+void SecondPane::show_other(const ScenePane& first, const Settings& settings, const PanesLayout& at) {
+  Ui& ui = first.ui;
+  const bool methods = !settings.beside->method.empty();
+  const WalkDifference difference = difference_now(first.player, *other_);
   const Parted parted = {difference.line_b, difference.value_b};
-  const std::map<std::string, Rect> first = std::exchange(s.ui.rects, {});
+  const std::map<std::string, Rect> before = std::exchange(ui.rects, {});
   if (std::exchange(named_, other_->revision()) != other_->revision() || names_.empty())
     names_ = names_of(other_->lesson(), other_->walk());
-  std::swap(s.ui.names, names_);
-  s.ui.side = "other ";
-  scene_.show(along, at.second_scene);
-  code_panel(*other_, s.ui, at.second_code, &parted);
-  std::map<std::string, Rect> all = first;
-  for (const auto& [name, rect] : s.ui.rects) all[s.ui.side + name] = rect;
-  s.ui.rects = std::move(all);
-  s.ui.side.clear();
-  std::swap(s.ui.names, names_);
+  std::swap(ui.names, names_);
+  ui.side = "other ";
+  Toast toast;
+  double zoom = 1;
+  scene_.show({*other_, ui, toast, zoom, methods ? Pane::along : Pane::fixed}, at.second_scene);
+  code_panel(*other_, ui, at.second_code, &parted);
+  std::map<std::string, Rect> all = before;
+  for (const auto& [name, rect] : ui.rects) all[ui.side + name] = rect;
+  ui.rects = std::move(all);
+  ui.side.clear();
+  std::swap(ui.names, names_);
 
-  Parameters shared = methods ? other_->parameters() : s.player.parameters();
-  if (methods) shared[s.player.lesson().group_by] = s.player.played().method();
-  s.attempt([&] { s.player.take_from(*other_, shared); });
+  Parameters shared = methods ? other_->parameters() : first.player.parameters();
+  if (methods) shared[first.player.lesson().group_by] = first.player.played().method();
+  attempt(first.toast, [&] { first.player.take_from(*other_, shared); });
 }
 
-void SecondPane::show(WindowSession& s, SceneView& lead, const PanesLayout& at) {
-  if (!follow(s)) return;
-  const WalkDifference difference = difference_now(s.player, *other_);
-  heads(s, *other_, difference, at);
+void SecondPane::show(const ScenePane& first, Settings& settings, SceneView& lead, const PanesLayout& at) {
+  if (!follow(first.player, settings, first.toast)) return;
+  const WalkDifference difference = difference_now(first.player, *other_);
+  if (heads(first.player, *other_, difference, first.ui, *settings.beside, at))
+    toggle_panes(first.player, settings, first.toast);
   const Parted parted = {difference.line_a, difference.value_a};
-  lead.show(s, at.first_scene);
-  code_panel(s.player, s.ui, at.first_code, &parted);
-  if (two_panes(s) && follow(s)) show_other(s, at);
+  lead.show(first, at.first_scene);
+  code_panel(first.player, first.ui, at.first_code, &parted);
+  if (two_panes(first.player, settings) && follow(first.player, settings, first.toast)) show_other(first, settings, at);
 }
 
 }  // namespace isect::viz

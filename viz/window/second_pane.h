@@ -12,23 +12,25 @@
 namespace isect::viz {
 
 /// Whether the lesson on show stands in two panes.
-bool two_panes(const WindowSession&);
+bool two_panes(const Player&, const Settings&);
+/// Shows the next method or preset beside this one, or hides the second pane.
+void toggle_panes(const Player&, Settings&, Toast&);
 
 class SecondPane {
  public:
   SecondPane(Renderer& renderer, double scale, bool drawing) : scene_(renderer, scale, drawing, drawing) {}
 
   /// Shows both panes, with what tells them apart above them. `lead`: the scene of the first.
-  void show(WindowSession&, SceneView& lead, const PanesLayout&);
+  void show(const ScenePane& first, Settings&, SceneView& lead, const PanesLayout&);
   /// Returns to one pane.
-  void leave(WindowSession&);
+  void leave(Player& first, Settings&);
   /// Whether the second scene wants another frame (SceneView::behind), while there are two panes.
   bool behind() const { return other_ && scene_.behind(); }
   void rescale(double scale) { scene_.rescale(scale); }
 
  private:
-  bool follow(WindowSession&);
-  void show_other(WindowSession&, const PanesLayout&);
+  bool follow(Player& first, Settings&, Toast&);
+  void show_other(const ScenePane& first, const Settings&, const PanesLayout&);
 
   SceneView scene_;
   std::optional<Player> other_;

@@ -68,9 +68,10 @@ void sheets(WindowSession& s, const Rect& window) {
   if (open == Sheet::terms) ImGui::OpenPopup("terms");
   if (open == Sheet::save) ImGui::OpenPopup("save sheet");
   key_sheet(s.ui, window);
-  picker(s, window);
-  terms_sheet(s, window);
-  save_sheet(s, window);
+  picker(s.player, s.ui, s.picker, {s.player.lessons(), s.course, s.settings, s.figures}, s.toast, window);
+  terms_sheet(s.player, s.ui, s.searched_term, s.course, s.toast, window);
+  save_sheet(s.player, s.ui, s.save_sheet, s.settings, keeps_file(s), s.requests, window);
+  if (std::exchange(s.requests.save_back, false)) save_back(s);
 }
 
 }  // namespace isect::viz

@@ -19,8 +19,18 @@ bool search_field(Ui&, std::string& words, const char* hint);
 bool matches(const std::string& text, const std::string& wanted);
 
 void key_sheet(Ui&, const Rect& window);
-void picker(WindowSession&, const Rect& window);
-void terms_sheet(WindowSession&, const Rect& window);
-void save_sheet(WindowSession&, const Rect& window);
+/// What the picker lists: lessons in the order of the course, what a reader did in them, and presets saved in a folder.
+struct Shelf {
+  const std::vector<const Lesson*>& lessons;
+  const Course& course;
+  const Settings& settings;
+  const std::string& figures;
+};
+/// Lists the shelf; what is chosen from it the player opens.
+void picker(Player&, Ui&, Picker&, const Shelf&, Toast&, const Rect& window);
+/// Lists the terms in which the words `searched` occur; the player opens the lesson of the one that is chosen.
+void terms_sheet(Player&, Ui&, std::string& searched, const Course&, Toast&, const Rect& window);
+/// Asks for the format, theme and size of a figure. `to_file`: the setting can be written into the scene's file.
+void save_sheet(const Player&, Ui&, SaveSheet&, Settings&, bool to_file, Requests&, const Rect& window);
 
 }  // namespace isect::viz

@@ -7,25 +7,26 @@
 namespace isect::viz {
 namespace {
 
-void method_menu(WindowSession& s, float x, float bottom) {
+void method_menu(Player& player, Ui& ui, Settings& settings, Toast& toast, float x, float bottom) {
   ImGui::SetNextWindowPos({x, bottom});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{6, 6});
   if (ImGui::BeginPopup("methods")) {
     ImVec2 at = ImGui::GetCursorScreenPos();
     constexpr const char* two_methods = "two methods side by side";
-    float width = text_width(s.ui.fonts.body, two_methods) + 28;
-    for (const Method& m : s.player.played().methods())
-      width = std::max(width, text_width(s.ui.fonts.body, plain(m.title)) + 28);
-    for (const Method& m : s.player.played().methods()) {
+    float width = text_width(ui.fonts.body, two_methods) + 28;
+    for (const Method& m : player.played().methods())
+      width = std::max(width, text_width(ui.fonts.body, plain(m.title)) + 28);
+    for (const Method& m : player.played().methods()) {
       const Rect r{at.x, at.y, at.x + width, at.y + 30};
-      if (chip(s.ui, "method " + m.choice, r, plain(m.title), m.choice == s.player.played().method())) {
-        s.attempt([&] { s.player.load_method(m.choice); });
+      if (chip(ui, "method " + m.choice, r, plain(m.title), m.choice == player.played().method())) {
+        attempt(toast, [&] { player.load_method(m.choice); });
         ImGui::CloseCurrentPopup();
       }
       at.y += 34;
     }
-    if (chip(s.ui, "method against method", {at.x, at.y, at.x + width, at.y + 30}, two_methods, two_panes(s))) {
-      toggle_panes(s);
+    if (chip(ui, "method against method", {at.x, at.y, at.x + width, at.y + 30}, two_methods,
+             two_panes(player, settings))) {
+      toggle_panes(player, settings, toast);
       ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();
@@ -51,13 +52,13 @@ struct Chips {
   }
 };
 
-Chips chips_in(const WindowSession& s, const std::vector<const Preset*>& group, float room) {
+Chips chips_in(const Player& player, const Ui& ui, const std::vector<const Preset*>& group, float room) {
   constexpr float narrow = 30;
   Chips chips;
   for (const bool roomy : {true, false}) {
-    chips = {roomy ? s.ui.fonts.body : s.ui.fonts.small, roomy ? 8.0f : 6.0f, -1, {}, {}};
+    chips = {roomy ? ui.fonts.body : ui.fonts.small, roomy ? 8.0f : 6.0f, -1, {}, {}};
     for (std::size_t i = 0; i < group.size(); ++i) {
-      if (group[i]->id == s.player.played().preset_id()) chips.chosen = static_cast<int>(i);
+      if (group[i]->id == player.played().preset_id()) chips.chosen = static_cast<int>(i);
       chips.wide.push_back(text_width(chips.font, chip_label(*group[i], i + 1, true)) + (roomy ? 24 : 16));
     }
     chips.widths = chips.wide;
@@ -67,37 +68,38 @@ Chips chips_in(const WindowSession& s, const std::vector<const Preset*>& group, 
   return chips;
 }
 
-void draw_chips(WindowSession& s, const std::vector<const Preset*>& group, const Chips& chips, float x1, float y) {
+void draw_chips(Player& player, Ui& ui, Toast& toast, const std::vector<const Preset*>& group, const Chips& chips,
+                float x1, float y) {
   float x = x1 - chips.total();
   for (std::size_t i = 0; i < group.size(); ++i) {
     const bool whole = chips.widths[i] == chips.wide[i];
     const Rect r{x, y - 15, x + chips.widths[i], y + 15};
-    if (chip(s.ui, "preset " + std::to_string(i + 1), r,
-             chip_label(*group[i], i + 1, whole && !s.player.quiz().asked()), static_cast<int>(i) == chips.chosen,
-             chips.font))
-      s.attempt([&] { s.player.load(*group[i]); });
-    if (ImGui::IsItemHovered() && s.player.quiz().asked())
-      tooltip(s.ui, "It is named once the question is answered");
+    if (chip(ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, whole && !player.quiz().asked()),
+             static_cast<int>(i) == chips.chosen, chips.font))
+      attempt(toast, [&] { player.load(*group[i]); });
+    if (ImGui::IsItemHovered() && player.quiz().asked())
+      tooltip(ui, "It is named once the question is answered");
     else if (ImGui::IsItemHovered() && !whole)
-      tooltip(s.ui, plain(group[i]->title));
+      tooltip(ui, plain(group[i]->title));
     x += chips.widths[i] + chips.gap;
   }
 }
 
 /// Lists all presets below each other, if there is no room for them side by side.
-void preset_menu(WindowSession& s, const std::vector<const Preset*>& group, float right, float top) {
+void preset_menu(Player& player, Ui& ui, Toast& toast, const std::vector<const Preset*>& group, float right,
+                 float top) {
   float width = 160;
   for (std::size_t i = 0; i < group.size(); ++i)
-    width = std::max(width, text_width(s.ui.fonts.body, chip_label(*group[i], i + 1, true)) + 28);
+    width = std::max(width, text_width(ui.fonts.body, chip_label(*group[i], i + 1, true)) + 28);
   ImGui::SetNextWindowPos({right - width - 12, top});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{6, 6});
   if (ImGui::BeginPopup("preset menu")) {
     ImVec2 at = ImGui::GetCursorScreenPos();
     for (std::size_t i = 0; i < group.size(); ++i) {
       const Rect r{at.x, at.y, at.x + width, at.y + 30};
-      if (chip(s.ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, !s.player.quiz().asked()),
-               group[i]->id == s.player.played().preset_id())) {
-        s.attempt([&] { s.player.load(*group[i]); });
+      if (chip(ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, !player.quiz().asked()),
+               group[i]->id == player.played().preset_id())) {
+        attempt(toast, [&] { player.load(*group[i]); });
         ImGui::CloseCurrentPopup();
       }
       at.y += 34;
@@ -107,69 +109,69 @@ void preset_menu(WindowSession& s, const std::vector<const Preset*>& group, floa
   ImGui::PopStyleVar();
 }
 
-std::string chosen_label(const WindowSession& s, const std::vector<const Preset*>& group) {
+std::string chosen_label(const Player& player, const std::vector<const Preset*>& group) {
   for (std::size_t i = 0; i < group.size(); ++i)
-    if (group[i]->id == s.player.played().preset_id()) return chip_label(*group[i], i + 1, !s.player.quiz().asked());
+    if (group[i]->id == player.played().preset_id()) return chip_label(*group[i], i + 1, !player.quiz().asked());
   return "presets";
 }
 
-void theme_button(WindowSession& s, const Rect& r) {
+void theme_button(Ui& ui, ThemeName& theme, const Rect& r) {
   constexpr ThemeName round[] = {ThemeName::dark, ThemeName::screen, ThemeName::grey};
-  const Press p = press(s.ui, "theme", r);
-  filled(r, p.hovered ? s.ui.palette.hovered : s.ui.palette.frame);
+  const Press p = press(ui, "theme", r);
+  filled(r, p.hovered ? ui.palette.hovered : ui.palette.frame);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 middle{r.middle_x(), r.middle_y()};
-  const ImU32 ink = packed(s.ui.palette.text);
+  const ImU32 ink = packed(ui.palette.text);
   list.AddCircle(middle, 7, ink, 24, 1.5f);
   list.PathArcTo(middle, 7, -1.5708f, 1.5708f, 16);
   list.PathFillConvex(ink);
-  const auto* at = std::find(std::begin(round), std::end(round), s.settings.theme);
+  const auto* at = std::find(std::begin(round), std::end(round), theme);
   const ThemeName next = at == std::end(round) || at + 1 == std::end(round) ? round[0] : at[1];
-  if (p.hovered) tooltip(s.ui, "Theme: " + name_of(s.settings.theme) + ". Click for " + name_of(next));
-  if (p.clicked) s.settings.theme = next;
+  if (p.hovered) tooltip(ui, "Theme: " + name_of(theme) + ". Click for " + name_of(next));
+  if (p.clicked) theme = next;
 }
 
 }  // namespace
 
-void top_bar(WindowSession& s, const Rect& r) {
-  Ui& ui = s.ui;
+void top_bar(Player& player, Ui& ui, Settings& settings, Requests& requests, Toast& toast, const Rect& r) {
   begin_region(ui, "top bar", r);
   const float y = 24;
   logo(ui, 30, y);
   text(ui.fonts.heading, 54, y, packed(ui.palette.text), "isect");
   const Rect help{r.right - 56, y - 15, r.right - 20, y + 15};
   const float x0 = 128, x1 = help.left - 60;
-  const bool variants = !s.player.played().methods().empty();
-  const std::string title = plain(s.player.lesson().title), variant = variants ? plain(s.player.walk().method) : "";
+  const bool variants = !player.played().methods().empty();
+  const std::string title = plain(player.lesson().title), variant = variants ? plain(player.walk().method) : "";
   const auto wide = [&](const std::string& words) { return text_width(ui.fonts.body, words) + 18; };
   const float names = wide(title) + (variants ? 20 + wide(variant) : 0) + 24;
-  const std::vector<const Preset*> group = s.player.played().group();
-  const Chips chips = chips_in(s, group, x1 - x0 - names);
+  const std::vector<const Preset*> group = player.played().group();
+  const Chips chips = chips_in(player, ui, group, x1 - x0 - names);
   const bool in_a_row = chips.total() <= x1 - x0 - names;
-  const float menu = in_a_row || group.empty() ? 0 : std::min(wide(chosen_label(s, group)), 190.0f) + 14;
+  const float menu = in_a_row || group.empty() ? 0 : std::min(wide(chosen_label(player, group)), 190.0f) + 14;
 
   float room = x1 - x0 - menu - 24;
   const float for_variant = variants ? std::min(wide(variant), room * 0.4f) : 0;
   room -= variants ? for_variant + 20 : 0;
   bool pressed = false;
   float x = opener(ui, {"lesson", title, "Another lesson (Ctrl+O)", x0, y, room}, false, pressed);
-  if (pressed) s.requests.sheet = Sheet::picker;
+  if (pressed) requests.sheet = Sheet::picker;
   if (variants) {
     x += 20;
     opener(ui, {"method", variant, "Another method", x, y, for_variant + 1}, true, pressed);
     if (pressed) ImGui::OpenPopup("methods");
-    method_menu(s, x - 8, y + 20);
+    method_menu(player, ui, settings, toast, x - 8, y + 20);
   }
   if (in_a_row) {
-    draw_chips(s, group, chips, x1, y);
+    draw_chips(player, ui, toast, group, chips, x1, y);
   } else {
-    opener(ui, {"presets", chosen_label(s, group), "Another preset (Page Up, Page Down)", x1 - menu + 8, y, menu - 8},
+    opener(ui,
+           {"presets", chosen_label(player, group), "Another preset (Page Up, Page Down)", x1 - menu + 8, y, menu - 8},
            false, pressed);
     if (pressed) ImGui::OpenPopup("preset menu");
-    preset_menu(s, group, x1 + 12, y + 20);
+    preset_menu(player, ui, toast, group, x1 + 12, y + 20);
   }
-  if (chip(ui, "help", help, "?", false)) s.requests.sheet = Sheet::keys;
-  theme_button(s, {help.left - 44, help.top, help.left - 8, help.bottom});
+  if (chip(ui, "help", help, "?", false)) requests.sheet = Sheet::keys;
+  theme_button(ui, settings.theme, {help.left - 44, help.top, help.left - 8, help.bottom});
   rule(ui, r.left, r.right, r.bottom - 1);
   ImGui::End();
 }

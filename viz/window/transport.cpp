@@ -22,9 +22,7 @@ int step_at(const Rect& r, float x, int count) {
   return std::clamp(static_cast<int>(std::lround(share * static_cast<float>(count - 1))), 0, count - 1);
 }
 
-void scrubber(WindowSession& s, const Rect& r, float y) {
-  Ui& ui = s.ui;
-  Player& player = s.player;
+void scrubber(Player& player, Ui& ui, const Rect& r, float y) {
   const Palette& c = ui.palette;
   const Press p = press(ui, "scrubber", {r.left + 16, y - 12, r.right - 16, y + 12});
   const int under = step_at(r, ImGui::GetIO().MousePos.x, player.count());
@@ -50,13 +48,11 @@ void scrubber(WindowSession& s, const Rect& r, float y) {
   list.AddCircleFilled({knob, y}, 3.5f, packed(c.window), 16);
 }
 
-void buttons(WindowSession& s, float middle, float y) {
-  Player& player = s.player;
+void buttons(Player& player, Ui& ui, Settings& settings, Toast& toast, float middle, float y) {
   const auto at = [&](int i) {
     const float x = middle + static_cast<float>(i) * 52;
     return Rect{x - 22, y - 18, x + 22, y + 18};
   };
-  Ui& ui = s.ui;
   const bool start = player.index() == 0 && !player.quiz().asked();
   if (icon_button(ui, "first", at(-2), Icon::first, false, !start)) player.first();
   if (icon_button(ui, "back", at(-1), Icon::back, false, !start)) player.back();
@@ -76,13 +72,16 @@ void buttons(WindowSession& s, float middle, float y) {
   text(ui.fonts.small, speed.middle_x(), y, packed(ui.palette.muted), speeds[i], 0.5f);
 
   const Rect map{speed.right + 12, y - 18, speed.right + 56, y + 18};
-  if (icon_button(ui, "show map", map, Icon::map, shows_map(s), has_map(player))) show_map(s);
+  if (icon_button(ui, "show map", map, Icon::map, shows_map(player, settings), has_map(player)))
+    show_map(player, settings, toast);
   if (ImGui::IsItemHovered()) tooltip(ui, "Where this case lies: the map of cases beside the scene (W)");
   const Rect panes{map.right + 8, map.top, map.right + 52, map.bottom};
-  if (icon_button(ui, "two panes", panes, Icon::panes, two_panes(s), true)) toggle_panes(s);
+  if (icon_button(ui, "two panes", panes, Icon::panes, two_panes(player, settings), true))
+    toggle_panes(player, settings, toast);
   if (ImGui::IsItemHovered()) tooltip(ui, "Method against method, or preset against preset (V)");
   const Rect pass{panes.right + 8, panes.top, panes.right + 52, panes.bottom};
-  if (icon_button(ui, "pass questions", pass, Icon::pass, s.settings.nonstop, true)) pass_questions(s);
+  if (icon_button(ui, "pass questions", pass, Icon::pass, settings.nonstop, true))
+    pass_questions(player, settings, toast);
   if (ImGui::IsItemHovered()) tooltip(ui, "Play passes over questions (N)");
 }
 
@@ -98,13 +97,17 @@ void key_hints(const Ui& ui, float right, float room, float y) {
 
 }  // namespace
 
-void transport(WindowSession& s, const Rect& r) {
-  Ui& ui = s.ui;
-  const Player& player = s.player;
+void pass_questions(Player& player, Settings& settings, Toast& toast) {
+  settings.nonstop = !settings.nonstop;
+  player.clock().stop_at_questions(!settings.nonstop);
+  toast.say(settings.nonstop ? "Play passes over questions now" : "Play stops at questions again");
+}
+
+void transport(Player& player, Ui& ui, Settings& settings, Toast& toast, const Rect& r) {
   begin_region(ui, "transport", r);
   rule(ui, r.left, r.right, r.top);
   const bool low = r.height() < 80;
-  scrubber(s, r, r.top + (low ? 12.0f : 20.0f));
+  scrubber(player, ui, r, r.top + (low ? 12.0f : 20.0f));
 
   const float y = r.top + (low ? 43.0f : 58.0f), middle = std::round(r.middle_x());
   const std::string where = "Step " + std::to_string(player.index() + 1) + " of " + std::to_string(player.count());
@@ -115,7 +118,7 @@ void transport(WindowSession& s, const Rect& r) {
     rich_line(ui, title, end + 24, y);
   else if (room > 60)
     text(ui.fonts.body, end + 24, y, packed(ui.palette.muted), fitted(ui.fonts.body, plain(title.markup), room));
-  buttons(s, middle, y);
+  buttons(player, ui, settings, toast, middle, y);
   key_hints(ui, r.right - 24, r.right - 24 - (middle + 354), y);
   ImGui::End();
 }

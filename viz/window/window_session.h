@@ -44,8 +44,6 @@ inline std::optional<Beside> beside_of(const ReaderState& state) {
   if (!state.beside) return {};
   return Beside{state.lesson, state.beside->method, state.beside->preset};
 }
-/// The first pane or the only one; a second that a reader's hand moves along with it; one that stays as it is.
-enum class Pane { lead, along, fixed };
 
 /// What is kept between runs.
 struct Settings {
@@ -87,6 +85,7 @@ struct Requests {
   Sheet sheet = Sheet::none;  ///< to be opened
   bool save_figure = false;   ///< this frame's figure as a file
   bool save_preset = false;   ///< the setting as a preset file
+  bool save_back = false;     ///< the setting into the scene's file
   bool close = false;         ///< the reader wants to close the window
   double zoom = 1;
 };
@@ -110,6 +109,7 @@ struct SaveSheet {
 
 /// The list of lessons.
 struct Picker {
+  std::string search = {};                ///< words that are searched for
   const Lesson* lesson = nullptr;         ///< the one whose picture is wanted; null: none
   ImTextureID picture = {};               ///< nothing until it has been drawn, between two frames
   std::vector<std::string> presets = {};  ///< files of saved ones, as they were found
@@ -143,15 +143,6 @@ struct StepWords {
   } lecture = {};
 };
 
-/// The height that the scene leaves free for the verdicts of a walk, which may have thousands of steps.
-struct SteadyHead {
-  unsigned walk = 0;
-  float width = 0, height = 0, alarm = 0;
-  double size = 0;
-  float tallest = 0;
-  bool operator==(const SteadyHead&) const = default;
-};
-
 /// Where the walks of two panes part: a line, one of the step's values; -1: nowhere.
 struct Parted {
   int line = -1, value = -1;
@@ -159,12 +150,31 @@ struct Parted {
 
 /// A message over the scene.
 struct Toast {
-  std::string text;
+  std::string text = {};
   bool error = false;
   double seconds_left = 0;
   std::optional<std::pair<unsigned, int>> at = {};  ///< its revision and step, if it is about no others
-};
 
+  void say(const std::string& words) { *this = {words, false, 5}; }
+  /// Says what holds only for this setting and step: the message ends with them.
+  void say_here(const Player& player, const std::string& words) { *this = {words, false, 5, here(player)}; }
+  void complain(const std::string& words) { *this = {words, true, 12}; }
+  static std::pair<unsigned, int> here(const Player& player) { return {player.revision(), player.index()}; }
+};
+/// Runs an action that may be refused, and shows why it was.
+template <class Action>
+void attempt(Toast& toast, Action&& action) {
+  try {
+    action();
+  } catch (const BadInput& wrong) {
+    toast.complain(wrong.what());
+  } catch (const FileError& failed) {
+    toast.complain(failed.what());
+  }
+}
+
+/// All that the parts of the window share. The window itself, its keys and what opens its sheets take it whole; a panel
+/// takes what it needs of it.
 struct WindowSession {
   Player& player;
   Ui& ui;
@@ -173,32 +183,13 @@ struct WindowSession {
   std::string figures;  ///< folder for saved figures
   SceneFile scene_file = {};
   bool panels = true, full_screen = false;
-  Pane pane = Pane::lead;
   Requests requests = {};
   SaveSheet save_sheet = {};
   Picker picker = {};
-  std::string search = {};  ///< words in the picker, or among the terms
+  std::string searched_term = {};  ///< words among the terms
   Fields fields = {};
   StepWords step_words = {};
-  SteadyHead steady_head = {};
   Toast toast = {};
-
-  void say(const std::string& words) { toast = {words, false, 5}; }
-  /// Says what holds only for this setting and step: the message ends with them.
-  void say_here(const std::string& words) { toast = {words, false, 5, here()}; }
-  std::pair<unsigned, int> here() const { return {player.revision(), player.index()}; }
-  void complain(const std::string& words) { toast = {words, true, 12}; }
-  /// Runs an action that may be refused, and shows why it was.
-  template <class Action>
-  void attempt(Action&& action) {
-    try {
-      action();
-    } catch (const BadInput& wrong) {
-      complain(wrong.what());
-    } catch (const FileError& failed) {
-      complain(failed.what());
-    }
-  }
 };
 
 }  // namespace isect::viz

@@ -93,8 +93,8 @@ struct WindowUi::Impl {
   }
 
   void save() {
-    session.attempt([&] {
-      session.say("Saved " + save_figure(player, settings, renderer, session.figures) + ", with its alt text");
+    attempt(session.toast, [&] {
+      session.toast.say("Saved " + save_figure(player, settings, renderer, session.figures) + ", with its alt text");
     });
   }
 
@@ -129,12 +129,12 @@ struct WindowUi::Impl {
   }
 
   void keep_setting() {
-    session.attempt([&] {
+    attempt(session.toast, [&] {
       const std::string path = save_preset(player, session.figures);
       std::erase(settings.saved, path);  // a file of this name may have been there before
       settings.saved.insert(settings.saved.begin(), path);
       if (settings.saved.size() > saved_kept) settings.saved.pop_back();
-      session.say("Saved " + path);
+      session.toast.say("Saved " + path);
     });
   }
 
@@ -190,32 +190,36 @@ struct WindowUi::Impl {
     const WindowLayout at = window_layout(whole.x, whole.y);
     if (session.panels) return at;
     const float room = at.transport.top - at.top.bottom;
-    return window_layout_without_panels(whole.x, whole.y,
-                                        two_panes(session) ? 0 : lecture_height(session, whole.x, room));
+    return window_layout_without_panels(
+        whole.x, whole.y,
+        two_panes(player, settings) ? 0 : lecture_height(player, ui, session.step_words, whole.x, room));
   }
 
   /// Shows all between the two bars.
   void show_step(const WindowLayout& at) {
-    if (two_panes(session)) {
+    const ScenePane pane{player, ui, session.toast, session.requests.zoom};
+    const LessonPanel lesson{player, ui, settings, session.fields, session.step_words, session.requests, session.toast};
+    if (two_panes(player, settings)) {
       const PanesLayout two = panes_layout(at);
-      panes.show(session, scene, two);
-      if (two.lesson.width() > 0) return lesson_panel(session, two.lesson);
+      panes.show(pane, settings, scene, two);
+      if (two.lesson.width() > 0) return lesson_panel(lesson, two.lesson);
       return question_over_scenes(
-          session, {two.first_scene.left, two.first_scene.top, two.second_scene.right, two.first_scene.bottom});
+          player, ui, session.step_words, !session.panels,
+          {two.first_scene.left, two.first_scene.top, two.second_scene.right, two.first_scene.bottom});
     }
-    panes.leave(session);
-    if (shows_map(session)) {
+    panes.leave(player, settings);
+    if (shows_map(player, settings)) {
       const Halves parts = halves(at.scene, 0.42f);
-      scene.show(session, parts.first);
-      map.show(session, parts.second);
+      scene.show(pane, parts.first);
+      map.show(player, ui, session.toast, parts.second);
     } else {
-      scene.show(session, at.scene);
+      scene.show(pane, at.scene);
     }
     if (!session.panels) {
-      lecture(session, at.lesson);
-      return question_over_scene(session, at.scene, at.lesson);
+      lecture(player, ui, session.step_words, at.lesson);
+      return question_over_scene(player, ui, session.step_words, at.scene, at.lesson);
     }
-    lesson_panel(session, at.lesson);
+    lesson_panel(lesson, at.lesson);
     code_panel(player, ui, at.code);
   }
 
@@ -255,7 +259,7 @@ void WindowUi::frame() {
   w.ui.rects.clear();
   w.session.toast.seconds_left -= io.DeltaTime;
   w.player.advance(io.DeltaTime);
-  if (w.session.toast.at && *w.session.toast.at != w.session.here()) w.session.toast = {};
+  if (w.session.toast.at && *w.session.toast.at != Toast::here(w.player)) w.session.toast = {};
   // Only now: the frame built last shows the scene's texture, which saving overwrites.
   if (std::exchange(w.session.requests.save_figure, false)) w.save();
   if (std::exchange(w.session.requests.save_preset, false)) w.keep_setting();
@@ -272,8 +276,8 @@ void WindowUi::frame() {
   w.learn_names();
   const WindowLayout at = w.layout();
   w.show_step(at);
-  top_bar(w.session, at.top);
-  transport(w.session, at.transport);
+  top_bar(w.player, w.ui, w.settings, w.session.requests, w.session.toast, at.top);
+  transport(w.player, w.ui, w.settings, w.session.toast, at.transport);
   sheets(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
   focus_ring(w.ui);
   w.ui.light.end_frame(io.DeltaTime, w.settings.reduced_motion || w.reduced_motion, moved, w.ui.focus.moved());
@@ -333,7 +337,7 @@ bool WindowUi::may_close() { return may_leave(impl_->session); }
 
 const std::map<std::string, Rect>& WindowUi::rects() const { return impl_->ui.rects; }
 
-void WindowUi::complain(const std::string& words) { impl_->session.complain(words); }
+void WindowUi::complain(const std::string& words) { impl_->session.toast.complain(words); }
 std::string WindowUi::message() const {
   const WindowSession& s = impl_->session;
   if (s.toast.seconds_left > 0) return s.toast.text;
