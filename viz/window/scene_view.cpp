@@ -60,7 +60,7 @@ float axis_room(const Player& player, const Theme& theme, const Rect& r) {
 }
 
 /// Draws the axis between the tripod and the name of the projection.
-Composed axis_below(const Axis& axis, double room, const Theme& theme, const Rect& r) {
+Composed axis_below(const Axis& axis, float room, const Theme& theme, const Rect& r) {
   constexpr double tripod_room = 100, projection_room = 130;
   const double left = std::max(0.2 * r.width(), tripod_room),
                right = std::min(0.8 * r.width(), r.width() - projection_room);
