@@ -57,13 +57,13 @@ void side_by_side(Column& c, const Player& player, Requests& requests) {
 
 /// `fresh`: these words were not there in the last frame.
 void lesson_text(const LessonPanel& panel, const Rect& r, bool fresh, bool low) {
-  const Step& step = panel.player.step();
+  Player& player = panel.player;
+  const Step& step = player.step();
   const Palette& ink = panel.ui.palette;
   const float top = ImGui::GetCursorScreenPos().y;  // moves with the scroll
   Column c{panel.ui, r.left + panel_margin, top + (low ? 10.0f : 18.0f), r.width() - 2 * panel_margin};
-  exercise_on_hand(c, panel.player);
-  if (panel.player.quiz()
-          .asked()) {  // the scene is the next step's already: the words of this one would be taken for its
+  exercise_on_hand(c, player);
+  if (player.quiz().asked()) {  // the scene is the next step's already: the words of this one would be taken for its
     c.y -= 24;
   } else {
     c.paragraph(step.title, ink.text, 19, 26, true);
@@ -77,14 +77,16 @@ void lesson_text(const LessonPanel& panel, const Rect& r, bool fresh, bool low) 
       c.y += 8;
       c.paragraph(step.source, ink.muted, 13, 19);
     }
-    erratum(c, panel.player, panel.toast);
+    erratum(c, player, panel.toast);
   }
-  question(c, panel.player, fresh, false);
-  if (step.slug == closing_slug)
-    missed(c, panel.player, panel.settings), exercises(c, panel.player, panel.words.solutions, panel.toast),
-        same_ideas(c, panel.player, panel.toast);
-  else
-    side_by_side(c, panel.player, panel.requests);
+  question(c, player, fresh, false);
+  if (step.slug == closing_slug) {
+    missed(c, player, panel.settings);
+    exercises(c, player, panel.words.solutions, panel.toast);
+    same_ideas(c, player, panel.toast);
+  } else {
+    side_by_side(c, player, panel.requests);
+  }
   ImGui::SetCursorScreenPos({r.left, c.y});
   ImGui::Dummy({1, 16});
 }
@@ -204,40 +206,41 @@ Parts parts_of(const Rect& r, bool open, float fields, float hints) {
 }  // namespace
 
 void lesson_panel(const LessonPanel& panel, const Rect& r) {
-  begin_region(panel.ui, "lesson panel", r);
-  const bool open = panel.settings.parameters_open && !panel.player.lesson().parameters.empty();
+  Player& player = panel.player;
+  Ui& ui = panel.ui;
+  begin_region(ui, "lesson panel", r);
+  const bool open = panel.settings.parameters_open && !player.lesson().parameters.empty();
   const float width = r.width() - 2 * panel_margin;
-  const std::vector<Hint> hints = hints_of(panel.player, shows_map(panel.player, panel.settings));
-  Parts at = parts_of(r, open, panel.fields.height, r.height() > 420 ? hints_height(panel.ui, hints, width) : 0);
-  const bool bare = at.low && !open && panel.player.quiz().asked();  // a question needs all the room
+  const std::vector<Hint> hints = hints_of(player, shows_map(player, panel.settings));
+  Parts at = parts_of(r, open, panel.fields.height, r.height() > 420 ? hints_height(ui, hints, width) : 0);
+  const bool bare = at.low && !open && player.quiz().asked();  // a question needs all the room
   if (bare) at.words.bottom = r.bottom;
-  scrolling(panel.ui, "words", at.words, [&] {
-    const bool fresh = std::exchange(panel.words.seen, panel.player.revision()) != panel.player.revision();
+  scrolling(ui, "words", at.words, [&] {
+    const bool fresh = std::exchange(panel.words.seen, player.revision()) != player.revision();
     if (fresh) ImGui::SetScrollY(0);
     lesson_text(panel, at.words, fresh, at.low);
   });
-  panel.ui.rects["lesson words"] = at.words;
+  ui.rects["lesson words"] = at.words;
 
-  if (!bare) parameters_header(panel.ui, panel.settings.parameters_open, at.header);
+  if (!bare) parameters_header(ui, panel.settings.parameters_open, at.header);
   if (at.low && open)
-    filled({at.words.right, r.top, at.words.right + 1, r.bottom}, panel.ui.palette.rule, 0);
+    filled({at.words.right, r.top, at.words.right + 1, r.bottom}, ui.palette.rule, 0);
   else if (!bare)
-    rule(panel.ui, r.left + panel_margin, r.right - panel_margin, at.words.bottom);
+    rule(ui, r.left + panel_margin, r.right - panel_margin, at.words.bottom);
   if (open) {
-    scrolling(panel.ui, "fields", at.fields, [&] {
+    scrolling(ui, "fields", at.fields, [&] {
       const float top = ImGui::GetCursorScreenPos().y;
       panel.fields.height =
-          parameter_fields(panel.player, panel.ui, panel.fields, panel.toast, at.header.left, top, at.header.width()) -
-          top;
+          parameter_fields(player, ui, panel.fields, panel.toast, at.header.left, top, at.header.width()) - top;
     });
-    panel.ui.rects["lesson fields"] = at.fields;
+    ui.rects["lesson fields"] = at.fields;
   } else if (at.low && !bare) {
-    draw_hints_in_a_row(panel.ui, hints, at.header.right + hint_gap, r.right - panel_margin, at.header.middle_y());
+    draw_hints_in_a_row(ui, hints, at.header.right + hint_gap, r.right - panel_margin, at.header.middle_y());
   } else if (!at.low && r.height() > 420) {
-    draw_hints(panel.ui, hints, at.header.left, at.words.bottom + 44, width);
+    draw_hints(ui, hints, at.header.left, at.words.bottom + 44, width);
   }
-  if (r.top > panel.ui.rects["scene"].top) rule(panel.ui, r.left, r.right, r.top);  // it lies below the scene
-  filled({r.right - 1, r.top, r.right, r.bottom}, panel.ui.palette.rule, 0);
+  if (r.top > ui.rects["scene"].top) rule(ui, r.left, r.right, r.top);  // it lies below the scene
+  filled({r.right - 1, r.top, r.right, r.bottom}, ui.palette.rule, 0);
   ImGui::End();
 }
 
