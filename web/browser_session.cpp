@@ -19,6 +19,7 @@
 #include "viz/text/tex.h"
 #include "viz/walk/alt_text.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/pseudocode.h"
 #include "viz/window/number_text.h"
 #include "viz/window/scene_names.h"
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <set>
 
+#include "app/figures/blocks.h"
 #include "app/figures/lesson_opening.h"
-#include "app/pages/blocks.h"
 #include "app/shell/terminal.h"
 #include "viz/chart/case_map.h"
 #include "viz/chart/chart.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/pages/blocks.h"
+#include "app/figures/blocks.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::program {

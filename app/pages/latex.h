@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/pages/blocks.h"
+#include "app/figures/blocks.h"
 
 namespace isect::program {
 

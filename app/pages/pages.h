@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "app/figures/blocks.h"
 #include "app/figures/figure_folder.h"
 #include "app/figures/figure_maker.h"
-#include "app/pages/blocks.h"
 
 namespace isect::program {
 

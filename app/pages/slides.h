@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/pages/blocks.h"
+#include "app/figures/blocks.h"
 
 namespace isect::program {
 

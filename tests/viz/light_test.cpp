@@ -7,6 +7,7 @@
 #include "tests/viz/window_driver.h"
 #include "viz/text/names.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/pseudocode.h"
 
 namespace light_test {
 using namespace isect;

@@ -1,5 +1,5 @@
 #pragma once
-// The names of mathematics in a walk's texts, so that a name can be lit wherever it occurs, and what is known of it.
+// The names of mathematics in a walk's texts, so that a name can be lit wherever it occurs.
 
 #include <set>
 #include <string>
@@ -27,14 +27,7 @@ std::vector<std::string> keys(const std::vector<Name>&);
 /// Returns all names that the lesson's knobs and the walk's markup and pictures use.
 std::set<std::string> names_of(const Lesson&, const Walk&);
 
-/// Returns the names that a line of pseudocode assigns or, where it assigns nothing, all it contains.
-std::vector<std::string> subject_of_line(const std::string& line, const std::set<std::string>& known);
-
 /// Returns "0.25", "(1, 2)" in the plane, "(1, 2, 0)" in space, or the word.
 std::string value_in_words(const Setting&, bool flat);
-
-/// Returns what is known of a name at a step, in plain words: how the pseudocode computes it, and its number: "s = l ·
-/// d = 4.472"; for a knob, its value and its meaning. Empty if nothing is known.
-std::string sum_of(const Lesson&, const Parameters&, const Walk&, int step, const std::string& key);
 
 }  // namespace isect::viz

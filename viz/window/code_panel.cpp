@@ -4,9 +4,9 @@
 #include <numeric>
 #include <utility>
 
-#include "viz/text/names.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/branch.h"
+#include "viz/walk/pseudocode.h"
 #include "viz/window/layout.h"
 #include "viz/window/panels.h"
 

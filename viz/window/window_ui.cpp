@@ -18,6 +18,7 @@
 #include "viz/formats/files.h"
 #include "viz/text/names.h"
 #include "viz/text/rich_text.h"
+#include "viz/walk/pseudocode.h"
 #include "viz/window/kept_picture.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/lesson_picture.h"

@@ -1,4 +1,4 @@
-#include "app/pages/blocks.h"
+#include "app/figures/blocks.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
