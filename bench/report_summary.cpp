@@ -1,4 +1,4 @@
-// The first page of the report: a line a test.
+// The first page of the report: where it was measured, and a line a test.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -147,7 +147,26 @@ std::string safe_side(const Findings& d) {
   return "";
 }
 
+std::string machine_line(const Report& r) {
+  const Machine& m = r.machine;
+  return fmt::format("- {} build of {}: {}, `{}`, seed {}, {}; load {}, noise {:.1f} %{}{}\n", m.build,
+                     m.commit.empty() ? "an unknown commit" : "commit " + m.commit, m.compiler, m.flags, r.seed, m.date,
+                     number(m.load), 100 * m.noise, r.quick ? "; a quick run, in which fewer cases are judged" : "",
+                     m.libraries.empty() ? "" : "; beside " + m.libraries);
+}
+
 }  // namespace
+
+std::string machine_text(const Measured& m) {
+  const Machine& machine = m.portable.machine;
+  std::string text = fmt::format("Measured on {} with {} cores{}:\n\n{}", machine.cpu, machine.cores,
+                                 machine.caches.empty() ? "" : ", " + machine.caches, machine_line(m.portable));
+  for (const std::optional<Report>* other : {&m.native, &m.peers})
+    if (*other) text += machine_line(**other);
+  if (!m.native) text += "- native build: not measured\n";
+  if (!m.peers) text += "- beside other libraries: not measured\n";
+  return text + '\n';
+}
 
 std::string summary_text(const Measured& m) {
   std::string text =
