@@ -1,0 +1,91 @@
+// The lessons of scenes that are kept as long as the program runs: a scene's own, and those with the walks of another
+// lesson through its objects.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <deque>
+
+#include "app/scene/lesson.h"
+#include "app/scene/save.h"
+#include "app/scene/types.h"
+#include "app/scene/walks.h"
+
+namespace isect::program::scene {
+
+namespace {
+
+std::deque<viz::Lesson>& kept_lessons() {
+  static std::deque<viz::Lesson> all;  // none of them moves
+  return all;
+}
+
+}  // namespace
+
+const viz::Lesson& kept_lesson_of(const std::string& text, const std::string& folder) {
+  return kept_lessons().emplace_back(lesson_of(text, folder));
+}
+
+void keep(const viz::Lesson& kept, const std::string& folder, const viz::Parameters& parameters) {
+  const auto at = std::ranges::find(kept_lessons(), &kept, [](const viz::Lesson& one) { return &one; });
+  const std::string text = with_numbers(kept.made_from, read_scene(kept.made_from, folder), parameters);
+  *at = lesson_of(text, folder);
+}
+
+namespace {
+
+/// Returns what the lesson can walk through, in the order of the file, as questions.
+Json walks_through(const viz::Lesson& lesson, const std::string& method, const File& file) {
+  const NamedValues numbers = {file.parameters, file.flat};
+  Json asked = Json::array();
+  std::string refused;
+  if (const LessonWalk* const way = walk_of_many(lesson.id, method); way && way->flat == file.flat)
+    if (std::ranges::count(file.objects, way->a, &Object::type) > 1) {  // its ray, if it needs one, is the only one
+      asked.push_back({{"walk", "all"}, {"lesson", lesson.id}, {"method", way->method}});
+      return asked;
+    }
+  const auto ask = [&](std::size_t i, std::size_t j) {
+    const Object &a = file.objects[i], &b = file.objects[j];
+    const LessonWalk* const found = walk_of(a.type, b.type, file.flat, i == j, lesson.id);
+    if (!found) return;
+    try {
+      static_cast<void>(walk(*found, numbers, a, b));
+      const Json names = i == j ? Json(a.name) : Json{a.name, b.name};
+      asked.push_back({{"walk", names}, {"lesson", lesson.id}});
+    } catch (const viz::BadInput& e) {
+      refused += (refused.empty() ? "" : ", and ") + std::string(e.what());
+    }
+  };
+  for (std::size_t i = 0; i < file.objects.size(); ++i)
+    for (std::size_t j = 0; j < file.objects.size(); ++j)
+      if (i <= j || file.objects[i].type != file.objects[j].type) ask(i, j);
+  if (!asked.empty()) return asked;
+  if (!refused.empty()) throw viz::BadInput(refused);
+  std::string takes;
+  for (const LessonWalk& w : walks()) {
+    if (w.lesson != lesson.id) continue;
+    const std::string one =
+        fmt::format("{}{} {}", w.of_many() ? std::string("two ") + w.name_a + " or more" : spec(w.a).name,
+                    w.of_one() || w.of_many() ? std::string() : std::string(" and ") + spec(w.b).name,
+                    w.flat ? "in the plane" : "in space");
+    if (takes.find(one) == takes.npos) takes += (takes.empty() ? "" : ", ") + one;  // several methods may take the same
+  }
+  if (takes.empty())
+    throw viz::BadInput(fmt::format("scene: {} takes no objects of a scene; these do: {}", lesson.id,
+                                    fmt::join(walking_lessons(), ", ")));
+  throw viz::BadInput(fmt::format("scene: none of its objects are what {} takes: {}", lesson.id, takes));
+}
+
+}  // namespace
+
+const viz::Lesson& kept_walks_of(const viz::Lesson& lesson, const std::string& method, const std::string& text,
+                                 const std::string& folder) {
+  const File file = read_scene(text, folder);
+  Json scene = Json::parse(file.text);
+  scene["ask"] = walks_through(lesson, method, file);
+  scene["title"] = fmt::format("{}: {}", lesson.title, file.title);
+  return kept_lesson_of(scene.dump(), folder);
+}
+
+}  // namespace isect::program::scene

@@ -1,0 +1,263 @@
+#include "app/scene/scene_steps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <memory>
+
+#include "app/scene/answered.h"
+#include "app/scene/lesson.h"
+#include "app/scene/scene_picture.h"
+#include "app/scene/types.h"
+#include "app/scene/walks.h"
+#include "viz/chart/chart.h"
+#include "viz/text/rich_text.h"
+
+namespace isect::program::scene {
+
+namespace {
+
+using viz::Role;
+
+/// Returns what no parameter says: the number of triangles or points.
+std::string how_many(const Object& o) {
+  if (!o.fixed.triangles.empty()) return fmt::format(" of {} triangles", o.fixed.triangles.size());
+  return o.fixed.points.empty() ? "" : fmt::format(" of {} points", o.fixed.points.size());
+}
+
+/// Above this many pairs, those with the same first object share one step.
+constexpr std::ptrdiff_t most_steps_of_pairs = 200;
+/// The most of their answers in full.
+constexpr std::size_t most_told = 12;
+/// The most answers on the card of all answers.
+constexpr std::size_t most_rows = 36;
+
+class Walker {
+  /// A row of the card: one answer.
+  struct Row {
+    std::string head, text;  ///< markup
+    bool says_no;
+  };
+
+ public:
+  Walker(const File& file, const viz::Parameters& parameters)
+      : context_{file, {parameters, file.flat}, room({parameters, file.flat}, file.objects)},
+        roles_(roles_of_all(file)) {}
+
+  viz::Walk made(PairAnswers& pairs) {
+    const auto asked_of_pairs = std::ranges::count_if(
+        context_.file.asked, [](const Asked& asked) { return std::holds_alternative<PairAsked>(asked); });
+    viz::Walk walk;
+    walk.steps.push_back(all_objects());
+    walk.alt = walk.steps[0].caption;
+    for (const Note& note : context_.file.notes) walk.alt += " Note: " + note.text + ".";
+    const std::vector<Asked>& all = context_.file.asked;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (const WalkAsked* const walked = std::get_if<WalkAsked>(&all[i])) {
+        add(*walked, walk);
+      } else if (const PairAsked* const pair = std::get_if<PairAsked>(&all[i])) {
+        std::vector<PairAnswers::Answer> answers = {pairs.of(context_, *pair)};
+        if (asked_of_pairs > most_steps_of_pairs)
+          for (; i + 1 < all.size(); ++i) {
+            const PairAsked* const next = std::get_if<PairAsked>(&all[i + 1]);
+            if (!next || next->a != pair->a) break;
+            answers.push_back(pairs.of(context_, *next));
+          }
+        walk.steps.push_back(step(answers.size() == 1 ? *answers[0] : together(pair->a, answers)));
+      } else {
+        walk.steps.push_back(step(answer_to(all[i])));
+      }
+    if (rows_.size() > 1) walk.steps.push_back(summary());
+    return walk;
+  }
+
+  /// Passes each answer on as JSON, without a step.
+  void each_answer(const std::function<void(Json)>& take) {
+    for (const Object& o : context_.file.objects)  // what can't be drawn is refused
+      static_cast<void>(drawn(context_.numbers, o, context_.room, Role::first));
+    for (const Asked& asked : context_.file.asked) {
+      viz::Walk unseen;
+      if (const WalkAsked* const walked = std::get_if<WalkAsked>(&asked)) add(*walked, unseen);
+      take(answer_to(asked).json);
+    }
+  }
+
+ private:
+  Answered answer_to(const Asked& asked) const {
+    return std::visit([&](const auto& a) { return answered(context_, a); }, asked);
+  }
+
+  /// Returns what an object meets, of all that it was asked about with.
+  Answered together(std::size_t object, const std::vector<PairAnswers::Answer>& answers) const {
+    const std::string name = context_.name(object);
+    Answered out = {slug_of(context_.object(object).name + "-and-others"),
+                    fmt::format("{} and {} others", name, answers.size()),
+                    "Decided exactly for these numbers.",
+                    {viz::Verdict::Kind::no, ""}};
+    out.lit = {object};
+    std::size_t met = 0, open = 0;
+    std::string told;
+    for (const PairAnswers::Answer& answer : answers) {
+      if (answer->verdict.kind == viz::Verdict::Kind::no) continue;
+      ++(answer->verdict.kind == viz::Verdict::Kind::open ? open : met);
+      if (out.lit.size() <= most_told) told += (told.empty() ? "\n" : " ") + answer->verdict.text + ".";
+      out.lit.push_back(answer->lit.front() == object ? answer->lit.back() : answer->lit.front());
+      std::ranges::copy(answer->items, std::back_inserter(out.items));
+    }
+    out.caption += told;
+    if (met + open > most_told) out.caption += fmt::format(" And {} more.", met + open - most_told);
+    out.verdict = {met > 0    ? viz::Verdict::Kind::yes
+                   : open > 0 ? viz::Verdict::Kind::open
+                              : viz::Verdict::Kind::no,
+                   fmt::format("{} meets {} of {} others", name, met, answers.size())};
+    if (open > 0) out.verdict.text += fmt::format(", and of {} it is not decided", open);
+    return out;
+  }
+
+  viz::Step all_objects() const {
+    viz::Step step;
+    step.slug = "objects";
+    step.title = context_.file.title;
+    std::string list;
+    for (const Object& o : context_.file.objects)
+      list += fmt::format("{}{} {}{}", list.empty() ? "" : ", ", in_words(o.type, context_.file.flat),
+                          shown_name(o.name), how_many(o));
+    step.caption = fmt::format("The scene holds {}.", list);
+    for (const Object& o : context_.file.objects)
+      if (!o.note.empty()) step.caption += fmt::format(" {}: {}", shown_name(o.name), viz::as_markup(o.note));
+    step.scene = scene_picture(context_, roles_, {});
+    return step;
+  }
+
+  viz::Step step(Answered answer) {
+    viz::Step step;
+    step.slug = answer.slug, step.title = answer.title, step.caption = answer.caption, step.formula = answer.formula;
+    step.verdict = answer.verdict, step.values = answer.values;
+    step.scene = scene_picture(context_, roles_, answer.lit);
+    std::ranges::move(answer.items, std::back_inserter(step.scene.items));
+    rows_.push_back({step.title, answer.verdict.text + (answer.formula.empty() ? "" : ": " + answer.formula),
+                     answer.verdict.kind == viz::Verdict::Kind::no});
+    return step;
+  }
+
+  /// Adds the lesson's own steps on these numbers; a walk has only one pseudocode, that of the first.
+  void add(const WalkAsked& asked, viz::Walk& to) {
+    const Object &a = context_.object(asked.a), &b = context_.object(asked.b);
+    const bool one = asked.a == asked.b;
+    rows_.push_back({!asked.many.empty() ? asked.lesson + ", step by step"
+                     : one               ? a.name + ", step by step"
+                                         : fmt::format("{} and {}, step by step", a.name, b.name),
+                     answered(context_, asked).verdict.text, false});
+    if (!asked.many.empty()) return add_of_many(asked, to);
+    const LessonWalk& pair = *walk_of(a.type, b.type, context_.file.flat, one, asked.lesson);
+    viz::Walk walk = naming_question(asked, [&] { return scene::walk(pair, context_.numbers, a, b); });
+    const bool first = to.pseudocode.empty();
+    if (first) to.pseudocode = walk.pseudocode;
+    for (viz::Step& s : walk.steps) {
+      s.slug = slug_of(one ? fmt::format("{}-{}", a.name, s.slug) : fmt::format("{}-{}-{}", a.name, b.name, s.slug));
+      if (!first) s.line = -1;
+      give_handles(s, handles_of(a, b));
+      if (&s == &walk.steps.front()) {
+        const std::string second = one ? "" : fmt::format(", and {} is {}", shown_name(b.name), pair.name_b);
+        s.caption = fmt::format("Step by step: here {} {} {}{}. {}", shown_name(a.name), one ? "are" : "is",
+                                pair.name_a, second, s.caption);
+      }
+      to.steps.push_back(std::move(s));
+    }
+  }
+
+  /// Adds to what a lesson refuses its place in the file.
+  template <class Made>
+  viz::Walk naming_question(const WalkAsked& asked, const Made& made) const {
+    try {
+      return made();
+    } catch (const viz::BadInput& e) {
+      const auto at = std::ranges::find_if(context_.file.asked,
+                                           [&](const Asked& one) { return std::get_if<WalkAsked>(&one) == &asked; });
+      throw viz::BadInput(fmt::format("ask[{}]: {}", at - context_.file.asked.begin(), e.what()));
+    }
+  }
+
+  /// Adds a walk through many objects, which the lesson numbers in order.
+  void add_of_many(const WalkAsked& asked, viz::Walk& to) {
+    const LessonWalk& way = *walk_of_many(asked.lesson, asked.method);
+    std::vector<const Object*> all;
+    std::vector<viz::Handle> handles;
+    std::string who;
+    for (const std::size_t i : asked.many) {
+      all.push_back(&context_.object(i));
+      const bool ray = asked.with_ray && all.size() == asked.many.size();
+      who += fmt::format("{}{} is {}", all.size() == 1 ? "" : ", ", context_.name(i),
+                         ray ? "the ray" : std::to_string(all.size() - 1));
+      std::ranges::move(scene::handles(context_.numbers, *all.back(), Role::second), std::back_inserter(handles));
+    }
+    viz::Walk walk = naming_question(asked, [&] { return scene::walk(way, context_.numbers, all); });
+    const bool first = to.pseudocode.empty();
+    if (first) to.pseudocode = walk.pseudocode;
+    walk.steps.front().caption = fmt::format("Step by step: here {}. {}", who, walk.steps.front().caption);
+    for (viz::Step& s : walk.steps) {
+      s.slug = slug_of(fmt::format("{}-{}", way.lesson, s.slug));
+      if (!first) s.line = -1;
+      give_handles(s, handles);
+      to.steps.push_back(std::move(s));
+    }
+  }
+
+  /// Replaces the lesson's handles, whose parameters have other names: in the step's picture and in its question's.
+  static void give_handles(viz::Step& step, const std::vector<viz::Handle>& handles) {
+    if (!step.scene.handles.empty()) step.scene.handles = handles;
+    if (step.question && step.question->over && !step.question->over->handles.empty())
+      step.question->over->handles = handles;
+  }
+
+  std::vector<viz::Handle> handles_of(const Object& a, const Object& b) const {
+    std::vector<viz::Handle> all = handles(context_.numbers, a, Role::first);
+    if (&a == &b) return all;
+    std::ranges::move(handles(context_.numbers, b, Role::second), std::back_inserter(all));
+    return all;
+  }
+
+  /// Makes the card of all answers: of many, those that say that something is met, as far as one card has room.
+  viz::Step summary() const {
+    viz::Step step;
+    step.slug = "answers";
+    step.title = "All answers";
+    step.caption = "Each was decided exactly for the numbers of the scene.";
+    std::vector<Row> listed = rows_;
+    if (listed.size() > most_rows) {
+      std::erase_if(listed, [](const Row& row) { return row.says_no; });
+      if (listed.empty()) listed = rows_;
+      listed.resize(std::min(listed.size(), most_rows));
+      step.caption += fmt::format("\nListed are {} of {}, those that meet something before others. Each has its step.",
+                                  listed.size(), rows_.size());
+    }
+    viz::Card card;
+    for (const Row& row : listed) card.rows.push_back({row.head, row.text});
+    step.scene.chart = std::make_shared<const viz::Chart>(viz::Chart{card});
+    return step;
+  }
+
+  Context context_;
+  std::vector<Role> roles_;  ///< of all objects, where none is asked about
+  std::vector<Row> rows_;
+};
+
+}  // namespace
+
+viz::Walk steps_of_scene(const File& file, const viz::Parameters& parameters, PairAnswers& kept) {
+  return Walker(file, parameters).made(kept);
+}
+
+void each_answer(const File& file, const std::function<void(Json)>& take) {
+  Walker(file, file.parameters).each_answer(take);
+}
+
+Json answers(const File& file) {
+  Json all = Json::array();
+  each_answer(file, [&](Json answer) { all.push_back(std::move(answer)); });
+  return all;
+}
+
+}  // namespace isect::program::scene
