@@ -191,6 +191,11 @@ void set(const Lesson& lesson, Parameters& to, const std::string& name, const st
   to.insert_or_assign(name, *value);
 }
 
+void set_value(const Lesson& lesson, Parameters& to, const std::string& name, const Setting& value) {
+  check(parameter(lesson, name), value, to_text(value));
+  to.insert_or_assign(name, value);
+}
+
 void validate(const Lesson& lesson, const Parameters& parameters) {
   for (const auto& [name, value] : parameters) check(parameter(lesson, name), value, to_text(value));
   for (const Parameter& p : lesson.parameters)

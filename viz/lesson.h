@@ -227,6 +227,8 @@ const Preset& preset(const Lesson&, const std::string& id);  ///< throws BadInpu
 /// Sets one parameter from text ("1.5", "1,2,3", "haines"). Throws BadInput; `to` is unchanged then. The lesson's
 /// conditions are left to `validate`, as they may hold only when all parameters are set.
 void set(const Lesson&, Parameters& to, const std::string& name, const std::string& text);
+/// Sets one parameter to a value, as `set` does.
+void set_value(const Lesson&, Parameters& to, const std::string& name, const Setting&);
 /// Returns what values a parameter takes, in words: "a number from 0 to 10".
 std::string wanted(const Parameter&);
 bool counts(const Parameter&, const Parameters&);
