@@ -17,6 +17,32 @@ double mark_radius(Mark kind, const Sizes& sizes) {
   }
 }
 
+namespace {
+
+void cross_mark(std::vector<Shape>& out, const Vec2& p, const Colour& ink, const Theme& theme) {
+  const Sizes& s = theme.sizes;
+  const double a = 1.25 * s.disc;
+  for (const bool halo : {true, false})
+    for (const Vec2& d : {Vec2(a, a), Vec2(a, -a)})
+      out.emplace_back(Stroke{polyline({p - d, p + d}),
+                              halo ? theme.background : ink,
+                              s.marker_line + (halo ? 2 * s.halo : 0),
+                              {0, 0},
+                              true});
+}
+
+void diamond_mark(std::vector<Shape>& out, const Vec2& p, const Theme& theme) {
+  const Sizes& s = theme.sizes;
+  const double a = 1.5 * s.disc;
+  const Path path = polyline({p + Vec2(a, 0), p + Vec2(0, a), p - Vec2(a, 0), p - Vec2(0, a)}, true);
+  const bool dark = theme.name == ThemeName::dark;
+  out.emplace_back(Stroke{path, theme.background, 0.5 * s.marker_line + 2 * s.halo, {0, 0}, true});
+  out.emplace_back(Fill{path, theme.ink(Role::highlight), 0, 0, {}});
+  out.emplace_back(Stroke{path, dark ? theme.background : theme.ink(Role::text), 0.5 * s.marker_line, {0, 0}, true});
+}
+
+}  // namespace
+
 void mark(std::vector<Shape>& out, Mark kind, const Vec2& p, Role role, const Theme& theme) {
   const Sizes& s = theme.sizes;
   const Colour ink = theme.ink(role);
@@ -45,27 +71,12 @@ void mark(std::vector<Shape>& out, Mark kind, const Vec2& p, Role role, const Th
       ring(1.8 * s.disc, 0.8 * s.marker_line, ink);
       disc(0.8 * s.disc, ink);
       break;
-    case Mark::cross: {
-      const double a = 1.25 * s.disc;
-      for (const bool halo : {true, false})
-        for (const Vec2& d : {Vec2(a, a), Vec2(a, -a)})
-          out.emplace_back(Stroke{polyline({p - d, p + d}),
-                                  halo ? theme.background : ink,
-                                  s.marker_line + (halo ? 2 * s.halo : 0),
-                                  {0, 0},
-                                  true});
+    case Mark::cross:
+      cross_mark(out, p, ink, theme);
       break;
-    }
-    case Mark::diamond: {
-      const double a = 1.5 * s.disc;
-      const Path path = polyline({p + Vec2(a, 0), p + Vec2(0, a), p - Vec2(a, 0), p - Vec2(0, a)}, true);
-      const bool dark = theme.name == ThemeName::dark;
-      out.emplace_back(Stroke{path, theme.background, 0.5 * s.marker_line + 2 * s.halo, {0, 0}, true});
-      out.emplace_back(Fill{path, theme.ink(Role::highlight), 0, 0, {}});
-      out.emplace_back(
-          Stroke{path, dark ? theme.background : theme.ink(Role::text), 0.5 * s.marker_line, {0, 0}, true});
+    case Mark::diamond:
+      diamond_mark(out, p, theme);
       break;
-    }
     case Mark::excluded: {
       const double dash = 2 * std::numbers::pi * s.ring / 14;  // seven dashes round the ring
       ring(s.ring, 0.65 * s.marker_line, theme.ink(Role::construction), {dash, dash});

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "viz/window/sheets.h"
 
@@ -55,6 +56,30 @@ constexpr Row right_keys[] = {
     {"Ctrl and + / − / 0", "size of everything"},
 };
 
+constexpr float key_gap = 18;  ///< between an input and its action
+
+float widest_of(std::span<const Row> all, ImFont* font, const char* Row::*member) {
+  float most = 0;
+  for (const Row& r : all) most = std::max(most, text_width(font, r.*member));
+  return most;
+}
+
+float width_of(std::span<const Row> all, ImFont* font) {
+  return widest_of(all, font, &Row::input) + key_gap + widest_of(all, font, &Row::action);
+}
+
+/// Draws rows below each other from `at` on, each of this height.
+void key_column(Ui& ui, const char* name, std::span<const Row> all, ImFont* font, const ImVec2& at, float row) {
+  float y = at.y;
+  ui.rects[name] = {at.x, y, at.x + width_of(all, font), y + row * static_cast<float>(all.size())};
+  const float actions = at.x + widest_of(all, font, &Row::input) + key_gap;
+  for (const Row& r : all) {
+    text(font, at.x, y, packed(ui.palette.first), r.input);
+    text(font, actions, y, packed(ui.palette.text), r.action);
+    y += row;
+  }
+}
+
 }  // namespace
 
 void key_sheet(Ui& ui, const Rect& window) {
@@ -62,33 +87,14 @@ void key_sheet(Ui& ui, const Rect& window) {
   const float row = std::min(27.0f, std::floor((window.height() - 140) / rows));
   if (!begin_sheet(ui, "key sheet", window, 920, 100 + row * rows)) return;
   if (key_down(key::f1)) ImGui::CloseCurrentPopup();
-  const Palette& c = ui.palette;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float half = ImGui::GetContentRegionAvail().x / 2;
-  const auto widest = [](const auto& all, ImFont* font, auto member) {
-    float most = 0;
-    for (const Row& r : all) most = std::max(most, text_width(font, r.*member));
-    return most;
-  };
-  constexpr float gap = 18;
-  const auto width = [&](const auto& all, ImFont* font) {
-    return widest(all, font, &Row::input) + gap + widest(all, font, &Row::action);
-  };
-  const bool narrow = std::max(width(left_keys, ui.fonts.body), width(right_keys, ui.fonts.body)) + gap > half;
+  const bool narrow =
+      std::max(width_of(left_keys, ui.fonts.body), width_of(right_keys, ui.fonts.body)) + key_gap > half;
   ImFont* font = narrow ? ui.fonts.small : ui.fonts.body;
-  text(ui.fonts.heading, at.x, at.y + 10, packed(c.text), "Keys");
-  const auto column = [&](const char* name, const auto& all, float x) {
-    float y = at.y + 46;
-    ui.rects[name] = {x, y, x + width(all, font), y + row * static_cast<float>(std::size(all))};
-    const float actions = x + widest(all, font, &Row::input) + gap;
-    for (const Row& r : all) {
-      text(font, x, y, packed(c.first), r.input);
-      text(font, actions, y, packed(c.text), r.action);
-      y += row;
-    }
-  };
-  column("keys left", left_keys, at.x);
-  column("keys right", right_keys, at.x + half);
+  text(ui.fonts.heading, at.x, at.y + 10, packed(ui.palette.text), "Keys");
+  key_column(ui, "keys left", left_keys, font, {at.x, at.y + 46}, row);
+  key_column(ui, "keys right", right_keys, font, {at.x + half, at.y + 46}, row);
   ImGui::SetCursorScreenPos({at.x, at.y});
   ImGui::Dummy({1, 46 + row * rows});
   ImGui::EndPopup();

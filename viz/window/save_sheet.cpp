@@ -90,17 +90,10 @@ void choices_of_figure(SaveSheet& sheet, Ui& ui, Settings& settings, const ImVec
   }
 }
 
-}  // namespace
-
-void save_sheet(const Player& player, Ui& ui, SaveSheet& sheet, Settings& settings, bool to_file, Requests& requests,
-                const Rect& window) {
-  sheet.open = begin_sheet(ui, "save sheet", window, 780, 310);
-  if (!sheet.open) return;
-  const Palette& c = ui.palette;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  text(ui.fonts.heading, at.x, at.y + 10, packed(c.text), "Save this figure");
-  choices_of_figure(sheet, ui, settings, {at.x, at.y + 56});
-  const float x = at.x, y = at.y + 200;
+/// Draws the buttons beside each other from `at` on, and presses the first one on Enter.
+void save_buttons(const Player& player, Ui& ui, const SaveSheet& sheet, bool to_file, Requests& requests,
+                  const ImVec2& at) {
+  const float x = at.x, y = at.y;
   const bool again = ImGui::GetIO().InputQueueCharacters.contains('s') && !ImGui::IsWindowAppearing();
   const bool held = !ui.focus.name().empty() || ImGui::GetIO().WantTextInput;  // then Enter belongs to them
   const bool enter = (!held && (key_down(key::enter) || key_down(key::keypad_enter))) || key_down(key::f12) || again;
@@ -117,7 +110,19 @@ void save_sheet(const Player& player, Ui& ui, SaveSheet& sheet, Settings& settin
     requests.save_preset = true;
     ImGui::CloseCurrentPopup();
   }
-  text(ui.fonts.small, x + 276, y, packed(c.muted), "Enter saves");
+  text(ui.fonts.small, x + 276, y, packed(ui.palette.muted), "Enter saves");
+}
+
+}  // namespace
+
+void save_sheet(const Player& player, Ui& ui, SaveSheet& sheet, Settings& settings, bool to_file, Requests& requests,
+                const Rect& window) {
+  sheet.open = begin_sheet(ui, "save sheet", window, 780, 310);
+  if (!sheet.open) return;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  text(ui.fonts.heading, at.x, at.y + 10, packed(ui.palette.text), "Save this figure");
+  choices_of_figure(sheet, ui, settings, {at.x, at.y + 56});
+  save_buttons(player, ui, sheet, to_file, requests, {at.x, at.y + 200});
   preview(sheet, ui,
           {ui.rects["other width"].right + 20, at.y + 10, ui.rects["save sheet"].right - 20,
            ui.rects["save sheet"].bottom - 20});
