@@ -34,9 +34,9 @@ class Machine : public Shell {
     write(work() / "tools" / name, "#!/bin/sh\n" + script + "\n");
     fs::permissions(work() / "tools" / name, fs::perms::owner_all);
   }
-  Ran run() const {
-    return (*this)("export LOG=\"$PWD/log\" PATH=\"$PWD/tools\"; echo left | { sh '" ISECT_RUN
-                   "' --version; status=$?; cat; exit $status; }");
+  Ran run(const std::string& words = "--version") const {
+    return (*this)("export LOG=\"$PWD/log\" PATH=\"$PWD/tools\"; echo left | { sh '" ISECT_RUN "' " + words +
+                   "; status=$?; cat; exit $status; }");
   }
   std::string log() const { return contents(work() / "log"); }
 };
@@ -68,6 +68,18 @@ TEST_CASE("without root the exact line is told", "[run]") {
   CHECK(r.out == "left\n");
   CHECK_THAT(r.err, Contains("sudo apt-get update && sudo apt-get install --no-install-recommends libosmesa6-dev"));
   CHECK(machine.log().empty());
+}
+
+TEST_CASE("packages are installed with those of the tests and others that are named, and nothing is built", "[run]") {
+  const Machine machine(true);
+  machine.command("dpkg-query",
+                  "for name; do case $name in -*|catch2|xvfb|zopfli) ;; *) echo \"installed $name\" ;; esac; done");
+  machine.command("apt-get", "echo \"$@\" >>\"$LOG\"");
+  const Ran r = machine.run("packages zopfli");
+  CHECK(r.status == 0);
+  CHECK(r.out == "left\n");
+  CHECK(r.err == "run: installing: catch2 xvfb zopfli\n");
+  CHECK_THAT(machine.log(), Contains("install -y --no-install-recommends catch2 xvfb zopfli\n"));
 }
 
 TEST_CASE("another system is told what is needed", "[run]") {
