@@ -142,14 +142,15 @@ Json grown(const Json& object, bool& exact) {
 /// The verdict on [A, B]; empty where an object is not valid.
 std::string verdict(const Json& a, const Json& b, bool turned) {
   try {
-    const Json whole = {{"objects", {a, b}}};
-    scene::Source source(whole.dump());
+    const Json both = {{"objects", {a, b}}};
+    const std::string whole = both.dump();
+    scene::Source source(whole);
     const scene::ReadObjects objects = scene::read_objects(source, "");
     const scene::NamedValues numbers = {objects.parameters, source.flat()};
-    const scene::Answer answer = turned ? scene::ask(numbers, objects.all[1], objects.all[0])
-                                        : scene::ask(numbers, objects.all[0], objects.all[1]);
-    require(!answer.verdict.text.empty(), "a verdict in words", whole.dump());
-    return answer.open ? "open" : answer.verdict.text;
+    const scene::Shaped one(numbers, objects.all[0]), other(numbers, objects.all[1]);
+    const scene::Told told = turned ? scene::ask(other, one) : scene::ask(one, other);
+    require(!told.verdict.text.empty(), "a verdict in words", whole);
+    return told.open ? "open" : told.verdict.text;
   } catch (const isect::viz::BadInput& e) {
     require(std::string(e.what()) != "", "a refusal that says why", a.dump() + b.dump());
     return "";
