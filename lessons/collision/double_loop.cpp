@@ -45,7 +45,8 @@ class DoubleLoop : Teller {
     const int found = static_cast<int>(drawn_.found.size());
     total(0, 2 * found < tests_ ? fmt::format("Of {}, {} found nothing. A better way should not run them at all.",
                                               plural(tests_, "test"), tests_ - found)
-                                : fmt::format("Here {} of {} found a pair. In a large scene nearly all find nothing.",
+                                : fmt::format("Here {} of {} found a pair. Where few of many boxes overlap, nearly all "
+                                              "find nothing.",
                                               found, plural(tests_, "test")));
     return std::move(script_.walk());
   }

@@ -40,11 +40,14 @@ class Sweep : Teller {
       }
     }
     enter(box);
-    total(1, "Only boxes whose intervals on the axis meet were tested. The other pairs cost nothing.");
+    total(1, tests_ < pairs() ? "Only boxes whose intervals on the axis meet were tested. The other pairs took no test."
+                              : "On this axis all intervals meet, so every pair was tested: the sweep saved nothing.");
     return std::move(script_.walk());
   }
 
  private:
+  int pairs() const { return static_cast<int>(boxes_.size() * (boxes_.size() - 1) / 2); }
+
   void begin() {
     add("sort", "Sort along an axis", 0,
         axis_ == 0 ? "A plane will sweep to the right. Boxes that it never meets at the same time cannot overlap.\n"
