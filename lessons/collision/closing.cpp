@@ -18,7 +18,7 @@ bool box_0_alone(const Parameters& p) {
 
 bool tunnels(const Parameters& p) {
   const Encounter e = encounter(std::get<Vec3>(p.at("p")), std::get<double>(p.at("speed")));
-  return e.contact && !e.seen;
+  return e.contact && !e.seen && !e.grazes;
 }
 
 }  // namespace
@@ -33,7 +33,9 @@ const std::string& opening() {
 
 const Closing& closing() {
   static const Closing closing = {
-      .result = "Sorting or a hierarchy leaves few of *n*(*n* − 1)/2 tests. Discrete times may miss a hit.",
+      .result =
+          "Where few boxes overlap, sorting or a hierarchy leaves few of *n*(*n* − 1)/2 tests. Discrete times may miss "
+          "a hit.",
       .cost =
           "Brute force O(*n*^2). Sweep and prune: a sort, then the pairs that overlap on one axis. Bounding volume "
           "hierarchy: about "

@@ -22,10 +22,11 @@ const std::string& opening();
 const viz::Closing& closing();
 const std::vector<viz::Erratum>& errata();
 
-/// The moving box and the wall of a setting: when they are in contact. (tunnelling.cpp)
+/// The moving box and the wall of a setting: when they are in contact, and how. (tunnelling.cpp)
 struct Encounter {
   std::optional<Interval<double>> contact;
-  bool seen = false;  ///< at one of the discrete times
+  bool seen = false;    ///< at one of the discrete times
+  bool grazes = false;  ///< passing the end of the wall, the box shares no more than boundary points with it
 };
 Encounter encounter(const viz::Vec3& p, double speed);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <isect/interval_interval.h>
 #include <isect/many/motion.h>
 #include <isect/methods/motion.h>
 
@@ -26,6 +27,11 @@ Moving<Aabb, double, 2> bullet_at(const Vec3& p, double speed) {
   return {{{p.x() - 0.25, p.y() - 0.25}, {p.x() + 0.25, p.y() + 0.25}}, {speed, 0}};
 }
 Moving<Aabb, double, 2> the_wall() { return {{{0.4, -1.75}, {0.6, 1.75}}, {0, 0}}; }
+
+/// Whether a box that moves along x passes the wall's end so closely that they share boundary points only.
+bool grazes(const Moving<Aabb, double, 2>& bullet, const Moving<Aabb, double, 2>& wall) {
+  return relate(bullet.shape.along(1), wall.shape.along(1)) == Relation::touching;
+}
 
 class Flight {
  public:
@@ -180,13 +186,16 @@ class Flight {
                    !truth_ ? "they never meet"
                    : lasts ? fmt::format("they meet from *t* = {} until the motion ends", shown(truth_->lo))
                            : fmt::format("they meet from *t* = {} to {}", shown(truth_->lo), shown(truth_->hi)));
-    Step& step = add("ray", "The box as a ray", 5,
-                     std::string("Expand the wall by the box (their Minkowski sum), and the box becomes a point") +
-                         (rests() ? ": a ray of direction 0.\n" : " on a ray.\n") +
-                         (tunnels                 ? "The discrete times missed it: the box tunnelled through."
-                          : !truth_               ? "The ray misses the expanded wall."
-                          : truth_->lo == hits[0] ? "The discrete times saw its first moment, too."
-                                                  : "The discrete times saw it too, but later than it began."));
+    Step& step =
+        add("ray", "The box as a ray", 5,
+            std::string("Expand the wall by the box (their Minkowski sum), and the box becomes a point") +
+                (rests() ? ": a ray of direction 0.\n" : " on a ray.\n") +
+                (tunnels && grazes(bullet_, wall_)
+                     ? "The discrete times missed it: the box grazes the end of the wall, and passes beside it."
+                 : tunnels               ? "The discrete times missed it: the box tunnelled through."
+                 : !truth_               ? "The ray misses the expanded wall."
+                 : truth_->lo == hits[0] ? "The discrete times saw its first moment, too."
+                                         : "The discrete times saw it too, but later than it began."));
     if (!truth_ || truth_->lo <= 0) return;
     const double gap = wall_.shape.lo.x() - bullet_.shape.hi.x(), v = bullet_.velocity.x();
     // the first discrete time that saw it; from centre to centre; when they part
@@ -213,7 +222,7 @@ class Flight {
 
 Encounter encounter(const Vec3& p, double speed) {
   const Moving<Aabb, double, 2> bullet = bullet_at(p, speed), wall = the_wall();
-  return {contact(bullet, wall, duration), !discrete_hits(bullet, wall, duration, times).empty()};
+  return {contact(bullet, wall, duration), !discrete_hits(bullet, wall, duration, times).empty(), grazes(bullet, wall)};
 }
 
 Walk tunnelling(const Vec3& p, double speed) { return Flight(p, speed).tell(); }
