@@ -65,9 +65,9 @@ const Closing& closing() {
           {"Why is the scan linear despite its nested loops?",
            "A point is appended once to a chain and dropped from it at most once. So each of the two chains takes at "
            "most 2*n* steps."},
-          {"Why does no method find hulls faster than it sorts?",
+          {"Why does no method find every hull faster than it sorts?",
            "Map the numbers *x* to the parabola *y* = *x*^2. All points are vertices, and the hull lists them in "
-           "order."},
+           "order. That is the worst case: with *h* vertices, O(*n* lg *h*) is possible."},
           {"Rounding makes one orientation wrong. What can happen to the hull?",
            "It may lose a true vertex or keep a dent, so that it is not convex. An exact predicate for the orientation "
            "prevents both."},
