@@ -48,7 +48,9 @@ class OneVolume {
     Step& first = script_.add(
         "view-volume", "What the eye can see", 0,
         "The eye sees what lies in the frustum: the intersection of six half-spaces.\n"
-        "A renderer extracts their planes from its projection matrix: the last row plus or minus another row.");
+        "A renderer extracts their planes from its projection matrix: the last row plus or minus another row.\n"
+        "That holds for −*w* ≤ *z* ≤ *w*, as in OpenGL. With 0 ≤ *z* ≤ *w* (Direct3D, Metal, Vulkan) the near plane is "
+        "the third row alone.");
     first.scene = picture(-1, Role::second);
     tally() = {};
     for (const frustum_planes::Tested& event : truth_.tested) say(event);
@@ -258,7 +260,8 @@ class OneVolume {
                          they_);
     if (false_positive())
       return "False positive: no plane rejects the box, yet it misses the frustum, beyond one of its edges.\n"
-             "The test is conservative. Drawing too much is harmless; drawing too little is not.";
+             "The test is conservative. Drawing too much costs time and leaves the picture right; drawing too little "
+             "spoils it.";
     if (touches())
       return "The box touches a plane from outside, and the sets are closed: only a box beyond is rejected.\n"
              "What the two share, marked here, has no volume.";
