@@ -79,8 +79,8 @@ class Building {
                                           plural(split.right, "centre"));
     Step& step = add(
         fmt::format("cut-{}", number), fmt::format("Split {}: along {}", number, axis), number == 1 ? 1 : 3,
-        number == 1 ? "The surface-area heuristic: the chance that a line meets a part grows with its "
-                      "surface, in the plane its perimeter *P*.\n" +
+        number == 1 ? "The surface-area heuristic: the chance that a random line meets a box is proportional "
+                      "to its surface, in the plane its perimeter *P*.\n" +
                           fmt::format("A visit costs {}, a test 1; a leaf costs its number of boxes. ", options.visit) +
                           "Of the splits tried, the cheapest is taken: " + parts
                     : too_many(split) + "The part is split in the same way: " + parts,

@@ -41,7 +41,9 @@ const std::string& opening() {
 
 const Closing& closing() {
   static const Closing closing = {
-      .result = "One test of a node rules out all that lies below it. So most objects are never tested.",
+      .result =
+          "One test of a node rules out all that lies below it. Where boxes overlap little, most objects are never "
+          "tested.",
       .cost =
           "Binned construction takes O(*n*) per level. A ray then takes about lg *n* node tests where boxes overlap "
           "little; at worst, all.",
@@ -51,8 +53,9 @@ const Closing& closing() {
       .used =
           "Ray tracing on the CPU and in the GPU's own hardware, broad and mid phase of physics engines, culling, "
           "picking.",
-      .bug = "Continuing past the closest hit: a node that the ray enters later needs no visit.",
-      .bug_preset = "ray-beyond",
+      .bug =
+          "Returning the first hit that is found: the same leaf, or a node still to be opened, may hold a closer one.",
+      .bug_preset = "ray-back",
       .reading = {"Timothy Kay and James Kajiya, Ray Tracing Complex Scenes, *SIGGRAPH*, 1986, pages 269–278.",
                   "Jeffrey Goldsmith and John Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, *IEEE "
                   "CG&A* 7, 1987, pages 14–20.",

@@ -52,6 +52,8 @@ const Lesson& lesson() {
       .presets = {preset_of("build", "build", "build"), preset_of("outlier", "one far off", "build", {0.5, -2.75, 0}),
                   preset_of("ray", "a ray", "ray"),
                   preset_of("ray-beyond", "pruned beyond the hit", "ray", at_the_left, {-4.25, 1.375, 0}, {1, 0, 0}),
+                  preset_of("ray-back", "two hits in a leaf", "ray", at_the_left, {0.625, 0.6640625, 0},
+                            {-1, -0.1875, 0}),
                   preset_of("ray-missed", "past all boxes", "ray", at_the_left, {-4.25, -2.25, 0}, {1, -0.0625, 0}),
                   preset_of("pairs", "two objects meet", "pairs"), preset_of("growth", "as n grows", "growth")},
       .camera = {.azimuth = 0, .elevation = 0},
