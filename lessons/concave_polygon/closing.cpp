@@ -42,8 +42,9 @@ const Closing& closing() {
       .used =
           "Map services, locating points in meshes and Voronoi diagrams. CGAL prepares arrangements with a trapezoidal "
           "map.",
-      .bug = "Slabs of a polygon with long spikes: most edges run through most slabs, and memory grows as *n*^2.",
-      .bug_preset = "slabs-spiky",
+      .bug =
+          "Slabs that leave out both of their lines: a point level with a vertex lies in none, and counts as outside.",
+      .bug_preset = "slabs-level",
       .reading =
           {"David Kirkpatrick, Optimal Search in Planar Subdivisions, *SIAM Journal on Computing* 12, 1983, pages "
            "28–35.",

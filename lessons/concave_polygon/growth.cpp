@@ -25,10 +25,11 @@ const Kept& kept(int spikes) {
 std::string growth_caption() {
   const Kept &few = kept(fewest_spikes), &many = kept(most_spikes);
   return fmt::format(
-      "Counted on polygons with long spikes. From {} to {} vertices, the slabs' edges become {} times as "
-      "many: O(*n*^2).\nThe nodes of a trapezoidal map, the next method, become {} times as many: O(*n*).",
-      few.n, many.n, shown(std::round(many.slab_entries / few.slab_entries)),
-      shown(std::round(many.map_nodes / few.map_nodes)));
+      "Counted on polygons with long spikes. From {} to {} vertices, {} times as many, the slabs' edges become {} "
+      "times as many: about the square.\nThe nodes of a trapezoidal map, the next method, become {} times as many. In "
+      "general slabs take O(*n*^2), a map O(*n*).",
+      few.n, many.n, shown(std::round(static_cast<double>(many.n) / few.n)),
+      shown(std::round(many.slab_entries / few.slab_entries)), shown(std::round(many.map_nodes / few.map_nodes)));
 }
 
 Chart growth() {

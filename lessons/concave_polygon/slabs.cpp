@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "lessons/concave_polygon/slab_picture.h"
+#include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 #include "viz/chart/chart.h"
@@ -151,8 +152,10 @@ class Slabs {
   void finish() {
     drawn_.done = true;
     script_.settle(verdict_kind(s_.truth), verdict_text(s_.truth));
-    const std::string cost = fmt::format("\n{} height{} and {} edge{} compared, of {} vertices: O(lg *n*).", heights_,
-                                         heights_ == 1 ? "" : "s", turns_, turns_ == 1 ? "" : "s", s_.size());
+    const std::string cost = fmt::format(
+        "\n{} and {} were compared, of {} vertices. Each comparison halves what is left, so there "
+        "are O(lg *n*).",
+        plural(heights_, "height"), plural(turns_, "edge"), s_.size());
     if (on_line_ || on_edge_ || !real(drawn_.slab)) script_.leave_early();
     add("verdict", s_.truth == Location::on ? "On the boundary" : "The answer is stored",
         on_line_             ? 3
@@ -162,8 +165,8 @@ class Slabs {
         (s_.truth == Location::on ? "The boundary is a case of its own."
          : !real(drawn_.slab)     ? "Below and above all vertices there is no edge."
          : s_.truth == Location::in
-             ? "The slab between the two neighbouring edges is inside: the mark was precomputed."
-             : "The slab between the two neighbouring edges is outside: the mark was precomputed.") +
+             ? "The part of the slab between the two neighbouring edges is inside: the mark was precomputed."
+             : "The part of the slab between the two neighbouring edges is outside: the mark was precomputed.") +
             cost);
   }
 

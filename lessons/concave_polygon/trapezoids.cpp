@@ -192,7 +192,7 @@ class Trapezoids {
     Scene scene = found(s_, map_, path_, trapezoid_reached);
     const Index questions = on ? path_.size() : path_.size() - 1;
     add("verdict", on ? "On the boundary" : "A trapezoid is reached", on ? 5 : 6,
-        fmt::format("{}\n{} question{} for {} vertices: O(lg *n*), on average over the orders of insertion.",
+        fmt::format("{}\n{} question{} for {} vertices. The mean over all orders of insertion is O(lg *n*).",
                     on                         ? "A question that is answered by \"on it\" ends the search."
                     : s_.truth == Location::in ? "All of this trapezoid is inside: the mark was computed beforehand."
                                                : "All of this trapezoid is outside: the mark was computed beforehand.",
