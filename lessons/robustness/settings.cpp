@@ -11,6 +11,7 @@
 #include <isect/point_polygon.h>
 #include <isect/ray_sphere.h>
 #include <isect/sphere_sphere.h>
+#include "lessons/shared/digits.h"
 
 namespace isect::lessons::robustness_lesson {
 
@@ -34,6 +35,12 @@ Point<S, 2> neighbour(const Vec3& p, int i, int j) {
   return {neighbour<S>(p.x(), i), neighbour<S>(p.y(), j)};
 }
 
+/// "(0.1, 0.2)", as it is shown.
+template <class S>
+std::string written(const Vector<S, 2>& p) {
+  return coordinates(Vec2(p.template cast<double>()));
+}
+
 template <class S>
 Setting orientation(const Vec3& p) {
   Setting s;
@@ -47,6 +54,7 @@ Setting orientation(const Vec3& p) {
   s.measured = "orient2d", s.has_on = true;
   s.verdicts = {"right", "on the line", "left"};
   const Point<S, 2> b = {S(1.5), S(1.5)}, c = {S(3), S(3)};
+  s.given = fmt::format("The line runs through **b** = {} and **c** = {}.", written(b), written(c));
   s.answer = [=](int i, int j) {
     return sign(static_cast<double>(orient::pivoted<orient::Corner::a, S>(neighbour<S>(p, i, j), b, c)));
   };
@@ -75,6 +83,8 @@ Setting crossings(const Vec3& p) {
   s.measured = "point-polygon";
   s.verdicts = {"outside", "on the edge", "inside"};
   const Ring<S, 2> ring = {{S(-1.1), S(-0.9)}, {S(1.3), S(0.7)}, {S(-0.7), S(1.3)}};
+  s.given =
+      fmt::format("The polygon's vertices are {}, {} and {}.", written(ring[0]), written(ring[1]), written(ring[2]));
   s.answer = [=](int i, int j) { return point_polygon::crossings_naive(neighbour<S>(p, i, j), ring) ? 1 : -1; };
   s.truth = [=](int i, int j) {
     const Location l = locate(neighbour<S>(p, i, j), ring);
@@ -101,6 +111,8 @@ Setting tangent(const Vec3& p) {
   s.verdicts = {"miss", "tangent", "hit"};
   const Sphere<S, 2> circle = {{S(0.1), S(0.2)}, S(1)};
   const Vector<S, 2> d = {S(2), S(1)};
+  s.given = fmt::format("The ray's direction is {}. The circle's centre is {}, its radius {}.", written(d),
+                        written(circle.center), shown(circle.radius));
   s.answer = [=](int i, int j) { return ray_sphere::quadratic(Ray<S, 2>{neighbour<S>(p, i, j), d}, circle) ? 1 : -1; };
   s.truth = [=](int i, int j) {
     const RaySphere<S> exact = intersect(Ray<S, 2>{neighbour<S>(p, i, j), d}, circle);
@@ -124,6 +136,8 @@ Setting spheres(const Vec3& p) {
   s.verdicts = {"disjoint", "touching", "overlapping"};
   const Sphere<S, 2> a = {{S(0), S(0)}, S(0.7)};
   const S r = S(0.3);
+  s.given = fmt::format("The fixed circle's centre is {}, its radius {}. The other circle has the radius {}.",
+                        written(a.center), shown(a.radius), shown(r));
   s.answer = [=](int i, int j) {
     return sphere_sphere::squared_distance_naive(a, Sphere<S, 2>{neighbour<S>(p, i, j), r}) ? 1 : -1;
   };

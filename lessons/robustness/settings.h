@@ -16,6 +16,7 @@ struct Setting {
   std::string title;                  ///< "On which side of a line?"
   std::string naive;                  ///< the text under test
   std::string cell;                   ///< what one cell is
+  std::string given;                  ///< what stays as it is: with it, and the point, each verdict can be checked
   std::string why;                    ///< why it fails, in one or two sentences
   std::string consequence;            ///< how a wrong verdict harms code that relies on it
   std::string measured;               ///< the suite whose measurements show the cost of exactness

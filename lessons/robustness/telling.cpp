@@ -44,8 +44,10 @@ class Teller {
 
   Walk tell() {
     add("place", s_.title, 0,
-        near() ? "The point is so close that only the last bits decide. We look at its neighbours one by one."
-               : "Here all neighbours of the point have one true verdict: it lies away from the border.",
+        std::string(near()
+                        ? "The point is so close that only the last bits decide. We look at its neighbours one by one."
+                        : "Here all neighbours of the point have one true verdict: it lies away from the border.") +
+            "\n" + s_.given + (scalar_ == "float" ? " All numbers are rounded to float." : ""),
         s_.naive)
         .scene = s_.scene;
     raster("truth", "What is true", 1,
