@@ -22,8 +22,8 @@ inline std::string lies(Location l) {
   return l == Location::in ? "inside" : l == Location::on ? "on its boundary" : "outside";
 }
 
-/// A yes/no method cannot say "on the boundary". For a closed set "inside" is right there, and "outside" is wrong; the
-/// table says why.
+/// Where a point lies to a closed polygon. A yes/no method cannot say "on the boundary": there "inside" is right, and
+/// "outside" wrong. What is told of the method says so.
 class LocationOpinions {
  public:
   explicit LocationOpinions(Location truth)
@@ -33,8 +33,9 @@ class LocationOpinions {
                                      : "outside") {}
 
   void add(std::string method, bool inside) {
-    const std::string unable = truth_ == Location::on ? " (cannot answer ON)" : "";
-    all_.add(std::move(method), (inside ? "inside" : "outside") + unable, inside == (truth_ != Location::out));
+    const bool on = truth_ == Location::on;
+    const std::string said = inside ? "inside" : "outside";
+    all_.add(std::move(method), on ? said + on_the_boundary(inside) : said, inside == (truth_ != Location::out));
   }
 
   void add(std::string method, std::string says, bool agrees) { all_.add(std::move(method), std::move(says), agrees); }
@@ -42,6 +43,10 @@ class LocationOpinions {
   std::vector<viz::Opinion> take() { return all_.take(); }
 
  private:
+  static std::string on_the_boundary(bool inside) {
+    return std::string(inside ? ", as" : ", though") + " the boundary belongs to the polygon (cannot answer ON)";
+  }
+
   Location truth_;
   Opinions all_;
 };
