@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <isect/volume.h>
 #include "lessons/bounding_volumes/picture.h"
@@ -18,13 +19,27 @@ namespace {
 
 using Mesh3 = TriangleMesh<double>;
 
+const char* const void_part = "void / volume";  ///< the value of the volume that a step is about
+
+/// The share of the volume that the object does not fill. Both volumes are rounded, so a little may be none.
+double part_that_is_void(const Measured& m) {
+  const double part = m.void_volume / m.volume;
+  return part < 1e-12 ? 0 : part;
+}
+
+/// The same as "79.3 %".
+std::string in_percent(double part) {
+  const double percent = 100 * part;
+  return percent < 99.95 ? shown(std::round(10 * percent) / 10) + " %" : "nearly all";
+}
+
 class Fit {
  public:
   Fit(const std::string& name, const Vec3& tip, int k)
       : mesh_(object(name, tip)),
         k_(k),
         fitted_(mesh_, k),
-        dops_(measured_kdops(fitted_.hull)),
+        dops_(measured_kdops(fitted_.hull, fitted_.object)),
         all_(measured(fitted_, dops_[std::ranges::find(sizes_of_dops, std::to_string(k)) - sizes_of_dops.begin()])),
         tip_(tip),
         object_(drawn(mesh_, Role::first)),
@@ -69,6 +84,7 @@ class Fit {
                     std::vector<Item> own, const std::string& formula) {
     const Measured& m = all_[i];
     script_.value(m.name, m.volume, "volume", Role::second);
+    script_.value(void_part, part_that_is_void(m));
     std::string slug = m.name;
     std::ranges::transform(slug, slug.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     own.insert(own.begin(), m.drawn);
@@ -79,7 +95,8 @@ class Fit {
   void sphere() {
     volume_step(0, 0, "Sphere: a centre and a radius",
                 "The radius reaches to the farthest vertex. When the object turns, only the centre moves with it.\n"
-                "Void is what of a volume the object leaves empty, here in volumes of the object.",
+                "Void is what of a volume the object leaves empty: of this sphere, " +
+                    in_percent(part_that_is_void(all_[0])) + ". Below, it is told in volumes of the object.",
                 radius(fitted_.ball, farthest(mesh_, fitted_.ball)), "|**x** − **c**| ≤ *r*");
   }
 
@@ -116,6 +133,7 @@ class Fit {
     const std::size_t i = seen_best(fitted_.kdop);
     const Interval<double>& s = fitted_.kdop.slabs[i];
     const Vec3& n = fitted_.kdop.normals[i];
+    script_.forget({void_part});
     script_.value("*lo* = −*d*_{max}", s.lo);
     script_.value("*hi* = −*d*_{min}", s.hi);
     add("slab", "A slab between two planes", 3,
@@ -130,6 +148,7 @@ class Fit {
 
   void dops() {
     script_.value(all_[3].name, all_[3].volume, "volume", Role::second);
+    script_.value(void_part, part_that_is_void(all_[3]));
     Step& step =
         script_.add("k-dops", "k-DOPs: more slabs, less void", 3,
                     "*k* is even, as each normal gives a slab with two bounds. More slabs can only cut off more.\n"
@@ -163,6 +182,7 @@ class Fit {
 
   void tightness() {
     script_.value("hull", all_[4].volume, "volume", Role::second);
+    script_.forget({void_part});
     const std::size_t best = tightest();
     Step& step =
         script_.add("side-by-side", "Tightness, storage, cost", 4,
@@ -178,7 +198,7 @@ class Fit {
     step.question =
         Question{k_ == 6 ? "Which of these has the least void?" : "Which of these four has the least void?", names,
                  static_cast<int>(best),
-                 fmt::format("Its void is {} × the object.", shown(all_[best].volume / fitted_.object - 1))};
+                 fmt::format("Its void is {} × the object.", shown(all_[best].void_volume / fitted_.object))};
     keep_picture(script_.walk());
   }
 
@@ -191,7 +211,7 @@ class Fit {
     constexpr Glyph glyphs[] = {Glyph::disc,     Glyph::square,   Glyph::diamond,
                                 Glyph::triangle, Glyph::pentagon, Glyph::hexagon};
     for (const Measured& m : points) {
-      const double empty = m.volume / fitted_.object - 1;
+      const double empty = m.void_volume / fitted_.object;
       places.emplace_back(m.operations(), empty);
       least = std::min(least, empty), greatest = std::max(greatest, empty);
       const bool dop = m.name.ends_with("DOP");

@@ -144,8 +144,8 @@ Tally cost(const Kdop<double, 3>& x) {
 std::string dop(const Kdop<double, 3>& kdop) { return fmt::format("{}-DOP", 2 * kdop.slabs.size()); }
 
 template <class Volume>
-Measured measure(const std::string& name, const Volume& x, const Item& drawn) {
-  return {name, volume(x), numbers_kept(x), cost(x), drawn};
+Measured measure(const std::string& name, const Volume& x, double object, const Item& drawn) {
+  return {name, volume(x), void_volume(x, object), numbers_kept(x), cost(x), drawn};
 }
 
 }  // namespace
@@ -170,24 +170,26 @@ Fitted::Fitted(const Mesh3& mesh, int k)
       obb(fit_obb_tight(hull)),
       kdop(fit_kdop(hull.vertices, directions<double, 3>(k))) {}
 
-Measured measured(const Kdop<double, 3>& kdop) {
-  const Polytope<double, 3> shape = polytope(kdop);  // once for both: the slowest part
-  return {dop(kdop), volume(shape), numbers_kept(kdop), cost(kdop), solid(shape, Role::second)};
+Measured measured(const Kdop<double, 3>& kdop, double object) {
+  const Polytope<double, 3> shape = polytope(kdop);  // once for all: the slowest part
+  return {dop(kdop),          volume(shape), void_volume(shape, object),
+          numbers_kept(kdop), cost(kdop),    solid(shape, Role::second)};
 }
 
-std::vector<Measured> measured_kdops(const Hull3<double>& hull) {
+std::vector<Measured> measured_kdops(const Hull3<double>& hull, double object) {
   std::vector<Measured> all;
   for (const std::string& k : sizes_of_dops)
-    all.push_back(measured(fit_kdop(hull.vertices, directions<double, 3>(std::stoi(k)))));
+    all.push_back(measured(fit_kdop(hull.vertices, directions<double, 3>(std::stoi(k))), object));
   return all;
 }
 
 std::vector<Measured> measured(const Fitted& f, const Measured& kdop) {
-  return {measure("sphere", f.ball, Ball{f.ball.center, f.ball.radius, Role::second}),
-          measure("AABB", f.aabb, solid(f.aabb, Role::second)),
-          measure("OBB", f.obb, solid(f.obb, Role::second)),
-          kdop,
-          {"hull", volume(f.hull), numbers_kept(f.hull), {}, solid(f.hull, Role::second)}};
+  return {
+      measure("sphere", f.ball, f.object, Ball{f.ball.center, f.ball.radius, Role::second}),
+      measure("AABB", f.aabb, f.object, solid(f.aabb, Role::second)),
+      measure("OBB", f.obb, f.object, solid(f.obb, Role::second)),
+      kdop,
+      {"hull", volume(f.hull), void_volume(f.hull, f.object), numbers_kept(f.hull), {}, solid(f.hull, Role::second)}};
 }
 
 }  // namespace isect::lessons::bounding_volumes_lesson

@@ -32,16 +32,17 @@ struct Fitted {
 /// One volume in numbers.
 struct Measured {
   std::string name;
-  double volume;
-  std::size_t numbers;  ///< kept
-  Tally tally;          ///< of one overlap test with a copy that it meets; nothing for the hull
+  double volume, void_volume;  ///< the latter: what the object in it leaves empty
+  std::size_t numbers;         ///< kept
+  Tally tally;                 ///< of one overlap test with a copy that it meets; nothing for the hull
   viz::Item drawn;
 
   int operations() const { return tally.mul + tally.add + tally.div + tally.sqrt + tally.compare; }
 };
-Measured measured(const Kdop<double, 3>&);
-/// The k-DOPs of all sizes around an object.
-std::vector<Measured> measured_kdops(const Hull3<double>&);
+/// Around an object of this volume.
+Measured measured(const Kdop<double, 3>&, double object);
+/// The k-DOPs of all sizes around an object of this hull and volume.
+std::vector<Measured> measured_kdops(const Hull3<double>&, double object);
 /// Sphere, AABB, OBB, k-DOP, hull.
 std::vector<Measured> measured(const Fitted&, const Measured& kdop);
 

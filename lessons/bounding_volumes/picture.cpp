@@ -26,7 +26,7 @@ Vec3 in_view(double x, double y) {
 }  // namespace
 
 std::string void_of(const Measured& m, double object) {
-  const double times = m.volume / object - 1;
+  const double times = std::max(m.void_volume / object, 0.0);  // of rounded volumes
   return times < 0.995 ? fmt::format("{:.2f} ×", times) : fmt::format("{:.1f} ×", times);
 }
 
@@ -205,7 +205,7 @@ Items side_by_side(const TriangleMesh<double>& mesh, double object, const std::v
 
     page.number(left, -0.62, void_of(m, object));
     page.box(left, -0.98, unit * object, 0.13, Role::first);
-    page.hatched(left + unit * object, -0.98, unit * (m.volume - object), 0.13, Role::second);
+    page.hatched(left + unit * object, -0.98, unit * m.void_volume, 0.13, Role::second);
     page.number(left, -1.65, std::to_string(m.numbers));
     page.cells(left, -1.87, m.numbers);
     if (m.operations() == 0) continue;

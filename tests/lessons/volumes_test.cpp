@@ -148,7 +148,8 @@ TEST_CASE("each bounding volume holds every vertex, and the hull is the tightest
         CHECK(locate(p, fitted.kdop) != Location::out);
       }
       CHECK(fitted.object > 0);  // turned outside out
-      const std::vector<volumes::Measured> all = volumes::measured(fitted, volumes::measured(fitted.kdop));
+      const std::vector<volumes::Measured> all =
+          volumes::measured(fitted, volumes::measured(fitted.kdop, fitted.object));
       REQUIRE(all.size() == 5);
       for (const volumes::Measured& m : all) {
         CHECK(m.volume >= fitted.object * (1 - 1e-12));
@@ -173,7 +174,7 @@ TEST_CASE("the objects' surfaces are closed: each edge has its two triangles", "
 
 TEST_CASE("numbers kept and operations are those of the definitions", "[bounding volumes]") {
   const volumes::Fitted fitted(volumes::object("pin", {0.875, 1.25, -0.625}), 18);
-  const std::vector<volumes::Measured> all = volumes::measured(fitted, volumes::measured(fitted.kdop));
+  const std::vector<volumes::Measured> all = volumes::measured(fitted, volumes::measured(fitted.kdop, fitted.object));
   CHECK(all[0].numbers == 4);
   CHECK(all[1].numbers == 6);
   CHECK(all[2].numbers == 15);
