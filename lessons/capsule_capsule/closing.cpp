@@ -27,7 +27,7 @@ const Closing& closing() {
           "Two capsules meet if and only if their segments come within *r*_a + *r*_b. In the plane they cross, or "
           "an end is nearest.",
       .cost =
-          "Constant: four signs of an area, then four distances from a point to a segment at most. The textbook "
+          "Constant: four orientations, then four distances from a point to a segment at most. The textbook "
           "method takes one division or two.",
       .choose =
           "For long, round bodies that rotate: only two endpoints are rotated. For flat bodies use oriented "

@@ -65,8 +65,8 @@ const Lesson& lesson() {
       .map = &cases(),
       .opening = opening(),
       .closing = &closing(),
-      .after = {"intervals", "sphere-sphere"},
-      .ideas = {"Minkowski sum"},
+      .after = {"intervals", "sphere-sphere", "convex-hull"},
+      .ideas = {"Minkowski sum", "orientation"},
       .shared = shared_ideas,
   };
   return lesson;

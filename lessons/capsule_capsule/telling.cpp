@@ -75,7 +75,8 @@ class Teller {
     // 1: that one line is enough, which holds for lines and not for segments.
     step.question = which_value(
         "Of the two segments' lines, how many have the other segment's ends on different sides?", separating_lines(),
-        {0, 1, 2}, "Each is two signs of an area (orient2d). The segments cross if and only if both do.");
+        {0, 1, 2},
+        "Each takes two orientations: the signs of two areas (orient2d). The segments cross if and only if both do.");
     if (e.holds)
       step.decides = true;
     else

@@ -18,6 +18,9 @@ using Added = convex_hull_2d::Added<double>;
 
 namespace {
 
+const char* const what_a_turn_is =
+    "\nThe turn is the sign of an area, of the triangle of the last two points and **q**: their orientation.";
+
 class Teller {
  public:
   explicit Teller(const Ring<double, 2>& points)
@@ -84,10 +87,11 @@ class Teller {
       drawn_.chain.pop_back();
     }
     drawn_.chain.push_back(e.p);
-    const bool none = removed_.empty();
+    const bool none = removed_.empty(), turns = drawn_.chain.size() + removed_.size() > 2;
     script_.value("chain", static_cast<double>(drawn_.chain.size()));
-    Step& step =
-        add(fmt::format("{}-{}", drawn_.upper ? "upper" : "lower", ++number_), title(e.p), none ? 2 : 1, caption());
+    Step& step = add(fmt::format("{}-{}", drawn_.upper ? "upper" : "lower", ++number_), title(e.p), none ? 2 : 1,
+                     caption() + (turns && !turned_ ? what_a_turn_is : ""));
+    turned_ = turned_ || turns;
     step.decides = !none;
     // 0: every new point is kept; 1: `if` is read for `while`; all: the chain begins anew
     if (!none && asked_ < removed_.size()) {
@@ -211,6 +215,7 @@ class Teller {
   std::vector<Removed> removed_;
   double area_ = 0;
   int number_ = 0, started_ = 0;
+  bool turned_ = false;    ///< a turn was told already
   std::size_t asked_ = 0;  ///< the most removed points that were asked for
 };
 
