@@ -31,8 +31,8 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "On ordinary cases all methods are right, and differ in time. On hard ones the rounded methods fail; exact "
-          "calls take longer.",
+          "On ordinary cases all verdicts are right; times differ, and the last digits of values. On hard ones the "
+          "rounded methods fail; exact calls take longer.",
       .cost =
           "One comparison of a value with its error bound on ordinary cases; exact numbers only where it leaves the "
           "sign "

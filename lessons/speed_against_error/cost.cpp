@@ -41,8 +41,9 @@ std::pair<std::string, double> Teller::dearest() const {
 }
 
 std::string Teller::naive_there(const std::string& family) const {
-  return naive(family).wrong() > 0 ? "There the naive method is wrong on " + error_share(naive(family)) + "."
-                                   : "There no verdict of the naive method is wrong.";
+  const Row& plain = naive(family);
+  if (plain.wrong() == 0) return "There no verdict of the naive method is wrong.";
+  return "There the naive method is wrong on " + error_share(plain) + (by_convention(plain) ? ", by convention." : ".");
 }
 
 std::string Teller::cost_when_hard() const {

@@ -29,6 +29,8 @@ std::optional<std::size_t> only_greatest(const List& list, const Value& value) {
   return best;
 }
 
+constexpr const char* the_same = "the same";  ///< how the note of a family begins that is like the one before
+
 /// A family's note in a reader's words: "0.1", where a programmer writes ".1".
 std::string readable(std::string note) {
   for (std::size_t at = note.find(" ."); at != note.npos; at = note.find(" .", at + 1))
@@ -39,17 +41,53 @@ std::string readable(std::string note) {
 
 }  // namespace
 
+bool Teller::by_convention(const Row& r) const {
+  const auto strict = [](const Row& method) { return method.method.find("(<)") != std::string::npos; };
+  if (!strict(r) || r.judged == 0 || r.false_no != r.judged) return false;
+  const Rows rows = of(r.family);
+  return std::ranges::any_of(rows, [&](const Row* other) {
+    return other->library == "isect" && !other->exact && !strict(*other) && other->wrong() == 0;
+  });
+}
+
+std::vector<std::string> Teller::other_families() const {
+  std::vector<std::string> all;
+  for (const std::string& family : families_of(rows_))
+    if (const Row* r = standard_of(of(family)); r != nullptr && r->hard && std::ranges::count(hard_, family) == 0)
+      all.push_back(family);
+  return all;
+}
+
+std::string Teller::like(const std::string& family) const {
+  if (!report_.note(test_, family).starts_with(the_same)) return {};
+  std::string before;
+  for (const std::string& other : families_of(rows_)) {
+    if (other == family) break;
+    if (!report_.note(test_, other).starts_with(the_same)) before = other;
+  }
+  return before;
+}
+
+std::string Teller::made_of(const std::string& family) const {
+  const std::string note = readable(report_.note(test_, family)), other = like(family);
+  if (note.empty()) return fmt::format("a family made to break naive methods: {}.", words(family));
+  if (other.empty()) return note;
+  std::string of_other = made_of(other);
+  while (of_other.ends_with('.')) of_other.pop_back();
+  return fmt::format("as “{}” ({}), but{}", words(other), of_other, note.substr(std::string(the_same).size()));
+}
+
 void Teller::hard_family(const std::string& family, bool first) {
   values(family);
-  const std::string note = report_.note(test_, family);
-  std::string text =
-      note.empty() ? fmt::format("A family made to break naive methods: {}.", words(family)) : sentence(readable(note));
+  std::string text = sentence(made_of(family));
   text += fmt::format("\n{}: {}. The exact call: {}, in {} ns.", sentence(name_of(naive(family))),
                       error_text(naive(family)), error_text(exact(family)), shown(exact(family).ns));
   if (by_value_ && naive(family).wrong() > 0)
     text += fmt::format(" Besides, {} of the verdicts of {} are wrong.",
                         share(static_cast<double>(naive(family).wrong()), static_cast<double>(naive(family).judged)),
                         name_of(naive(family)));
+  if (by_convention(naive(family)) && text.find("by convention") == std::string::npos)
+    text += " Nothing is rounded there: its strict < leaves out touching, by convention.";
   Plot p = plot({ordinary_, family});
   for (Panel& panel : p.panels) panel.muted = panel.title != as_markup(words(family));
   std::string slug = words(family);
@@ -75,10 +113,36 @@ void Teller::hard_family(const std::string& family, bool first) {
   step.question = q;
 }
 
+/// The families without a step of their own, each in a sentence, as later steps name them.
+void Teller::others() {
+  const std::vector<std::string> families = other_families();
+  if (families.empty()) return;
+  const std::string name = name_of(naive(ordinary_));
+  Bars bars = {{Scale::Kind::linear, 0, 100, fmt::format("wrong verdicts of {} (%)", as_markup(name))},
+               {{as_markup(name), Glyph::square, Role::second}},
+               {}};
+  std::string text;
+  for (const std::string& family : families) {
+    const bool told = std::ranges::count(families, like(family)) > 0;  // in this step
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "\n", sentence(words(family)),
+                        told ? readable(report_.note(test_, family)) : made_of(family));
+    const Row& r = naive(family);
+    const double wrong = static_cast<double>(r.wrong()), judged = static_cast<double>(std::max(r.judged, 1L));
+    bars.bars.push_back(
+        {as_markup(words(family)), {{0, 100 * wrong / judged}}, {}, share(wrong, judged), Verdict::Kind::open});
+  }
+  show(script_.add("other-families", families.size() == 1 ? "One more hard family" : "The other hard families",
+                   hard_line, text),
+       {bars});
+}
+
 void Teller::fall() {
-  const Row* worst = nullptr;
+  const Row *worst = nullptr, *convention = nullptr;
   for (const Row* r : rows_)
-    if (r->wrong() > 0 && (worst == nullptr || r->wrong_per_million() > worst->wrong_per_million())) worst = r;
+    if (by_convention(*r))
+      convention = r;
+    else if (r->wrong() > 0 && (worst == nullptr || r->wrong_per_million() > worst->wrong_per_million()))
+      worst = r;
   if (worst == nullptr) return;
   long wrong = 0, judged = 0;
   for (const Row* r : rows_)
@@ -93,10 +157,15 @@ void Teller::fall() {
   const Plotted plotted = verdict_plot(report_, test_, "double", families);
   Step& step = script_.add(
       "wrong-verdicts", "Where naive methods fail", wrong_line,
-      fmt::format("A wrong verdict is worse than lost bits: yes and no are confused. {} does worst, on "
-                  "the family “{}”: {} of its verdicts are wrong.\n"
+      fmt::format("A wrong verdict is worse than lost bits: yes and no are confused.\n"
+                  "{}{} does worst, on the family “{}”: {} of its verdicts are wrong.\n"
                   "{}.",
-                  sentence(name_of(*worst)), words(worst->family),
+                  convention == nullptr
+                      ? ""
+                      : fmt::format("On “{}” {} always says no, by convention: its strict < leaves out touching. Of "
+                                    "what is rounded, ",
+                                    words(convention->family), name_of(*convention)),
+                  convention == nullptr ? sentence(name_of(*worst)) : name_of(*worst), words(worst->family),
                   share(static_cast<double>(worst->wrong()), static_cast<double>(worst->judged)),
                   wrong == 0 ? fmt::format("The exact call was never wrong, in {} cases", counted(judged))
                              : fmt::format("Exact calls were wrong {} in {}", plural(wrong, "time"), counted(judged))));

@@ -129,6 +129,7 @@ Walk Teller::tell() {
   methods();
   front();
   for (const std::string& family : hard_) hard_family(family, family == hard_.front());
+  others();
   fall();
   cost();
   fallback();

@@ -43,6 +43,15 @@ class Teller {
   std::string cost_when_hard() const;
   /// A sentence on what the naive method does on that family.
   std::string naive_there(const std::string& family) const;
+  /// Whether a method misses all of a family where shapes touch, for its strict <, and not by rounding: methods that
+  /// round as it does, but count touching, are never wrong there.
+  bool by_convention(const bench::Row&) const;
+  /// The hard families that have no step of their own.
+  std::vector<std::string> other_families() const;
+  /// The family that the note of this one calls "the same"; empty if it says all by itself.
+  std::string like(const std::string& family) const;
+  /// What a family is made of, a sentence without its capital letter.
+  std::string made_of(const std::string& family) const;
   void values(const std::string& family);
   void show(viz::Step&, viz::Chart) const;
 
@@ -52,6 +61,7 @@ class Teller {
   void front();
   // hard.cpp
   void hard_family(const std::string& family, bool first);
+  void others();
   void fall();
   // cost.cpp
   void cost();
