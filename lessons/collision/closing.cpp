@@ -69,7 +69,9 @@ const Closing& closing() {
           {"Of 1000 bodies, 900 never move. How many pairs are left to test?",
            "Pairs of two bodies at rest are dropped: 900 · 899 / 2. Of 499 500 pairs, 94 950 are left."},
           {"Find boxes for which sweep and prune tests all pairs, though none overlap.",
-           "Stack them: all have the same interval on the sorted axis, and gaps on the other one."},
+           "Wide, flat boxes on a gentle slope. The sweep runs along the axis on which their centres spread most: "
+           "there "
+           "all intervals meet, and on the other one gaps part them."},
       }};
   return closing;
 }
