@@ -73,15 +73,18 @@ class Teller {
                       "In space it may start between the ends of both, so four ends would not be enough.",
             e.holds ? "*d* = 0" : "");
     // 1: that one line is enough, which holds for lines and not for segments.
-    step.question = which_value(
-        "Of the two segments' lines, how many have the other segment's ends on different sides?", separating_lines(),
-        {0, 1, 2},
-        "Each takes two orientations: the signs of two areas (orient2d). The segments cross if and only if both do.");
+    step.question =
+        which_value("Of the two segments' lines, how many have the other segment's ends on different sides?",
+                    separating_lines(), {0, 1, 2},
+                    std::string(a_point() ? "A segment that is one point has no line, and separates nothing. " : "") +
+                        "Each takes two orientations: the signs of two areas (orient2d). The segments cross if and "
+                        "only if both do.");
     if (e.holds)
       step.decides = true;
     else
       script_.refuse(1, {});
   }
+  bool a_point() const { return s_.a.p == s_.a.q || s_.b.p == s_.b.q; }
   /// How many of the two segments' lines pass strictly between the ends of the other segment; exact.
   int separating_lines() const {
     const auto between = [](const Capsule2& line, const Capsule2& ends) {

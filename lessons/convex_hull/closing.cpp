@@ -67,7 +67,7 @@ const Closing& closing() {
            "most 2*n* steps."},
           {"Why does no method find every hull faster than it sorts?",
            "Map the numbers *x* to the parabola *y* = *x*^2. All points are vertices, and the hull lists them in "
-           "order. That is the worst case: with *h* vertices, O(*n* lg *h*) is possible."},
+           "order. That is the worst case: where few points are vertices, faster methods exist."},
           {"Rounding makes one orientation wrong. What can happen to the hull?",
            "It may lose a true vertex or keep a dent, so that it is not convex. An exact predicate for the orientation "
            "prevents both."},

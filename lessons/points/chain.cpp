@@ -65,9 +65,14 @@ class Chain {
     asked_.push_back({from, to, near});
     if (!s_.is_nan || (a != "q" && b != "q"))
       script_.value("|**" + a + "** − **" + b + "**|", (from - to).norm(), "length", near ? Role::hit : Role::miss);
-    Step& step = script_.add(slug, title, line,
-                             near ? "**" + b + "** lies in the ball of tolerance around **" + a + "**: near."
-                                  : "**" + b + "** lies outside the ball of tolerance around **" + a + "**: far.");
+    const std::string first = "**" + a + "**", second = "**" + b + "**";
+    const bool equality = s_.tested_within == 0;  // the ball is a point
+    Step& step =
+        script_.add(slug, title, line,
+                    equality ? second + (near ? " equals " : " does not equal ") + first +
+                                   ", and with tolerance 0 that is all that counts: " + (near ? "near." : "far.")
+                    : near ? second + " lies in the ball of tolerance around " + first + ": near."
+                           : second + " lies outside the ball of tolerance around " + first + ": far.");
     step.scene = picture(from);
     step.scene.items.emplace_back(Line{from, to, near ? Role::hit : Role::miss, near ? Pen::thick : Pen::excluded});
     step.decides = true;

@@ -120,6 +120,7 @@ class Nearness {
   }
 
   std::string what_happens(int method, bool right_answer, double left, double right) const {
+    if (method == 2 && s_.tested_within == 0) return "With tolerance 0 the cube is one point, as the ball is.";
     if (method == 2)
       return "This test is exact for a cube (the maximum norm). Its corners are √3 times the tolerance away.";
     const bool apart = s_.tp != s_.tq;

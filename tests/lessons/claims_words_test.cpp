@@ -154,6 +154,24 @@ TEST_CASE("what a yes or no is worth on the boundary is told beside it, and only
   CHECK(on > 10);
 }
 
+TEST_CASE("with tolerance 0 no cube and no ball is spoken of as larger than a point", "[words]") {
+  const Walk cube = with("points", "cube", {{"tolerance", "0"}});
+  CHECK_THAT(find(cube, "coordinates")->caption, Contains("the cube is one point") && !Contains("√3"));
+  const Walk chain = with("points", "chain", {{"tolerance", "0"}, {"p", "1,1,0"}, {"q", "1,1,0"}, {"r", "2,1,0"}});
+  CHECK_THAT(find(chain, "p-q")->caption, Contains("equals") && Contains("near.") && !Contains("ball"));
+  CHECK_THAT(find(chain, "q-r")->caption, Contains("does not equal") && Contains("far.") && !Contains("ball"));
+  CHECK_THAT(find(walk_of("points", "chain"), "p-q")->caption, Contains("ball of tolerance"));
+}
+
+TEST_CASE("a segment that is one point is not said to have a line", "[words]") {
+  const auto why = [](const Changes& changes) {
+    const Walk walk = with("capsule-capsule", "side", changes);
+    return find(walk, "crossing")->question->because;
+  };
+  CHECK_THAT(why({{"p_b", "1,1,0"}, {"q_b", "1,1,0"}}), Contains("one point has no line"));
+  CHECK_THAT(why({}), !Contains("one point has no line") && Contains("orientations"));
+}
+
 TEST_CASE("the void that is told is the core's: what the object does not fill of the volume", "[words]") {
   for (const char* id : {"tilted", "upright", "bracket", "ball"}) {
     INFO(id);
