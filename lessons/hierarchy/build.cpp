@@ -1,8 +1,8 @@
-// Building: a box around all, split where it costs least, and each part again.
+// Building: a box around all, split at the cheapest of a few cuts, and each part again.
 
 #include <fmt/format.h>
 
-#include "lessons/hierarchy/tree.h"
+#include "lessons/hierarchy/splits.h"
 #include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
@@ -20,10 +20,10 @@ class Building {
         script_({"Lecture note, bounding volume hierarchies; Goldsmith and Salmon, IEEE CG&A 7 (1987); Wald, "
                  "Interactive Ray Tracing (2007)",
                  fmt::format("{} boxes in nested boxes, and their tree.", tree_.boxes.size()),
-                 {"box ← the smallest around all primitives",              // 0
-                  "split them by their centres, where it costs least",     // 1
-                  "if at most 3 are left and no split pays: make a leaf",  // 2
-                  "else build both parts in the same way"},                // 3
+                 {"box ← the smallest around all primitives",                 // 0
+                  "try 15 cuts on the axis of widest spread; take the best",  // 1
+                  "if at most 3 are left and no split pays: make a leaf",     // 2
+                  "else build both parts in the same way"},                   // 3
                  "building"}) {
     drawn_.states.assign(static_cast<std::size_t>(tree_.size()), State::hidden);
   }
@@ -69,31 +69,47 @@ class Building {
                : "";
   }
 
+  static const char* name_of(int axis) { return axis == 0 ? "*x*" : "*y*"; }
+
+  static std::string parts(const bvh::Split<double>& split) {
+    return fmt::format("{} on one side of it, {} on the other.", plural(split.left, "centre"),
+                       plural(split.right, "centre"));
+  }
+
+  /// How the first split is found.
+  static std::string tried(const bvh::Split<double>& split) {
+    if (split.median) return halved(split);
+    return fmt::format("Tried are 15 cuts along {}, where the centres spread most. The cheapest is taken: ",
+                       name_of(split.axis)) +
+           parts(split);
+  }
+  static std::string in_the_same_way(const bvh::Split<double>& split) {
+    return split.median ? halved(split) : "The part is split in the same way: " + parts(split);
+  }
+  static std::string halved(const bvh::Split<double>& split) {
+    return fmt::format("No cut is tried here: they are halved by number, {} and {}.", split.left, split.right);
+  }
+
   void cut(const bvh::Split<double>& split, int number) {
     const int first = tree_.node(split.node).first;
     for (State& s : drawn_.states)
       if (s == State::current) s = State::seen;
     set(split.node, State::current), set(first, State::waiting), set(first + 1, State::waiting);
-    const char* const axis = split.axis == 0 ? "*x*" : "*y*";
-    const std::string parts = fmt::format("{} on one side of it, {} on the other.", plural(split.left, "centre"),
-                                          plural(split.right, "centre"));
+    const char* const axis = name_of(split.axis);
     Step& step = add(
         fmt::format("cut-{}", number), fmt::format("Split {}: along {}", number, axis), number == 1 ? 1 : 3,
         number == 1 ? "The surface-area heuristic: the chance that a random line meets a box is proportional "
                       "to its surface, in the plane its perimeter *P*.\n" +
                           fmt::format("A visit costs {}, a test 1; a leaf costs its number of boxes. ", options.visit) +
-                          "Of the splits tried, the cheapest is taken: " + parts
-                    : too_many(split) + "The part is split in the same way: " + parts,
+                          tried(split)
+                    : too_many(split) + in_the_same_way(split),
         &split);
-    const auto half_perimeter = [&](int node) {
-      const Vec2 side = tree_.node(node).box.hi - tree_.node(node).box.lo;
-      return side.x() + side.y();
-    };
-    const double left = half_perimeter(first), right = half_perimeter(first + 1), whole = half_perimeter(split.node);
-    step.formula =
-        fmt::format("cost = {} + (*P*_L *n*_L + *P*_R *n*_R) / *P* = {} + ({} · {} + {} · {}) / {} = {}", options.visit,
-                    options.visit, shown(2 * left), split.left, shown(2 * right), split.right, shown(2 * whole),
-                    shown(options.visit + (left * split.left + right * split.right) / whole));
+    const auto perimeter = [&](int node) { return shown(2 * half_perimeter(tree_.node(node).box)); };
+    const double cost =
+        cost_of(tree_.node(split.node).box, tree_.node(first).box, split.left, tree_.node(first + 1).box, split.right);
+    step.formula = fmt::format("cost = {} + (*P*_L *n*_L + *P*_R *n*_R) / *P* = {} + ({} · {} + {} · {}) / {} = {}",
+                               options.visit, options.visit, perimeter(first), split.left, perimeter(first + 1),
+                               split.right, perimeter(split.node), shown(cost));
     if (number > 1) return;
     step.decides = true;
     const Vec2 size = tree_.node(0).box.hi - tree_.node(0).box.lo;
@@ -110,6 +126,22 @@ class Building {
     step.question->given = {{"spread of centres on *x*", hi.x() - lo.x(), "length"},
                             {"spread of centres on *y*", hi.y() - lo.y(), "length"}};
     keep_picture(script_.walk());
+    if (!split.median) untried(split, cost);
+  }
+
+  /// Adds a step about the cheapest split of all boxes, where the builder has not tried it.
+  void untried(const bvh::Split<double>& chosen, double cost) {
+    const std::optional<PossibleSplit> best = cheapest_split(tree_.boxes);
+    if (!best || !(best->cost < cost) || shown(best->cost) == shown(cost)) return;
+    const bvh::Split<double> drawn = {0, best->axis, best->at, best->left, best->right, false};
+    const std::string where = best->axis == chosen.axis
+                                  ? fmt::format("Between the cuts tried along {}", name_of(best->axis))
+                                  : fmt::format("Along {}, where no cut is tried", name_of(best->axis));
+    add("untried", "A cheaper split", 1,
+        fmt::format("{}, a split would cost {} in place of {}: {}\n"
+                    "It would save {:.2g} %. Trying few cuts keeps the construction fast.",
+                    where, shown(best->cost), shown(cost), parts(drawn), 100 * (cost - best->cost) / cost),
+        &drawn);
   }
 
   void done() {

@@ -37,7 +37,7 @@ const Closing& closing() {
           "have equal signs, "
           "then the other by *t*_1 *t*_2 = *C* / *A* (see the quadratic presets). Far away also a robust discriminant, "
           "*A* "
-          "(*r*^2 − *m*^2).",
+          "(*r*^2 − *m*^2). Near the surface neither is better than *C*: there take the exact test.",
       .used =
           "Primary and shadow rays, picking, line of sight, sphere trees. A moving ball against a ball is a ray "
           "against their Minkowski sum, an expanded ball.",
@@ -58,12 +58,13 @@ const Closing& closing() {
            "hit.",
            "**f** = (−3, −3, −3). So *A* = 9, *B* = 2 · (−15) = −30, *C* = 27 − 9 = 18 and *Δ* = 252. The first hit "
            "is *t*_1 = (30 − √252) / 18 ≈ 0.785."},
-          {"When does the entry root lose digits, and which form keeps them?",
-           "For *B* < 0, −*B* and √*Δ* nearly cancel where *C* is small: the origin is near the surface. Compute "
-           "*t*_2 first, then *t*_1 = *C* / (*A* *t*_2): stable roots. Far away, with *B* halved, *B*^2 − *A* *C* "
-           "cancels; "
+          {"When does the entry root lose digits, and what keeps them?",
+           "Near the surface two differences cancel. Stable roots cure −*B* − √*Δ*: they compute *t*_2 first, then "
+           "*t*_1 = *C* / (*A* *t*_2). They do not cure *C* = **f** · **f** − *r*^2, which must be had exactly, or "
+           "with "
+           "twice the digits. Far away, with *B* halved, *B*^2 − *A* *C* cancels; "
            "the robust discriminant *A* (*r*^2 − |**f** − (*B* / *A*) **d**|^2) does not.",
-           "near-surface-quadratic"},
+           "near-rounded-quadratic"},
           {"The direction is doubled in length. What happens to *A*, *B*, *C*, the roots and the points?",
            "*A* grows fourfold and *B* twofold; *C* is unchanged. The roots are halved; the points are unchanged."},
           {"The note's last branch only checks whether *l*^2 > *r*^2. Find a ray for which that fails.",

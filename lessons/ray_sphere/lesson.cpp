@@ -47,6 +47,7 @@ const Situation situations[] = {
     {"surface-in", "on, heading in", {-0.5, 0}, {1.5, 0.75}, {1, 0}, 0},
     {"surface-out", "on, heading out", {-0.5, 0}, {-1.5, 0.75}, {1, 0}, 0},
     {"near-surface", "just before it", {-0.5, 0x1p-19}, {1.5, 0.75}, {1, 0}, 0},  // f · f − r² without rounding
+    {"near-rounded", "before it, rounded", {-0.500000000001, 0}, {1.5, 0.75}, {1, 0}, 0},  // ... and with it
 };
 
 std::vector<Preset> presets() {

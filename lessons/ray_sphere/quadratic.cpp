@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <isect/methods/ray_sphere.h>
+#include "lessons/ray_sphere/cancellation.h"
 #include "lessons/ray_sphere/telling.h"
 #include "lessons/shared/questions.h"
 
@@ -96,7 +97,8 @@ class QuadraticTeller : Teller {
                               : truth == Location::in ? "inside."
                                                       : "exactly on the surface.";
     add("coefficient-c", "Where the origin lies", 3,
-        std::string("The sign of the constant term shows on which side of the surface the origin lies.\n") +
+        "The sign of the constant term shows on which side of the surface the origin lies." +
+            lost_in(constant(setup_, c)) + "\n" +
             (told == truth ? (c > 0   ? "It is positive: "
                               : c < 0 ? "It is negative: "
                                       : "It is zero: ") +
@@ -162,6 +164,7 @@ class QuadraticTeller : Teller {
                                        : "The larger root: where the line leaves.\n") +
                          cancellation(first, e.t.value),
         first ? Focus::first_root : Focus::half_chord, formula + shown(e.t.value));
+    if (cancels(first)) what_stable_roots_lack(first);
   }
 
   void say(const RootInRange<C>& e) {
@@ -204,10 +207,32 @@ class QuadraticTeller : Teller {
     add("miss", "No intersection", no_roots ? 6 : 13, right({}) ? miss_caption(setup_) : astray(), Focus::none);
   }
 
+  /// Whether the two terms of a root have opposite signs.
+  bool cancels(bool first) const { return b_ != 0 && first == (b_ < 0) && c_ != 0; }
+
+  /// Adds a step where stable roots lose what C has lost before.
+  void what_stable_roots_lack(bool first) {
+    const Constant c = constant(setup_, c_);
+    const std::optional<Cure> cured = cure(setup_, first, c);
+    if (!c.cancelled() || !cured || !cured->takes_exact_c()) return;
+    const std::string name = first ? "*t*_1" : "*t*_2", quotient = first ? "*C* / (*A* *t*_2)" : "*C* / (*A* *t*_1)";
+    script_.value("*C*, exact", c.exact);
+    script_.value("stable " + name, cured->root, "lengths of **d**");
+    script_.value(name + ", exact *C*", cured->with_exact, "lengths of **d**", Role::hit);
+    const int kept = digits_right(cured->root, cured->truth), mended = digits_right(cured->with_exact, cured->truth);
+    add("stable-root", "What stable roots do not cure", first ? 7 : 8,
+        "By stable roots " + name + " = " + quotient +
+            ": there −*B* and √*Δ* do not cancel.\nBut *C* has lost digits " +
+            fmt::format("before, so {} {} right. With the exact *C* the same quotient has {} right.",
+                        digits_in_words(kept), kept < 2 ? "is" : "are", mended),
+        first ? Focus::first_root : Focus::half_chord);
+    script_.forget({"*C*, exact", "stable " + name, name + ", exact *C*"});
+  }
+
   /// Whether the two terms of a root cancel, in how many digits, and the form in which they do not.
   std::string cancellation(bool first, double t) const {
     if (b_ == 0) return "*B* is 0, so there is nothing to cancel.";
-    if (first != (b_ < 0)) return "−*B* and the square-root term have the same sign, so no digits are lost here.";
+    if (first != (b_ < 0)) return "−*B* and the square-root term have the same sign, so they do not cancel.";
     if (c_ == 0) return "As *C* = 0, the two terms are equal and cancel exactly: this root is 0.";
     const double rest = std::abs(std::abs(b_) - root_), truth = first ? setup_.truth.roots.lo : setup_.truth.roots.hi;
     const int cancelled = rest > 0 ? static_cast<int>(std::floor(std::log10(std::abs(b_) / rest))) : 16;
@@ -221,7 +246,18 @@ class QuadraticTeller : Teller {
     if (digits < 1) return "Near the surface −*B* and √*Δ* would nearly cancel.\n" + stable;
     return "−*B* and √*Δ* nearly cancel: the origin is near the surface. " +
            fmt::format("About {} of 16 digits are lost.", std::min(digits, 16)) +
-           (setup_.truth.line_roots == 2 ? lost_digits(t, truth) : "") + "\n" + stable;
+           (setup_.truth.line_roots == 2 ? lost_digits(t, truth) : "") + "\n" + stable + cured_here(first);
+  }
+
+  /// A sentence on what stable roots reach in this case, unless a step of its own tells it.
+  std::string cured_here(bool first) const {
+    const Constant c = constant(setup_, c_);
+    const std::optional<Cure> cured = cure(setup_, first, c);
+    if (!cured || cured->takes_exact_c()) return {};
+    if (!cured->works())
+      return std::string(" They do not bring back what *B*") + (c.cancelled() ? ", *C*" : "") +
+             " or *Δ* has lost before.";
+    return c.cancelled() ? "" : " *C* has kept its digits here, so that root keeps them, too.";
   }
 
   const bool half_;
