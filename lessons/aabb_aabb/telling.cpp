@@ -125,7 +125,9 @@ class Teller {
       case Relation::equal:
         return "All six numbers agree.";
       case Relation::overlapping:
-        return "On every axis they share a length, and each extends beyond the other on some axis.";
+        return flat(s_.a) || flat(s_.b)
+                   ? "No axis has a gap, a point is interior to both, and each extends beyond the other on some axis."
+                   : "On every axis they share a length, and each extends beyond the other on some axis.";
       default:
         return "On every axis one interval lies inside the other, and always that of the same box.";
     }

@@ -1,5 +1,6 @@
 #include "lessons/capsule_capsule/picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -98,6 +99,20 @@ void contact(Scene& scene, const Setup& s, const std::vector<End>& ends) {
                             : Item(Line{flat(points[0]), flat(far), Role::hit, Pen::thick}));
 }
 
+Vec2 farthest_from(const Vec2& from, const Ring<double, 2>& points) {
+  return *std::ranges::max_element(points, {}, [&](const Vec2& p) { return (p - from).norm(); });
+}
+
+/// The stretch that a segment shares with a capsule, or two segments on one line with each other.
+void stretch(Scene& scene, const Setup& s, const std::vector<End>& ends) {
+  if (s.segments()) return contact(scene, s, ends);
+  const Capsule2 &thin = s.a.radius == 0 ? s.a : s.b, &thick = s.a.radius == 0 ? s.b : s.a;
+  const Ring<double, 2> both = common(outline(thin), outline(thick));
+  if (both.empty()) return;
+  const Vec2 one = farthest_from(both[0], both), other = farthest_from(one, both);
+  scene.items.push_back(Line{flat(one), flat(other), Role::hit, Pen::thick});
+}
+
 }  // namespace
 
 std::pair<Vec2, Vec2> Setup::closest() const {
@@ -127,7 +142,8 @@ Setup setup(const Parameters& p) {
 Scene picture(const Setup& s, const Shown& shown) {
   Scene scene;
   shape(scene, s.a, Role::first), shape(scene, s.b, Role::second);
-  if (shown.settled && s.truth == Relation::overlapping) {  // of one inside the other it would cover the names
+  const bool overlap = shown.settled && s.truth == Relation::overlapping;
+  if (overlap && !s.thin()) {  // of one inside the other it would cover the names
     const Ring<double, 2> both = common(outline(s.a), outline(s.b));
     if (both.size() > 2) scene.items.push_back(Region{.rings = {flat(both)}, .role = Role::hit});
   }
@@ -135,6 +151,7 @@ Scene picture(const Setup& s, const Shown& shown) {
   if (shown.radii) radius(scene, s.a, "*r*_a", Role::first), radius(scene, s.b, "*r*_b", Role::second);
   if (!shown.settled) ways(scene, s, shown.earlier, false), ways(scene, s, shown.ways, true);
   if (shown.settled) shortest(scene, s);
+  if (overlap && s.thin() && !(s.segments() && shown.crossing)) stretch(scene, s, shown.earlier);
   if (shown.crossing) scene.items.push_back(Dot{flat(s.closest().first), Mark::disc, Role::hit});
   if (shown.settled && s.truth == Relation::touching && !shown.crossing) contact(scene, s, shown.earlier);
   names(scene, s);

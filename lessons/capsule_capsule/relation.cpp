@@ -35,8 +35,7 @@ std::string end_caption(const Setup& s) {
              "They share boundary points, and no interior point.";
     case Relation::overlapping:
       if (s.segments()) return segments + "They share such a point, and neither contains the other." + missed;
-      return std::string("They share interior points, and neither contains the other.") +
-             (s.thin() ? "" : "\nWhat they share is marked.");
+      return "They share interior points, and neither contains the other.\nWhat they share is marked.";
     case Relation::equal:
       return "Each lies inside the other: they are the same set. The ends may be swapped.";
     default: {

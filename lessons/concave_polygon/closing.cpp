@@ -68,11 +68,10 @@ const Closing& closing() {
            {{"p", "-1.5,-0.25,0"}}},
           {"How many edges can the slabs of a polygon with 200 vertices store at most?",
            "*n*^2/2 = 20 000: between the *k*-th height and the next run at most 2 min(*k*, 200 − *k*) edges."},
-          {"Why can at least one vertex in 18 be removed each round?",
-           "At least 3 edges meet at each vertex, fewer than 6 on average. So at least half have 8 edges or fewer. Of "
-           "these, each one chosen rules out itself and at "
-           "most 8 "
-           "others."},
+          {"Why can at least one vertex in 18 be removed each round, the box's corners not counted?",
+           "*n* vertices in a box of 4 corners have 3*n* + 5 edges. At least 12 of their ends lie at the corners, so "
+           "fewer than 6*n* at the others. At each of these 3 or more meet, so at least half have 8 edges or fewer. Of "
+           "these, each one chosen rules out itself and at most 8 others."},
           {"Why does a polygon with *n* vertices, no two at one *x*-coordinate, have 2*n* + 1 trapezoids?",
            "Where the boundary passes a vertex, two trapezoids begin. Where it opens to the right, three begin; where "
            "it "

@@ -63,21 +63,21 @@ class Closed : Teller {
     const auto [a, b] = ends(setup_, *known_.edge);
     const bool along = a.y() == b.y(), vertex = a.y() == setup_.p.y() || b.y() == setup_.p.y();
     if (e.holds) meet(*known_.edge, true);
-    Step& step = add(
-        slug(*known_.edge),
-        along               ? "An edge along the ray"
-        : vertex && e.holds ? "A vertex on the ray"
-        : e.holds           ? "Crossed"
-                            : "Not on the right",
-        along     ? 3
-        : e.holds ? 5
-                  : 4,
-        along ? "The formula divides 0 by 0. No comparison with the result is true: by luck, the edge does not count."
-        : !e.holds ? (e.x.value == setup_.p.x()
-                          ? "The edge meets the line at **p** itself, not right of it: it does not count."
-                          : "The edge meets the line on the left of **p**: it does not count.")
-        : vertex   ? "One end lies on the ray, so the edge counts. " + other_edge(*known_.edge)
-                   : "The edge meets the line on the right of **p**: it counts.");
+    Step& step = add(slug(*known_.edge),
+                     along               ? "An edge along the ray"
+                     : vertex && e.holds ? "A vertex on the ray"
+                     : e.holds           ? "Crossed"
+                                         : "Not on the right",
+                     along     ? 3
+                     : e.holds ? 5
+                               : 4,
+                     along ? "The formula divides 0 by 0. By IEEE 754 no comparison with the result is true, so the "
+                             "edge does not count."
+                     : !e.holds ? (e.x.value == setup_.p.x()
+                                       ? "The edge meets the line at **p** itself, not right of it: it does not count."
+                                       : "The edge meets the line on the left of **p**: it does not count.")
+                     : vertex   ? "One end lies on the ray, so the edge counts. " + other_edge(*known_.edge)
+                                : "The edge meets the line on the right of **p**: it counts.");
     step.decides = e.holds;
   }
 
@@ -114,7 +114,7 @@ class Closed : Teller {
     if (right)
       return fmt::format(
           "The answer is right, but not the count, which should be {}.\n"
-          "Its error is even, so the parity survives, by luck.",
+          "Its error is even here, so the parity survives.",
           setup_.truth.crossings);
     const std::string why = setup_.vertices_on_ray() > 0 ? "The vertices on the ray make the difference: the half-open "
                                                            "rule gives each of them to one side."

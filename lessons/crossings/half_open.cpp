@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include <isect/orient.h>
 #include <isect/point_polygon.h>
 #include "lessons/crossings/telling.h"
 #include "lessons/shared/questions.h"
@@ -138,8 +139,26 @@ class HalfOpen : Teller {
                                                    "contains the point.\n"
                                  : a == setup_.p ? "**p** is the end **a** of this edge.\n"
                                                  : "**p** lies between the ends of this edge, at their height.\n") +
-                         "Neither inside nor outside: counting would give either, by chance.");
+                         "Neither inside nor outside. Counting alone would say " + (counts_as_inside() ? "IN" : "OUT") +
+                         ", as for the next place on the ray raised by *ε*.\n"
+                         "So it would give **p** to just one of several polygons side by side, as filling of pixels "
+                         "requires.");
     step.decides = true;
+  }
+
+  /// Whether the edges right of the point, itself not included, are odd in number: what counting says of a point on
+  /// the boundary.
+  bool counts_as_inside() const {
+    const Point<double, 2>& p = setup_.p;
+    bool odd = false;
+    for (int r = 0; r < static_cast<int>(setup_.polygon.rings.size()); ++r)
+      for (int i = 0; i < static_cast<int>(setup_.polygon.rings[r].size()); ++i) {
+        const auto [a, b] = ends(setup_, {r, i});
+        if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+        const int turn = orient2d(a, b, p);
+        odd = odd != (a.y() < b.y() ? turn > 0 : turn < 0);
+      }
+    return odd;
   }
 
   void finish() {

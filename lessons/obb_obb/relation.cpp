@@ -10,6 +10,12 @@ namespace isect::lessons::obb_obb_lesson {
 
 using namespace viz;
 
+namespace {
+
+bool one_is_flat(const Setup& s) { return (s.a.half.array() == 0).any() || (s.b.half.array() == 0).any(); }
+
+}  // namespace
+
 std::string in_words(Relation r) { return words(r, "the boxes"); }
 
 void Teller::relation() {
@@ -30,7 +36,8 @@ std::string Teller::because() const {
     case Relation::touching:
       return "No axis separates them, but on at least one the projections share a single number.";
     case Relation::overlapping:
-      return "On every axis the projections share more than a number.";
+      return one_is_flat(s_) ? "No axis separates them, and a point is interior to both."
+                             : "On every axis the projections share more than a number.";
     case Relation::equal:
       return "On every normal of either box both projections are the same.";
     default:
@@ -54,9 +61,8 @@ std::string Teller::end_caption() const {
                  ? fmt::format("Disjoint after {} of 15 axes. Rejecting is cheap; accepting takes them all.", asked_)
                  : "Disjoint by the last of 15 axes.";
     case Relation::touching:
-      return std::string((s_.a.half.array() == 0).any() || (s_.b.half.array() == 0).any()
-                             ? "They share points, but none is interior to both."
-                             : "They share boundary points, but no interior point.") +
+      return std::string(one_is_flat(s_) ? "They share points, but none is interior to both."
+                                         : "They share boundary points, but no interior point.") +
              " Closed sets include their boundary, so touching counts as OVERLAP.";
     case Relation::overlapping:
       return "All 15 axes had to be tested. What the boxes share is marked.";

@@ -144,12 +144,18 @@ class Nearness {
   /// How fine a tolerance can be, where the largest coordinate is as large as it is.
   void spacing() {
     const double largest = std::max(s_.tp.cwiseAbs().maxCoeff(), s_.tq.cwiseAbs().maxCoeff());
-    const double apart = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double above = std::nextafter(largest, infinity) - largest,
+                 below = largest - std::nextafter(largest, -infinity);
+    const bool power_of_two = below < above;
     add("spacing", "How small may a tolerance be?", -1,
-        "Doubles as large as the largest coordinate are this far apart, and half as far below a power of two. On that "
-        "axis, a tolerance below that half means equality.\n"
-        "Near 10^6 doubles are 1.2 · 10^{−10} apart, and floats 0.06. So scale the tolerance with the coordinates.",
-        {}, fmt::format("next double after {}: + {}", shown(largest), shown(apart)));
+        std::string("No other double is nearer to the largest coordinate than this. On that axis, any smaller "
+                    "tolerance means equality.\n") +
+            (power_of_two ? "It is a power of two: above it, doubles lie twice as far apart. " : "") +
+            "Near 10^6 doubles are 1.2 · 10^{−10} apart, and floats 0.06. So scale the tolerance with the coordinates.",
+        {},
+        power_of_two ? fmt::format("next double before {}: − {}", shown(largest), shown(below))
+                     : fmt::format("next double after {}: + {}", shown(largest), shown(above)));
   }
 
   void end() {

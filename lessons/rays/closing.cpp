@@ -35,7 +35,7 @@ const Closing& closing() {
       .used =
           "Primary and shadow rays of renderers, pick rays of editors, bullets and ground checks in games, "
           "continuous collision detection.",
-      .bug = "Sampling a moving point frame by frame. A fast bullet is never seen in a thin wall.",
+      .bug = "Sampling a moving point frame by frame. A fast bullet may never be seen in a thin wall.",
       .bug_preset = "bullet",
       .reading = {"Lecture note *Intersection Detection*, rays.",
                   "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13.",
