@@ -88,6 +88,7 @@ void Teller::hard_family(const std::string& family, bool first) {
                         name_of(naive(family)));
   if (by_convention(naive(family)) && text.find("by convention") == std::string::npos)
     text += " Nothing is rounded there: its strict < leaves out touching, by convention.";
+  text += no_cure(family);
   Plot p = plot({ordinary_, family});
   for (Panel& panel : p.panels) panel.muted = panel.title != as_markup(words(family));
   std::string slug = words(family);
@@ -134,6 +135,19 @@ void Teller::others() {
   show(script_.add("other-families", families.size() == 1 ? "One more hard family" : "The other hard families",
                    hard_line, text),
        {bars});
+}
+
+std::string Teller::no_cure(const std::string& family) const {
+  Rows others = of(family);
+  std::erase_if(others, [](const Row* r) { return r->exact || r->standard || !r->ulps; });
+  if (!by_value_ || others.empty()) return {};
+  const Row& best = **std::ranges::min_element(others, {}, [&](const Row* r) { return error(*r); });
+  if (error(best) < error(naive(family)) / 10) return {};
+  std::string told = fmt::format("\nNo other rounded method does ten times better: {}, the best, errs by {}.",
+                                 name_of(best), error_text(best));
+  if (test_ == "ray-sphere" && family == "planet")
+    told += " Stable roots cure one cancellation: that in *C* = **f** · **f** − *r*^2 comes before it.";
+  return told;
 }
 
 void Teller::fall() {

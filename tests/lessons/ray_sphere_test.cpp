@@ -31,10 +31,10 @@ Sphere<double, 3> ball_of(const Parameters& p) {
 
 }  // namespace
 
-TEST_CASE("ten situations stand ready for each of the three methods", "[ray-sphere lesson]") {
+TEST_CASE("eleven situations stand ready for each of the three methods", "[ray-sphere lesson]") {
   std::map<std::string, int> by_method;
   for (const Preset& p : lesson().presets) ++by_method[p.group];
-  CHECK(by_method == std::map<std::string, int>{{"haines", 10}, {"quadratic", 10}, {"half-b", 10}});
+  CHECK(by_method == std::map<std::string, int>{{"haines", 11}, {"quadratic", 11}, {"half-b", 11}});
   for (const Preset& p : lesson().presets) CHECK_NOTHROW(validate(lesson(), p.parameters));
 }
 
@@ -55,11 +55,16 @@ TEST_CASE("the presets are what their names say, exactly", "[ray-sphere lesson]"
   CHECK(truth("surface-in").roots.lo == 0);
   CHECK(truth("surface-out").origin == Location::on);
   CHECK(truth("surface-out").roots.hi == 0);
+  for (const char* id : {"near-surface", "near-rounded"}) {
+    CHECK(truth(id).origin == Location::out);
+    CHECK(truth(id).roots.lo < 1e-10);
+  }
 }
 
 TEST_CASE("just before the surface three methods lose digits that stable roots keep", "[ray-sphere lesson]") {
   for (const Preset& p : lesson().presets) {
     INFO(p.id);
+    if (p.id.starts_with("near-rounded")) continue;  // there stable roots lose them, too: cancellation_words_test.cpp
     const bool near = p.id.starts_with("near-surface");
     for (const Opinion& o : lesson().opinions(p.parameters)) {
       CAPTURE(o.method, o.says);
