@@ -142,7 +142,7 @@ std::string Teller::no_cure(const std::string& family) const {
   std::erase_if(others, [](const Row* r) { return r->exact || r->standard || !r->ulps; });
   if (!by_value_ || others.empty()) return {};
   const Row& best = **std::ranges::min_element(others, {}, [&](const Row* r) { return error(*r); });
-  if (error(best) < error(naive(family)) / 10) return {};
+  if (!(error(best) >= error(naive(family)) / 10)) return {};
   std::string told = fmt::format("\nNo other rounded method does ten times better: {}, the best, errs by {}.",
                                  name_of(best), error_text(best));
   if (test_ == "ray-sphere" && family == "planet")

@@ -148,14 +148,13 @@ TEST_CASE(
 }
 
 TEST_CASE("a family on which no rounded method does ten times better than the naive one is told as that", "[words]") {
-  using namespace bench;
-  const Report& report = lessons::speed_against_error_lesson::results();
+  const bench::Report& report = lessons::speed_against_error_lesson::results();
   int hopeless = 0, mended = 0;
   for (const Step& s : walk_of("speed-against-error", "ray-sphere").steps)
     for (const char* family : {"near-tangent", "far-small", "planet"}) {
       if (s.slug != family) continue;
       double naive = 0, best = INFINITY;
-      for (const Row* r : rows_of(report, "ray-sphere", "double", family)) {
+      for (const bench::Row* r : bench::rows_of(report, "ray-sphere", "double", family)) {
         if (r->exact || !r->ulps) continue;
         if (r->standard) naive = r->ulps->p99;
         if (!r->standard) best = std::min(best, r->ulps->p99);
