@@ -19,8 +19,8 @@
 //     "notes": [ {"at": [0, 2, 0], "text": "the *y*-axis"} ],
 //     "camera": {"azimuth": 30, "elevation": 20} }                   // degrees
 //
-// The first field of an object is its type with its name; the others are those of app/scene/objects.h, in the plane
-// with two coordinates, in space with three.
+// The first field of an object is its type with its name; the others are those of app/scene/types.h, in the plane with
+// two coordinates, in space with three.
 
 #include <string>
 #include <utility>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
 
 #include "app/scene/types/rows.h"
 #include "viz/text/rich_text.h"
@@ -17,6 +18,8 @@ const std::vector<TypeSpec>& types() {
          {straight_types(), round_types(), box_types(), outline_types(), polytope_types(), many_types()})
       std::ranges::copy(some, std::back_inserter(rows));
     std::ranges::sort(rows, {}, &TypeSpec::type);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (rows[i].type != static_cast<Type>(i)) throw std::logic_error("a type of objects has no row, or two");
     return rows;
   }();
   return all;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <stdexcept>
 
 #include "app/query/relation_words.h"
 #include "app/scene/pairs.h"
@@ -66,22 +65,28 @@ Told turned_round(Told out, const Shaped& a, const Shaped& b) {
   return out;
 }
 
+Told not_decided(const Shaped& a, const Shaped& b, const std::string& why) {
+  Told out;
+  out.open = true;
+  out.result = {{"not decided", why}};
+  out.verdict = {Verdict::Kind::open, fmt::format("{} and {}: not decided, as {}", shown_name(a.object.name),
+                                                  shown_name(b.object.name), viz::as_markup(why))};
+  return out;
+}
+
 }  // namespace
 
 Told ask(const Shaped& a, const Shaped& b) {
   const Pair* pair = pair_of(a.type(), b.type(), a.flat());
-  if (!pair && !pair_of(b.type(), a.type(), a.flat()))
-    throw std::logic_error(spec(a.type()).name + " and " + spec(b.type()).name + " have no test");
-  if (!pair) return turned_round(ask(b, a), a, b);
+  if (!pair) {
+    if (pair_of(b.type(), a.type(), a.flat())) return turned_round(ask(b, a), a, b);
+    return not_decided(
+        a, b, fmt::format("no test is made for {} and {}", with_article(a.type()), with_article(b.type())));
+  }
   try {
     return asked_in_order(a, b, *pair);
   } catch (const NotDecided& why) {
-    Told out;
-    out.open = true;
-    out.result = {{"not decided", why.what()}};
-    out.verdict = {Verdict::Kind::open, fmt::format("{} and {}: not decided, as {}", shown_name(a.object.name),
-                                                    shown_name(b.object.name), viz::as_markup(why.what()))};
-    return out;
+    return not_decided(a, b, why.what());
   }
 }
 

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <set>
 
+#include <isect/polygon_triangles.h>
+
 #include "app/scene/files/shape_file.h"
 #include "app/scene/types.h"
 #include "viz/formats/files.h"
