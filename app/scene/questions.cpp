@@ -80,8 +80,8 @@ Told ask(const Shaped& a, const Shaped& b) {
   const Pair* pair = pair_of(a.type(), b.type(), a.flat());
   if (!pair) {
     if (pair_of(b.type(), a.type(), a.flat())) return turned_round(ask(b, a), a, b);
-    return not_decided(
-        a, b, fmt::format("no test is made for {} and {}", with_article(a.type()), with_article(b.type())));
+    return not_decided(a, b,
+                       fmt::format("no test is made for {} and {}", with_article(a.type()), with_article(b.type())));
   }
   try {
     return asked_in_order(a, b, *pair);
