@@ -45,7 +45,7 @@ std::string cache(const char* level, int name) {
 
 double noise() {
   std::vector<double> times;
-  for (int k = 0; k < 401; ++k) {
+  for (int k = 0; k < 4001; ++k) {  // 0.1 s and more: of fewer, one interruption would be a twentieth
     const auto start = std::chrono::steady_clock::now();
     double x = 2;  // 1 would stay 1, and need no loop
     for (int i = 0; i < 20000; ++i) x = x * 0.999 + 1e-3;
