@@ -33,20 +33,13 @@ const std::string& opening() {
 
 const Closing& closing() {
   static const Closing closing = {
-      .result =
-          "Where few boxes overlap, sorting or a hierarchy leaves few of *n*(*n* − 1)/2 tests. Discrete times may miss "
-          "a hit.",
+      .result = "Where few boxes overlap, sorting or a hierarchy leaves few tests. Discrete times may miss a hit.",
       .cost =
-          "Brute force O(*n*^2). Sweep and prune: a sort, then the pairs that overlap on one axis. Bounding volume "
-          "hierarchy: about "
-          "O(*n* lg *n*).",
+          "Brute force O(*n*^2). Sweep: a sort, then pairs that overlap on an axis. Hierarchy: O(*n* lg *n*) or so.",
       .choose =
           "Brute force below a few dozen bodies. Sweep where little moves between frames; a hierarchy or grid for "
-          "large "
-          "scenes. Continuous collision detection for fast bodies.",
-      .used =
-          "Broad phase (all pairs), narrow phase (GJK, contacts): Bullet, Box2D, Jolt and PhysX all have both, and "
-          "continuous detection.",
+          "large scenes. Continuous collision detection for fast bodies.",
+      .used = "Broad phase (all pairs), narrow phase (GJK, contacts), continuous, too: Bullet, Box2D, Jolt, PhysX.",
       .bug = "Testing at discrete times only: a step longer than wall and body together can tunnel.",
       .bug_preset = "tunnelling",
       .reading = {"Christer Ericson, *Real-Time Collision Detection*, 2005, section 7.5 and section 5.5.",
@@ -70,8 +63,7 @@ const Closing& closing() {
            "Pairs of two bodies at rest are dropped: 900 · 899 / 2. Of 499 500 pairs, 94 950 are left."},
           {"Find boxes for which sweep and prune tests all pairs, though none overlap.",
            "Wide, flat boxes on a gentle slope. The sweep runs along the axis on which their centres spread most: "
-           "there "
-           "all intervals meet, and on the other one gaps part them."},
+           "there all intervals meet, and on the other one gaps part them."},
       }};
   return closing;
 }

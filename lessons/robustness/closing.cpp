@@ -43,15 +43,11 @@ const Closing& closing() {
       .result =
           "Near a border a rounded test is wrong in whole regions, not just at single points. An exact sign is "
           "correct in every cell.",
-      .cost =
-          "A filter decides almost all calls in nanoseconds. Where its error bound leaves the sign open, exact numbers "
-          "take far longer.",
+      .cost = "A filter decides almost all calls in nanoseconds; exact numbers, for the rest, take longer.",
       .choose =
           "Exact signs where others build on a verdict: hulls, meshes, maps. Rounded ones where an error is only a "
           "pixel.",
-      .used =
-          "Shewchuk's exact predicates in Triangle and TetGen, CGAL's exact kernels, watertight ray tests in "
-          "renderers.",
+      .used = "Shewchuk's exact predicates in Triangle and TetGen, CGAL's exact kernels, watertight ray tests.",
       .bug = "Trusting a rounded sign: whole blocks of neighbours come out wrong. A tolerance only moves the block.",
       .bug_preset = "orientation",
       .reading = {"Lutz Kettner et al., Classroom Examples of Robustness Problems in Geometric Computations, "
