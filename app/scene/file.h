@@ -83,7 +83,8 @@ bool holds_objects(const std::string& text);
 /// Reads a scene. `folder`: what the names of files in it are relative to. Throws viz::BadInput, which names line and
 /// field, what is allowed and the nearest name, and viz::FileError.
 File read_scene(const std::string& text, const std::string& folder);
-/// Reads a scene beside whose own fields others may stand, which are not looked at. The source's text must last so long.
+/// Reads a scene beside whose own fields others may stand, which are not looked at. The source's text must last so
+/// long.
 File read_scene(Source source, const std::string& folder, const std::vector<std::string>& beside);
 
 /// Returns what `read` returns; an error in another file, such as a mesh, is reported with the scene's name.

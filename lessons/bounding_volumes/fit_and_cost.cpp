@@ -27,7 +27,7 @@ double part_that_is_void(const Measured& m) {
   return part < 1e-12 ? 0 : part;
 }
 
-/// The same as "79.3 %".
+/// That number as "79.3 %".
 std::string in_percent(double part) {
   const double percent = 100 * part;
   return percent < 99.95 ? shown(std::round(10 * percent) / 10) + " %" : "nearly all";

@@ -29,7 +29,7 @@ struct Cure {
   bool works() const;          ///< no more than a few digits are lost
   bool takes_exact_c() const;  ///< it works with the exact C, and with no other
 };
-/// Of the smaller root or the larger one; nothing unless the line has two roots, and this one is not 0.
+/// The cure for the smaller root or the larger one; nothing unless the line has two roots, and this one is not 0.
 std::optional<Cure> cure(const Setup&, bool first, const Constant&);
 
 /// A sentence on the digits of C, if it has lost many.
