@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "app/figures/ownership.h"
 #include "app/scene/lesson.h"
@@ -41,16 +40,25 @@ std::vector<PresetFile> json_files(const fs::path& folder) {
   return files;
 }
 
-/// Whether a scene's text is no longer valid JSON.
-bool is_broken_scene(const std::string& text) {
-  return !Json::accept(text, true) && std::regex_search(text, std::regex("\"objects\"\\s*:"));
+/// Whether a text, which may be no JSON, has a field of this name. It may be as long as it likes, as may its blanks.
+bool has_field(const std::string& text, const std::string& name) {
+  const std::string key = '"' + name + '"';
+  for (std::size_t at = text.find(key); at != text.npos; at = text.find(key, at)) {
+    at += key.size();
+    if (const std::size_t next = text.find_first_not_of(" \t\r\n", at); next != text.npos && text[next] == ':')
+      return true;
+  }
+  return false;
 }
+
+/// Whether a scene's text is no longer valid JSON.
+bool is_broken_scene(const std::string& text) { return !Json::accept(text, true) && has_field(text, "objects"); }
 
 /// Whether it is meant as a preset, which names its lesson; in invalid JSON, a field of that name shows it.
 bool is_meant_as_preset(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_discarded()) return json.is_object() && json.contains("lesson");
-  return std::regex_search(text, std::regex("\"lesson\"\\s*:"));
+  return has_field(text, "lesson");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "app/shell/lock.h"
 #include "viz/formats/files.h"
 #include "viz/player/reader_state.h"
+#include "viz/snapshot/json.h"
 #include "viz/snapshot/snapshot.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/tex.h"
@@ -102,7 +103,7 @@ bool FigureFolder::is_edited(const std::string& file, const Entries Manifest::*k
 FigureFolder::Manifest FigureFolder::read_manifest() const {
   const std::string file = path("manifest.json");
   if (!viz::is_there(file)) return {};
-  const Json manifest = Json::parse(viz::read_regular_file(file), nullptr, false);
+  const Json manifest = viz::snap::parsed(viz::read_regular_file(file));
   Manifest listed;
   try {
     if (manifest.at("program") != "isect") not_ours(file);

@@ -9,6 +9,7 @@
 #include "app/shell/terminal.h"
 #include "viz/formats/formats.h"
 #include "viz/player/reader_state.h"
+#include "viz/snapshot/json.h"
 #include "viz/snapshot/snapshot.h"
 
 namespace isect::program {
@@ -51,7 +52,7 @@ viz::Metadata metadata_in(const fs::path& picture) {
 
 std::optional<OwnTrace> own_trace(const fs::path& file) try {
   if (!fs::is_regular_file(file)) return {};
-  const Json trace = Json::parse(viz::read_regular_file(file));
+  const Json trace = viz::snap::parsed(viz::read_regular_file(file));
   OwnTrace own;
   own.folder = trace.at("lesson").get<std::string>() + "/" + trace.at("preset").get<std::string>();
   own.parameters = trace.at("parameters").dump();

@@ -197,6 +197,15 @@ TEST_CASE("a folder of presets that does not do is told what is wrong", "[check]
   CHECK(both.status == 2);
   CHECK_THAT(both.out, Contains("bad/x.json") && Contains("no baselines here"));
   CHECK(shell("isect check --dir bad --snapshots bad").status == 2);
+
+  // What is read by recursion, or by a regular expression, would overflow the stack.
+  write(shell.work() / "bad/deep.json", R"({"lesson": "a", "preset": "b", "steps": [], "parameters": )" +
+                                            std::string(300'000, '[') + std::string(300'000, ']') + "}");
+  write(shell.work() / "bad/blanks.json", "{\"objects\"" + std::string(1'000'000, ' '));
+  const Ran large = shell("isect check --dir bad");
+  CHECK(large.status == 2);
+  CHECK_THAT(large.out, Contains("bad/deep.json") && Contains("nest deeper than the 64 levels"));
+  CHECK_THAT(large.out + large.err, Contains("bad/blanks.json"));
 }
 
 TEST_CASE("a camera that is another in a preset's file is a difference", "[check]") {

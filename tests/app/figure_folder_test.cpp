@@ -132,7 +132,10 @@ TEST_CASE("the manifest lists what is in the folder, from whichever run", "[rend
     CHECK(listed() == all);
   }
   SECTION("a manifest that is damaged or another program's stays, and nothing is drawn") {
-    for (const std::string text : {"{\"name\": \"app\"}", "[]", "{\"program\": \"isect\"", ""}) {
+    const std::string deep = R"({"program": "isect", "figures": [{"file": "a.png", "of": )" +
+                             std::string(300'000, '[') + std::string(300'000, ']') + "}]}";
+    for (const std::string& text : {std::string("{\"name\": \"app\"}"), std::string("[]"),
+                                    std::string("{\"program\": \"isect\""), std::string(), deep}) {
       write(shell.work() / "web/manifest.json", text);
       const Ran r = shell(render + "--step 1 --out web");
       CHECK(r.status == 4);

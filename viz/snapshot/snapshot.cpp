@@ -121,7 +121,7 @@ std::string trace_json(const Lesson& lesson, const std::string& preset, const Pa
 
 std::vector<Change> compare_traces(const std::string& accepted, const std::string& fresh) {
   if (accepted == fresh) return {};
-  const Json was = Json::parse(accepted, nullptr, false), is = Json::parse(fresh);
+  const Json was = snap::parsed(accepted), is = Json::parse(fresh);
   if (!was.is_object() || !at(was, "steps").is_array())
     return {{-1, "the accepted trace is damaged: no JSON with steps"}};
   if (at(was, "format") != at(is, "format"))
