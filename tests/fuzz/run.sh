@@ -29,11 +29,11 @@ cd "$build"
 
 # ---- seeds
 
-# seed FILE BEFORE REPEATED COUNT AFTER: deep or wide lines, that no short input grows into
+# seed FILE BEFORE REPEATED COUNT AFTER: deep or wide texts, that no short input grows into
 seed() {
   awk -v before="$2" -v part="$3" -v count="$4" -v after="$5" \
     'BEGIN { printf "%s", before; for (i = 0; i < count; i++) printf part, i, i; printf "%s", after }' \
-    >"seeds/query_fuzz/$1"
+    >"seeds/$target/$1"
 }
 seeds_of_query_fuzz() {
   split -l 1 "$root/tests/app/query_examples.jsonl" seeds/query_fuzz/example-
@@ -81,7 +81,12 @@ seeds_of_results_fuzz() {
        { print }' "$root/bench/results.json" >seeds/results_fuzz/few.json
 }
 
-seeds_of_trace_fuzz() { cp "$root/examples/snapshots/scene/exact-touch/trace.json" seeds/trace_fuzz/; }
+seeds_of_trace_fuzz() {
+  cp "$root/examples/snapshots/scene/exact-touch/trace.json" seeds/trace_fuzz/
+  seed deep '{"format": 3, "steps": [' '[' 100000 ''
+  seed deep-and-whole '{"format": 3, "steps": [], "made with": {"font": ' '[' 100000 \
+    "$(awk 'BEGIN { for (i = 0; i < 100000; i++) printf "]" }')}}"
+}
 
 # Some targets write seeds themselves, in the format of the day.
 own_seeds() { ISECT_FUZZ_SEEDS=seeds/$1 "tests/fuzz/$1" -runs=0 2>/dev/null; }
@@ -105,7 +110,8 @@ for target in $targets; do
   case $target in
     query_fuzz) seeds_of_query_fuzz; size=1000000 words=-dict=$root/tests/fuzz/query.dict ;;
     files_fuzz) seeds_of_files_fuzz ;;
-    scene_file_fuzz | results_fuzz | trace_fuzz) "seeds_of_$target"; size=16384 words=$(words_of "$target") ;;
+    scene_file_fuzz | results_fuzz) "seeds_of_$target"; size=16384 words=$(words_of "$target") ;;
+    trace_fuzz) seeds_of_trace_fuzz; size=1000000 words=$(words_of "$target") ;;
     state_fuzz) own_seeds "$target"; words=$(words_of "$target") ;;
     figure_fuzz) own_seeds "$target"; size=16384 ;;
   esac
