@@ -437,6 +437,8 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
 
   write_file(file, "\x01\x02 no JSON");
   CHECK(read_settings(file, both).width == 1280);
+  write_file(file, R"({"width": 1600, "place": )" + std::string(300'000, '[') + std::string(300'000, ']') + "}");
+  CHECK(read_settings(file, both).width == 1280);
   std::filesystem::remove(file);
   CHECK(read_settings(file, both).height == 800);
 }

@@ -6,6 +6,7 @@
 
 #include "viz/formats/files.h"
 #include "viz/formats/formats.h"
+#include "viz/snapshot/json.h"
 #include "viz/window/window_session.h"
 
 namespace isect::viz {
@@ -85,7 +86,7 @@ Json json_of(const std::map<std::string, Score>& scores) {
 /// Returns the parsed file; empty if it is no JSON object.
 Json parsed(const std::string& file) {
   try {
-    const Json json = Json::parse(read_regular_file(file), nullptr, false);
+    const Json json = snap::parsed(read_regular_file(file));
     return json.is_object() ? json : Json();
   } catch (const FileError&) {
     return {};
