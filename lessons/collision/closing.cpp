@@ -37,8 +37,8 @@ const Closing& closing() {
       .cost =
           "Brute force O(*n*^2). Sweep: a sort, then pairs that overlap on an axis. Hierarchy: O(*n* lg *n*) or so.",
       .choose =
-          "Brute force below a few dozen bodies. Sweep where little moves between frames; a hierarchy or grid for "
-          "large scenes. Continuous collision detection for fast bodies.",
+          "Brute force below a few dozen bodies. Sweep where little moves between frames; a bounding volume hierarchy "
+          "or grid for large scenes. Continuous collision detection for fast bodies.",
       .used = "Broad phase (all pairs), narrow phase (GJK, contacts), continuous, too: Bullet, Box2D, Jolt, PhysX.",
       .bug = "Testing at discrete times only: a step longer than wall and body together can tunnel.",
       .bug_preset = "tunnelling",
