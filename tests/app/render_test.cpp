@@ -273,7 +273,7 @@ TEST_CASE("step all is every step of the lesson's first preset", "[render]") {
 TEST_CASE("all is every preset of every lesson", "[render]") {
   const Shell shell;
   CHECK(shell("isect render --all --step 1 --format svg").status == 0);
-  CHECK(files_in(shell.work() / "figures/ray-sphere").size() == 2 * 30);
+  CHECK(files_in(shell.work() / "figures/ray-sphere").size() == 2 * 33);
   // A step that only some presets have is rendered for those.
   CHECK(shell("isect render --all --step 11 --format svg --out last").status == 0);
   CHECK(files_in(shell.work() / "last/ray-sphere").size() < 2 * 30);

@@ -38,7 +38,7 @@ TEST_CASE("list names lessons in the order of the course, and presets", "[list]"
   const Shell shell;
   const Ran r = shell("isect list");
   CHECK(r.status == 0);
-  CHECK_THAT(r.out, Contains("ray-sphere") && Contains("30 presets") && Contains("surface-out-half-b") &&
+  CHECK_THAT(r.out, Contains("ray-sphere") && Contains("33 presets") && Contains("surface-out-half-b") &&
                         Contains("after: relations, intervals"));
   CHECK_THAT(r.out, !Contains("N16"));  // row ids are for those who write lessons
   CHECK(r.out.find("sphere-sphere  ") < r.out.find("ray-sphere  "));
@@ -51,7 +51,7 @@ TEST_CASE("list --json holds what a program needs", "[list]") {
   REQUIRE(all.size() >= 1);
   const auto one = std::ranges::find_if(all, [](const auto& lesson) { return lesson["id"] == "ray-sphere"; });
   REQUIRE(one != all.end());
-  REQUIRE((*one)["presets"].size() == 30);
+  REQUIRE((*one)["presets"].size() == 33);
   for (const auto& lesson : all)
     for (const auto& parameter : lesson["parameters"]) {
       CHECK(parameter.contains("help"));
