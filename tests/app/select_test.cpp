@@ -406,7 +406,7 @@ TEST_CASE("what is asked for and not there is told once, in few words", "[select
   CHECK(r.status == 0);
   CHECK_FALSE(r.out.empty());
   CHECK(lines_of(r.err).size() == 1);
-  CHECK_THAT(r.err, StartsWith("step 20: ") && Contains("not in these presets") && Contains("ray-sphere (all 30)"));
+  CHECK_THAT(r.err, StartsWith("step 20: ") && Contains("not in these presets") && Contains("ray-sphere (all 33)"));
   CHECK(r.err.size() < 1500);
   CHECK(shell("isect render --all --step 1 --format svg").err.empty());
 }
