@@ -27,7 +27,6 @@ class SceneReader {
     if (json().is_object() && json().contains("lesson") && !json().contains("objects"))
       source_.refuse({"lesson"},
                      "this is a preset’s file, which show, render and explain take; a scene has \"objects\"");
-    std::vector<std::string> allowed = {"title", "objects", "ask", "notes", "camera"};
     source_.only(json(), {}, {"title", "objects", "ask", "notes", "camera"}, beside_);
     file_.title = json().contains("title") ? source_.text(json()["title"], {"title"}) : "A scene";
     ReadObjects objects = read_objects(source_, folder_);

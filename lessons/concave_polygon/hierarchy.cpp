@@ -66,8 +66,7 @@ class Coarsening {
       script_.value("levels", static_cast<double>(h_.levels.size()));
       add("coarsest", "Two triangles are left", 1,
           "Only the polygon's vertices are removed. At each of them at least 3 edges meet, and fewer than 6 on "
-          "average. "
-          "So at least half have 8 edges or fewer.\n"
+          "average. So at least half have 8 edges or fewer.\n"
           "Each one chosen rules out 8 at most: each round removes a constant fraction. Hence O(lg *n*) levels, O(*n*) "
           "triangles.",
           level);

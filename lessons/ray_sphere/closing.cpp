@@ -61,9 +61,8 @@ const Closing& closing() {
           {"When does the entry root lose digits, and what keeps them?",
            "Near the surface two differences cancel. Stable roots cure −*B* − √*Δ*: they compute *t*_2 first, then "
            "*t*_1 = *C* / (*A* *t*_2). They do not cure *C* = **f** · **f** − *r*^2, which must be had exactly, or "
-           "with "
-           "twice the digits. Far away, with *B* halved, *B*^2 − *A* *C* cancels; "
-           "the robust discriminant *A* (*r*^2 − |**f** − (*B* / *A*) **d**|^2) does not.",
+           "with twice the digits. Far away, with *B* halved, *B*^2 − *A* *C* cancels; the robust discriminant *A* "
+           "(*r*^2 − |**f** − (*B* / *A*) **d**|^2) does not.",
            "near-rounded-quadratic"},
           {"The direction is doubled in length. What happens to *A*, *B*, *C*, the roots and the points?",
            "*A* grows fourfold and *B* twofold; *C* is unchanged. The roots are halved; the points are unchanged."},

@@ -23,15 +23,6 @@ using isect::test::Contains;
 
 namespace {
 
-using Changes = std::vector<std::pair<std::string, std::string>>;
-
-Walk with(const std::string& id, const std::string& from, const Changes& changes) {
-  Parameters setting = preset(lesson(id), from).parameters;
-  for (const auto& [name, value] : changes) set(lesson(id), setting, name, value);
-  validate(lesson(id), setting);
-  return lesson(id).walk(setting);
-}
-
 const std::string& meaning(const std::string& term) {
   const auto found = std::ranges::find(lessons::glossary(), term, &lessons::Term::name);
   REQUIRE(found != lessons::glossary().end());

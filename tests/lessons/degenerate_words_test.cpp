@@ -14,15 +14,6 @@ using isect::test::Contains;
 
 namespace {
 
-using Changes = std::vector<std::pair<std::string, std::string>>;
-
-Walk with(const std::string& id, const std::string& from, const Changes& changes) {
-  Parameters setting = preset(lesson(id), from).parameters;
-  for (const auto& [name, value] : changes) set(lesson(id), setting, name, value);
-  validate(lesson(id), setting);
-  return lesson(id).walk(setting);
-}
-
 /// All that the walk says in its steps, as plain text, a line each.
 std::string told(const Walk& walk) {
   std::string all = walk.alt + "\n";

@@ -36,13 +36,6 @@ int counted_at(const Ring<double, 2>& ring, std::size_t i) {
   return (above(i) != above(i + 1) ? 1 : 0) + (above(i + n - 1) != above(i) ? 1 : 0);
 }
 
-Walk with(const std::string& id, const std::string& from, const std::vector<std::pair<const char*, const char*>>& by) {
-  Parameters setting = preset(lesson(id), from).parameters;
-  for (const auto& [name, value] : by) set(lesson(id), setting, name, value);
-  validate(lesson(id), setting);
-  return lesson(id).walk(setting);
-}
-
 int drawn_as_hit(const Step& step) {
   return static_cast<int>(std::ranges::count_if(step.scene.items, [](const Item& item) {
     if (const auto* line = std::get_if<Line>(&item)) return line->role == Role::hit;

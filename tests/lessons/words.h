@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
@@ -16,6 +18,15 @@ namespace isect::tests {
 inline const viz::Lesson& lesson(const std::string& id) { return viz::lesson_named(lessons::all_lessons(), id); }
 inline viz::Walk walk_of(const std::string& id, const std::string& preset) {
   return lesson(id).walk(viz::preset(lesson(id), preset).parameters);
+}
+
+using Changes = std::vector<std::pair<std::string, std::string>>;
+/// The walk of a preset in which some parameters are others, as `--set` would have them.
+inline viz::Walk with(const std::string& id, const std::string& preset, const Changes& changes) {
+  viz::Parameters setting = viz::preset(lesson(id), preset).parameters;
+  for (const auto& [name, value] : changes) viz::set(lesson(id), setting, name, value);
+  viz::validate(lesson(id), setting);
+  return lesson(id).walk(setting);
 }
 
 inline const std::string& text(const viz::Parameters& p, const char* name) { return std::get<std::string>(p.at(name)); }
