@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "bench/distribution.h"
+#include "bench/session.h"
 
 namespace isect::bench {
 namespace {
@@ -43,17 +45,28 @@ std::string cache(const char* level, int name) {
 }
 }  // namespace
 
-double noise() {
+namespace {
+/// Seconds of one pass of a fixed loop: as many as a suite's pass over ordinary cases takes, 0.5 ms.
+double fixed_pass() {
+  const auto start = std::chrono::steady_clock::now();
+  double x = 2;  // 1 would stay 1, and need no loop
+  for (int i = 0; i < 300000; ++i) x = x * 0.999 + 1e-3;
+  asm volatile("" : : "x"(x));
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double median_of_passes() {
   std::vector<double> times;
-  for (int k = 0; k < 4001; ++k) {  // 0.1 s and more: of fewer, one interruption would be a twentieth
-    const auto start = std::chrono::steady_clock::now();
-    double x = 2;  // 1 would stay 1, and need no loop
-    for (int i = 0; i < 20000; ++i) x = x * 0.999 + 1e-3;
-    asm volatile("" : : "x"(x));
-    times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  const Distribution all(std::move(times));
-  return all.quantile(0.95) / all.quantile(0) - 1;
+  for (int pass = 0; pass < Effort().most_passes; ++pass) times.push_back(fixed_pass());
+  return Distribution(std::move(times)).quantile(0.5);
+}
+}  // namespace
+
+double noise() {
+  std::vector<double> medians;
+  for (int k = 0; k < 12; ++k) medians.push_back(median_of_passes());
+  const auto [least, most] = std::ranges::minmax(medians);
+  return most / least - 1;
 }
 
 Machine this_machine(const std::string& flags, const std::string& build) {

@@ -7,7 +7,9 @@
 
 namespace isect::bench {
 
-/// How much slower than its fastest run the 95th percentile of a fixed loop is: noise that the machine adds.
+/// Noise that the machine adds: how much more the slowest of twelve medians of a fixed loop's passes takes than the
+/// fastest. A report compares medians, so their unrest counts. A tick of the system's clock, which may take 40 us of
+/// each millisecond, slows all passes alike and is none. Takes 0.2 s.
 double noise();
 
 /// Name, family and model of the first processor in the text of /proc/cpuinfo: one name may be that of several.

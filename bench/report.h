@@ -106,7 +106,7 @@ struct Machine {
   std::string cpu, compiler, flags, build;  ///< build: "portable" or "native"
   int cores = 0;
   double load = 0;   ///< of the last minute, when the run began
-  double noise = 0;  ///< how much slower than its least a fixed loop's 95th percentile is: 0.03 = 3 %
+  double noise = 0;  ///< by which the medians of a fixed loop differ: 0.03 = 3 %
   std::string date;
   std::string commit = {};     ///< what was built, "-dirty" if changed since; ", " between several; empty: unknown
   std::string caches = {};     ///< "1 MB of L2, 32 MB of L3"; empty: unknown

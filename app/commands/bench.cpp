@@ -156,9 +156,8 @@ bench::Report measured(const Program& program, const Wanted& wanted) {
 
 std::string heading(const bench::Report& r) {
   return fmt::format(
-      "{}, {} cores, load {:.2f}\n{}, {} ({} build)\nseed {}, {}{}\nnoise: a fixed loop takes {:.1f} % more "
-      "than its "
-      "least, at its 95th percentile\n",
+      "{}, {} cores, load {:.2f}\n{}, {} ({} build)\nseed {}, {}{}\nnoise: the medians of a fixed loop differ by "
+      "{:.1f} %\n",
       r.machine.cpu, r.machine.cores, r.machine.load, r.machine.compiler, r.machine.flags, r.machine.build, r.seed,
       r.machine.date, r.quick ? ", quick: few cases are judged" : "", 100 * r.machine.noise);
 }
