@@ -3,8 +3,7 @@
 
 #include <optional>
 
-#include <isect/conventions.h>
-#include <isect/shapes.h>
+#include <isect/interval.h>
 
 namespace isect {
 

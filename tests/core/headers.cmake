@@ -7,6 +7,7 @@ cmake_minimum_required(VERSION 3.22)
 set(tested_by
   any_shape=answer
   ask=answer
+  ask_any=compiled
   ask_meshes=answer
   ask_pairs=answer
   bvh_split=many/bvh
@@ -23,6 +24,7 @@ set(tested_by
   inequality_distance=half_spaces
   inner_point=mesh_half_spaces
   instruction_set=many/batch
+  interval=shapes
   many/batch_aabb=many/batch
   many/batch_point_polygon=many/batch
   many/batch_ray_sphere=many/batch
