@@ -37,8 +37,7 @@ const Closing& closing() {
           "Where |*det*| reaches its error bound, the sign in doubles is certain: that is a filter. Elsewhere finer "
           "stages find the sign.",
       .cost =
-          "The bound costs about as much as the determinant again. Finer stages run only where it leaves the sign "
-          "open.",
+          "The bound takes a second evaluation, without signs. Finer stages run only where it leaves the sign open.",
       .choose =
           "For every sign that a program branches on: hulls, triangulations, maps. A value that is only drawn needs "
           "no bound.",

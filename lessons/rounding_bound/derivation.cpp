@@ -10,6 +10,7 @@
 #include "lessons/shared/digits.h"
 #include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"
+#include "viz/chart/chart.h"
 
 namespace isect::lessons::rounding_bound_lesson {
 
@@ -21,7 +22,7 @@ const std::array<std::string, 4> names = {"*a_x* − *c_x*", "*b_y* − *c_y*", 
 
 /// "0.25 *u*"
 std::string in_u(double x) { return shown(x / u) + " *u*"; }
-std::string percent(double share) { return shown(100 * share) + " %"; }
+std::string percent(double share) { return percent_text(100 * share) + " %"; }
 
 /// A rounded difference between its bounds, u times its size.
 Row rounded(const Operation& o, const std::string& name) {
@@ -108,6 +109,9 @@ class Derivation {
         : run_.underflows()
             ? "Digits below 2^{−1074} are lost here: *δ* of a product is larger than *u*. The model fails.\n"
               "An absolute term mends it: for the bound, each product counts as 2^{−960} at least."
+        : run_.tiny()
+            ? "Products as small as these may lose digits below 2^{−1074}, though here none is lost.\n"
+              "So for the bound each product counts as 2^{−960} at least."
             : "Each product has three factors 1 + *δ*: those of its differences, and its own.\n"
               "A chain of *n* roundings errs by *n* *u* / (1 − *n* *u*) at most, relative to the product. So here "
               "that is about 3 *u*.\n"
@@ -138,7 +142,7 @@ class Derivation {
     if (run_.overflows()) return "The sum of the sizes is infinite: nothing is known of *det*.";
     if (det == 0) return "Both products came out equal, so *det* is 0. That tells nothing of the truth yet.";
     const double left = std::abs(det) / run_.size();
-    return "|*det*| is " + shown(left) + " of *size*" + (left < 0x1p-20 ? ": nearly all of it cancels." : ".");
+    return "|*det*| is " + shown(left) + " · *size*" + (left < 0x1p-20 ? ": nearly all cancels." : ".");
   }
 
   void say_bound() {
@@ -151,13 +155,12 @@ class Derivation {
                                   : "In this run the error is " + percent(run_.det.share) + " of the bound.";
     Step& step = script_.add(
         "bound", "The bound is 5 *u* times the size", 3,
-        "Four roundings touch each product, and one *u* more pays for the rounding of the bound. The core counts so "
-        "for "
-        "every polynomial.\n"
+        "Four roundings touch each product, and one *u* more pays for the rounding of the bound. Any polynomial is "
+        "counted so.\n"
         "Shewchuk's constant, for this one, is (3 + 16 *u*) *u*: rounding the last difference cannot turn its sign.\n" +
             error,
         "*bound* = 5 *u* · *size* = " + shown(bound));
-    step.scene = bounds({bounded(run_.det, "*det*")}, "*bound* = " + shown(bound));
+    step.scene = bounds({bounded(run_.det, "*det*")}, "*bound*");
   }
 
   Script& script_;

@@ -81,12 +81,12 @@ Scene decision(const Setup& s, const Run& run) {
   add_numbers(scene, 0, std::copysign(run.det.share, -run.det.error), true);
   add_ends(scene, -0.5, "*bound*");
   if (std::abs(zero) <= line_end) {
-    scene.items.emplace_back(Line{{zero, -0.35, 0}, {zero, 0.75, 0}, Role::second, Pen::solid});
-    scene.items.emplace_back(centred(zero, 1, "0", Role::second));
+    scene.items.emplace_back(Line{{zero, -0.35, 0}, {zero, 0.75, 0}, Role::text, Pen::solid});
+    scene.items.emplace_back(centred(zero, 1, "0", Role::text));
   } else if (std::isfinite(zero)) {
     const double way = zero > 0 ? 1 : -1;
-    scene.items.emplace_back(Arrow{{way * 3.6, 0.4, 0}, {way * line_end, 0.4, 0}, Role::second, Pen::solid});
-    scene.items.emplace_back(centred(way * 4, 0.75, "to 0", Role::second));
+    scene.items.emplace_back(Arrow{{way * 3.6, 0.4, 0}, {way * line_end, 0.4, 0}, Role::text, Pen::solid});
+    scene.items.emplace_back(centred(way * 4, 0.75, "to 0", Role::text));
   }
   const Vec3 along = Vec3::UnitX() / half_width;
   scene.handles.push_back({"factor", Handle::Kind::along, {reach, 0, 0}, Vec3::Zero(), Role::first, along});

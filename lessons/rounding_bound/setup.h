@@ -43,7 +43,8 @@ struct Run {
   double bound() const { return det.bound; }
   const Stage& decided() const { return stages.back(); }
   bool overflows() const { return !std::isfinite(det.value) || !std::isfinite(det.bound); }
-  /// Whether a product came out so small that it lost more than one rounding takes.
+  /// Whether products may underflow; and whether one did, and lost more than one rounding takes.
+  bool tiny() const { return size() < 0x1p-900; }
   bool underflows() const { return std::abs(left.delta) > u || std::abs(right.delta) > u; }
 };
 

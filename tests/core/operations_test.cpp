@@ -45,9 +45,9 @@ bool near(double x, const Rational& truth) {
 struct Truth {
   Rational all, once;
 };
-Truth truth_of(const Operation& o, const std::vector<Operation>& told, const std::vector<Truth>& before) {
+Truth truth_of(const Operation& o, const std::vector<Operation>& all, const std::vector<Truth>& before) {
   if (o.kind == Kind::difference) return {Rational(o.x) - Rational(o.y), Rational(o.x) - Rational(o.y)};
-  const Rational a = before[o.a].all, b = before[o.b].all, x(told[o.a].value), y(told[o.b].value);
+  const Rational a = before[o.a].all, b = before[o.b].all, x(all[o.a].value), y(all[o.b].value);
   if (o.kind == Kind::times) return {a * b, x * y};
   REQUIRE(o.kind == Kind::minus);
   return {a - b, x - y};

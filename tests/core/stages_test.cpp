@@ -48,7 +48,7 @@ Kind check(const Point2& a, const Point2& b, const Point2& c) {
     REQUIRE(stage.sign.has_value() == (i + 1 == heard.stages.size()));
     if (i > 0) REQUIRE(stage.kind != Kind::doubles);
     if (std::isfinite(stage.value) && std::isfinite(stage.bound) && stage.bound > 0)
-      REQUIRE(abs(Rational(stage.value) - truth) <= Rational(stage.bound));
+      REQUIRE(abs(Rational(stage.value) - truth) <= Rational(stage.bound) + abs(truth) * Rational(0x1p-52));
     if (stage.step > 0 && std::isfinite(stage.step)) REQUIRE(denominator(Rational(truth / Rational(stage.step))) == 1);
   }
   REQUIRE(heard.stages.back().sign == turn);

@@ -134,7 +134,9 @@ TEST_CASE("each line of the derivation tells the run's own rounding", "[words]")
         f.finite() && (loses_digits(difference(0), difference(1)) || loses_digits(difference(2), difference(3)));
     CHECK(says(products, "it overflows") == !f.finite());
     CHECK(says(products, "The model fails") == loses);
-    CHECK(says(products, "three factors") == (f.finite() && !loses));
+    const bool tiny = f.finite() && !loses && f.bound < 5 * u * 0x1p-900;
+    CHECK(says(products, "though here none is lost") == tiny);
+    CHECK(says(products, "three factors") == (f.finite() && !loses && !tiny));
     lost += loses, infinite += !f.finite();
 
     const Step &bound = *find(walk, "bound"), &decision = *find(walk, "decision");

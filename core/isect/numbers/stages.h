@@ -9,12 +9,12 @@
 
 namespace isect {
 
-/// What one stage of a sign found: |truth - value| <= bound.
+/// What one stage of a sign found: |truth - value| <= bound, but for the rounding of value to a double.
 struct Stage {
   /// The stages, in the order of the table in isect/numbers/README.md; Fused counts as Compensated.
   enum class Kind { doubles, grid, compensated, triple_double, medium_exact, short_exact, exact };
   Kind kind;
-  double value;             ///< rounded; 0 for a grid; NaN where it needs more bits than the stage has
+  double value;             ///< 0 for a grid; NaN where it needs more bits than the stage has
   double bound;             ///< 0 where nothing is rounded; infinite or NaN where something overflowed
   double step;              ///< the truth is a multiple of it; 0 where the stage doesn't ask
   std::optional<int> sign;  ///< of the truth: 1, 0, -1, or nothing where the stage leaves it open
