@@ -136,7 +136,8 @@ class Cells {
   std::string filter_caption(int passing, int wrong_side, int called_on) const {
     const double factor = s_.factor;
     const bool all = passing == total();
-    const int wrong = wrong_side + called_on, whole = count([](const Neighbour&n) { return n.passes(1); });
+    const int wrong = wrong_side + called_on;
+    const int whole = count([](const Neighbour& n) { return n.passes(1); });
     std::string text =
         passing == 0         ? "No sign gets through: the finer stages decide all of these cells."
         : factor == 0 && all ? "With the bound times 0 every sign gets through: this is the naive test."
@@ -146,7 +147,7 @@ class Cells {
                           counted(passing), counted(total()), counted(whole));
     if (passing == 0) return text;
     text += wrong == 0 ? "\nAll of them are right."
-                       : fmt::format("\nWrong are {}: {} on the wrong side, {} “on the line” of points beside it.",
+                       : fmt::format("\nWrong are {}: a wrong side in {}, “on the line” of points beside it in {}.",
                                      counted(wrong), counted(wrong_side), counted(called_on));
     if (factor == 1) return text + " That is proved, for any three points, and needs no counting.";
     if (factor <= 0.6 + 1e-9)

@@ -45,9 +45,10 @@ void tell_decision(Script& script, const Setup& s, const Run& run) {
   Step& step = script.add("decision", "Does the sign get through?", 4, decision_caption(known, through, certain));
   step.scene = decision(s, run);
   step.decides = true;
-  if (known) {
+  if (known)
     step.comparison = Comparison{"|*det*| ≥ factor · *bound*", size, bound, through,
                                  through ? "the sign gets through" : "the sign stays open"};
+  if (known && !(through && size == 0))  // else two answers are right
     step.question =
         Question{fmt::format("|*det*| is {}, and the bound, times the factor {}, is {}. What follows?", shown(size),
                              shown(s.factor), shown(bound)),
@@ -55,7 +56,6 @@ void tell_decision(Script& script, const Setup& s, const Run& run) {
                  through ? 0 : 2,
                  through ? "|*det*| is not below what the filter asks for."
                          : "The filter asks for a larger |*det*|. A small one is no proof of 0."};
-  }
   if (through)
     take(script, s, run);
   else

@@ -102,7 +102,7 @@ TEST_CASE("the filter lets through as many signs as rationals count, wrong ones 
     CHECK(last.question->answer == (wrong == 0 ? 0 : 10 * wrong < cells ? 1 : 2));
     CHECK(says(last.caption, "All of them are right.") == (passing > 0 && wrong == 0));
     CHECK(says(last.caption, "this is the naive test") == (factor == 0 && passing == cells));
-    if (wrong > 0) CHECK_THAT(last.caption, Contains(std::to_string(beside) + " “on the line” of points"));
+    if (wrong > 0) CHECK_THAT(last.caption, Contains("of points beside it in " + std::to_string(beside) + "."));
     if (factor > 0.6 + 1e-9) CHECK(wrong == 0);  // Shewchuk's constant
     CHECK(says(last.caption, "Shewchuk") ==
           (factor > 0.6 + 1e-9 && factor < 1 && passing > 0 && text(p, "unit") == "one"));
