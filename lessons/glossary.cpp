@@ -30,6 +30,10 @@ const std::vector<Term>& glossary() {
       {"exact predicate", "A test whose answer is true for the numbers as given, whatever rounding does.",
        "robustness"},
       {"false positive", "A cheap test answers yes though the objects do not meet.", "culling"},
+      {"filter",
+       "A test in rounded numbers with a bound on its error: it answers where that is certain, and else leaves the "
+       "question open.",
+       "rounding-bound"},
       {"frustum", "The truncated pyramid that a camera sees in perspective.", "culling"},
       {"GJK",
        "The algorithm of Gilbert, Johnson and Keerthi: it seeks the origin in the Minkowski difference of two convex "
@@ -85,6 +89,9 @@ const std::vector<Term>& glossary() {
       {"trivial reject", "A cheap test that proves that two objects do not meet.", "rules-of-thumb"},
       {"tunnelling", "A fast object passes through an obstacle between two tests.", "collision"},
       {"ulp", "Unit in the last place: the gap between neighbouring floating-point numbers.", "speed-against-error"},
+      {"unit roundoff",
+       "The largest relative error of one rounded operation: *u* = 2^{−53} for doubles, 2^{−24} for floats.",
+       "rounding-bound"},
       {"void volume", "The volume of a bounding volume that its object does not fill.", "bounding-volumes"},
       {"winding number", "How many times an outline winds around a point, counter-clockwise turns counted as positive.",
        "crossings"},
@@ -119,11 +126,15 @@ const std::vector<Letter>& letters() {
        "sphere-sphere"},
       {"s", "The length of **l** along a unit direction.", "ray-sphere", {"l · d"}},
       {"t", "The parameter of a ray, in lengths of its direction.", "rays"},
-      {"u", "Bold: a unit direction. Italic, with *v*: coordinates on an image plane.", "rays"},
+      {"u",
+       "Bold: a unit direction. Italic, with *v*: coordinates on an image plane; in a bound: the unit roundoff, "
+       "2^{−53}.",
+       "rays"},
       {"v", "Bold: a vertex of a polygon.", "convex-polygon"},
       {"w", "With *u* and *v* it names the axes of an oriented box.", "obb-obb"},
       {"x", "Bold: any point. Italic, with *y* and *z*: coordinates.", "intervals"},
       {"Δ", "The discriminant. Before a letter: a difference.", "ray-sphere", {"B² − A C", "B² − 4 A C"}},
+      {"δ", "The relative error of one rounded operation.", "rounding-bound"},
       {"ε", "A tolerance, or a number as small as one likes.", "points"},
   };
   return letters;

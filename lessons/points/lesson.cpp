@@ -90,7 +90,7 @@ const Lesson& lesson() {
       .opening = points_lesson::opening(),
       .closing = &points_lesson::closing(),
       .after = {"relations"},
-      .ideas = {"tolerance", "squared distance"},
+      .ideas = {"tolerance", "squared distance", "exact predicate"},
       .shared = shared_ideas,
   };
   return lesson;

@@ -175,7 +175,8 @@ class Nearness {
                                    : " **q** equals **p**, and with tolerance 0 near means equal.";
     text += s_.is_nan ? "\nThe exact test takes the sign of |**p** − **q**|^2 − tolerance^2. Here that is not a number "
                         "and has no sign."
-                      : "\nThe exact test takes the sign of |**p** − **q**|^2 − tolerance^2, without rounding.";
+                      : "\nThe exact test takes the sign of |**p** − **q**|^2 − tolerance^2, without rounding: it is "
+                        "an exact predicate.";
     Step& step = add("verdict", "The exact answer", 4, text, {});
     step.decides = true;
   }

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
 #include <isect/methods/orient.h>
 #include <isect/methods/point_polygon.h>
 #include <isect/methods/ray_sphere.h>
@@ -21,18 +19,9 @@ namespace {
 
 int sign(double x) { return (x > 0) - (x < 0); }
 
-/// The representable number of S that lies `steps` beyond x.
-template <class S>
-S neighbour(double x, int steps) {
-  S y = static_cast<S>(x);
-  const S end = steps < 0 ? -std::numeric_limits<S>::infinity() : std::numeric_limits<S>::infinity();
-  for (int k = 0; k < std::abs(steps); ++k) y = std::nextafter(y, end);
-  return y;
-}
-
 template <class S>
 Point<S, 2> neighbour(const Vec3& p, int i, int j) {
-  return {neighbour<S>(p.x(), i), neighbour<S>(p.y(), j)};
+  return {microscope::neighbour<S>(p.x(), i), microscope::neighbour<S>(p.y(), j)};
 }
 
 /// "(0.1, 0.2)", as it is shown.

@@ -37,8 +37,8 @@ const Lesson& lesson() {
       .flat = true,
       .opening = opening(),
       .closing = &closing(),
-      .after = {"rules-of-thumb", "robustness"},
-      .ideas = {"exact predicate", "stable roots"},
+      .after = {"rules-of-thumb", "robustness", "rounding-bound"},
+      .ideas = {"exact predicate", "filter", "stable roots"},
       .shared = shared_ideas,
   };
   return lesson;

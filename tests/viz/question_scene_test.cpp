@@ -435,6 +435,7 @@ const std::vector<std::string>& from_what_is_given() {
                                                "one pose, four kinds",
                                                "coordinates on",
                                                "how many say near",
+                                               "of the four differences",
                                                "is compared with",
                                                "how are the intervals related",
                                                "which t belong",
@@ -494,6 +495,8 @@ const std::vector<std::string>& from_what_is_known() {
                                                "of the count is left",
                                                "which is the fastest",
                                                "naive test",
+                                               "how many roundings",
+                                               "let a wrong sign through",
                                                "errs most",
                                                "does the exact call take",
                                                "dominated"};
