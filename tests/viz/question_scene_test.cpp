@@ -228,6 +228,12 @@ const std::vector<std::pair<std::string, double (*)(const OnShow&)>>& ways() {
       {"At which t does the line meet the wall", [](const OnShow& o) { return (o.told[4] - o.told[0]) / o.told[2]; }},
       {"do they first meet?", [](const OnShow& o) { return o.told[0] / o.told[2]; }},
       {"How long may one step be", [](const OnShow& o) { return o.told[0] + o.told[1]; }},
+      {"When do these extents meet",
+       [](const OnShow& o) {
+         return std::min((o.told[0] - o.told[3]) / o.told[4], (o.told[1] - o.told[2]) / o.told[4]);
+       }},
+      {"For how long do they share points", [](const OnShow& o) { return (o.told[0] + o.told[1]) / o.told[2]; }},
+      {"Until which time can there be no contact", [](const OnShow& o) { return o.told[0] / o.told[1]; }},
   };
   return all;
 }
@@ -419,6 +425,19 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
        }},
       {"what does the pixel show", [](const Question& q, const std::string&,
                                       const OnShow& o) { return choice(q, nearest(o, plain_choices(q), "the sky")); }},
+      {"with what velocity does b move",
+       [](const Question& q, const std::string& prompt, const OnShow&) {
+         std::string words = prompt;  // 500 000 is one number
+         for (std::size_t at; (at = words.find("\u2009")) != words.npos;) words.erase(at, 3);
+         const Numbers n = numbers_in(words);
+         return choice(q, "(" + shown(n[2] - n[0]) + ", " + shown(n[3] - n[1]) + ")");
+       }},
+      {"when do the boxes first meet",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         const Numbers& n = o.told;  // the times on x, those on y, and those of the motion
+         const double begin = std::max({n[0], n[2], n[4]}), end = std::min({n[1], n[3], n[5]});
+         return choice(q, begin <= end ? shown(begin) : "not within the motion");
+       }},
       {"what does n · l tell",
        [](const Question&, const std::string&, const OnShow& o) {
          const Numbers& n = o.told;
