@@ -46,6 +46,8 @@ const std::vector<Term>& glossary() {
        "sphere-aabb"},
       {"n-vertex", "The corner of a box that lies least far along a plane's normal.", "culling"},
       {"narrow phase", "The exact test of the pairs that the broad phase has found.", "collision"},
+      {"non-zero rule", "A point is inside if the outline's winding number around it is not 0. Fonts are filled so.",
+       "crossings"},
       {"OBB", "Oriented bounding box: a box with axes of its own.", "obb-obb"},
       {"orientation", "On which side of the line through two points a third one lies: the sign of an area.",
        "convex-hull"},

@@ -96,14 +96,17 @@ class Building {
       if (s == State::current) s = State::seen;
     set(split.node, State::current), set(first, State::waiting), set(first + 1, State::waiting);
     const char* const axis = name_of(split.axis);
-    Step& step = add(
-        fmt::format("cut-{}", number), fmt::format("Split {}: along {}", number, axis), number == 1 ? 1 : 3,
-        number == 1 ? "The surface-area heuristic: the chance that a random line meets a box is proportional "
-                      "to its surface, in the plane its perimeter *P*.\n" +
-                          fmt::format("A visit costs {}, a test 1; a leaf costs its number of boxes. ", options.visit) +
-                          tried(split)
-                    : too_many(split) + in_the_same_way(split),
-        &split);
+    Step& step =
+        add(fmt::format("cut-{}", number), fmt::format("Split {}: along {}", number, axis), number == 1 ? 1 : 3,
+            number == 1
+                ? "The surface-area heuristic: the chance that a random line meets a box is proportional to its "
+                  "surface, in the plane its perimeter *P*.\n" +
+                      fmt::format(
+                          "A visit costs {}, a test 1; a leaf costs its number of boxes, *n*. L and R mark the parts. ",
+                          options.visit) +
+                      tried(split)
+                : too_many(split) + in_the_same_way(split),
+            &split);
     const auto perimeter = [&](int node) { return shown(2 * half_perimeter(tree_.node(node).box)); };
     const double cost =
         cost_of(tree_.node(split.node).box, tree_.node(first).box, split.left, tree_.node(first + 1).box, split.right);
