@@ -492,6 +492,7 @@ const std::vector<std::string>& from_what_is_known() {
                                                "single out one wedge",
                                                "which boxes cost",
                                                "of the count is left",
+                                               "of c++ return",
                                                "which is the fastest",
                                                "naive test",
                                                "errs most",
