@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lessons/hierarchy/large.h"
 #include "lessons/hierarchy/splits.h"
 #include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"
@@ -38,6 +39,8 @@ class Building {
     int number = 0;
     for (const auto& event : record.events)
       if (const auto* split = std::get_if<bvh::Split<double>>(&event)) cut(*split, ++number);
+    for (State& s : drawn_.states) s = State::seen;
+    if (const std::optional<LargeBox> large = large_box(tree_)) tell_large(*large);
     done();
     return std::move(script_.walk());
   }
@@ -147,8 +150,13 @@ class Building {
         &drawn);
   }
 
+  void tell_large(const LargeBox& large) {
+    script_.value("expected cost", large.cost, "tests", Role::second);
+    script_.value(fmt::format("expected cost, box {} apart", large.box), large.apart, "tests", Role::hit);
+    add("large", "A box nearly as large as all", 1, told_of(large), nullptr).question = asked_of(large);
+  }
+
   void done() {
-    for (State& s : drawn_.states) s = State::seen;
     const BvhStatistics s = statistics(tree_.bvh);
     script_.value("nodes", s.nodes);
     script_.value("leaves", s.leaves);
@@ -174,7 +182,7 @@ class Building {
 
 }  // namespace
 
-Walk build(const Vec3& p) { return Building(Tree(scattered(p))).tell(); }
-Walk build(const Boxes& boxes) { return Building(Tree(boxes, place_beside(boxes))).tell(); }
+Walk build(const Boxes& boxes, const TreePlace& place) { return Building(Tree(boxes, place)).tell(); }
+Walk build(const Boxes& boxes) { return build(boxes, place_beside(boxes)); }
 
 }  // namespace isect::lessons::hierarchy_lesson

@@ -493,6 +493,7 @@ const std::vector<std::string>& from_what_is_known() {
                                                "which boxes cost",
                                                "of the count is left",
                                                "of c++ return",
+                                               "becomes of the expected cost",
                                                "which is the fastest",
                                                "naive test",
                                                "errs most",
