@@ -7,6 +7,7 @@
 
 #include <isect/volume.h>
 #include "lessons/bounding_volumes/picture.h"
+#include "lessons/bounding_volumes/upkeep.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 #include "viz/chart/chart.h"
@@ -62,6 +63,7 @@ class Fit {
         {}, {}, fmt::format("{} triangles", mesh_.triangles.size()));
     sphere(), aabb(), obb(), slab_of_dop(), dops();
     tightness();
+    tell_upkeep(script_, upkeep(fitted_.obb, all_[2]), upkeep(fitted_.kdop, fitted_.hull.vertices, all_[3]));
     trade_off();
     return std::move(script_.walk());
   }
