@@ -128,6 +128,8 @@ const Lesson& lesson() {
       .after = {"intervals", "rays", "ray-polygon"},
       .ideas = {"trivial reject", "slab", "half-space"},
       .shared = shared_ideas,
+      .query = R"({"kind": "segment_box", "segment": [[-3, 1.25], [1, 1.25]],
+ "lo": [-2, -1.25], "hi": [2, 1.25]})",
   };
   return lesson;
 }

@@ -92,6 +92,8 @@ const Lesson& lesson() {
       .after = {"crossings", "convex-polygon"},
       .ideas = {"bisection", "half-open rule"},
       .shared = shared_ideas,
+      .query = R"({"kind": "pip", "variant": "trapezoids", "point": [2, 3],
+ "rings": [[[0, 0], [4, 0], [4, 4], [2, 1], [0, 4]]]})",
   };
   return lesson;
 }

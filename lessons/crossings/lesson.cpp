@@ -84,6 +84,8 @@ const Lesson& lesson() {
       .after = {"intervals", "rays"},
       .ideas = {"half-open rule", "orientation"},
       .shared = shared_ideas,
+      .query = R"({"kind": "pip", "point": [0.75, 0.125],
+ "rings": [[[-2, -1.5], [2, 1.5], [2, -1.5], [-2, 1.5]]]})",
   };
   return lesson;
 }

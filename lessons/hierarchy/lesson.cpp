@@ -76,6 +76,8 @@ const Lesson& lesson() {
       .after = {"bounding-volumes", "aabb-aabb", "rays"},
       .ideas = {"bounding volume hierarchy", "trivial reject"},
       .shared = shared_ideas,
+      .query = R"({"kind": "ray_box", "origin": [-2, 0.5], "dir": [1, 0.25],
+ "lo": [0, 0], "hi": [1, 1]})",
   };
   return lesson;
 }
