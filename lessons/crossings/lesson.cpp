@@ -81,7 +81,7 @@ const Lesson& lesson() {
       .opening = opening(),
       .closing = &closing(),
       .errata = errata(),
-      .after = {"intervals", "rays"},
+      .after = {"intervals", "rays", "convex-hull"},
       .ideas = {"half-open rule", "orientation"},
       .shared = shared_ideas,
       .query = R"({"kind": "pip", "point": [0.75, 0.125],
