@@ -173,12 +173,12 @@ class Reciprocals {
 
   /// Adds the two sides of the axis, and where the line crosses theirs.
   void add_slab(Scene& scene) const {
-    constexpr double beyond = 0.625;
+    constexpr double overhang = 0.625;
     std::vector<Item> sides;
     for (const bool upper : {false, true}) {
       Point<double, 2> from = box_.lo, to = box_.hi;
       from[axis_] = to[axis_] = upper ? box_.hi[axis_] : box_.lo[axis_];
-      from[1 - axis_] -= beyond, to[1 - axis_] += beyond;
+      from[1 - axis_] -= overhang, to[1 - axis_] += overhang;
       sides.emplace_back(Line{flat(from), flat(to), Role::highlight, Pen::highlight});
     }
     scene.items.insert(scene.items.begin() + 1, sides.begin(), sides.end());
