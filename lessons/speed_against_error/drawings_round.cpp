@@ -72,7 +72,8 @@ Drawn drawing(const std::string&, const Sphere3& ball, const Aabb<double, 3>& bo
       std::max({ball.radius, (box.hi - box.lo).maxCoeff(), (ball.center - box.lo).cwiseAbs().maxCoeff()});
   const Vec3 size = (box.hi - box.lo) / unit, center = (ball.center - box.lo) / unit;
   const double r = ball.radius / unit;
-  if (!(r > 0.1 && size.minCoeff() > 0.15)) return {};
+  const bool small = size.maxCoeff() < 0.05 * r;  // beside it, the ball's surface looks flat
+  if (!(small ? size.minCoeff() > 0.3 * size.maxCoeff() : r > 0.1 && size.minCoeff() > 0.15)) return {};
 
   // Seen across the way to the nearest point: then a gap between the two is a gap in the picture.
   const Vec3 nearest = center.cwiseMax(0).cwiseMin(size), way = center - nearest;
@@ -84,7 +85,12 @@ Drawn drawing(const std::string&, const Sphere3& ball, const Aabb<double, 3>& bo
   }
   Drawing d;
   shadow(corners).draw(d.sketch, viz::Role::second);
-  d.sketch.circle({way.norm(), 0}, r, viz::Role::first);
+  if (small) {
+    const double reach = size.maxCoeff(), gap = way.norm() - r;
+    d.sketch.ring({{gap, -reach}, {gap + reach, -reach}, {gap + reach, reach}, {gap, reach}}, viz::Role::first);
+  } else {
+    d.sketch.circle({way.norm(), 0}, r, viz::Role::first);
+  }
   d.note = "*r* = " + shown(ball.radius);
   return d;
 }

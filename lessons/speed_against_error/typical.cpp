@@ -38,7 +38,9 @@ Drawn one_of(const Families& families, const std::string& name, const Draw& draw
 
 /// The polygons of a family have few vertices here.
 Drawn polygon_of(const std::string& name) try {
-  const bench::PolygonFamily<double> family = bench::polygon_family<double>(name, name == "bow-tie" ? 6 : 12);
+  const bench::PolygonFamily<double> family = bench::polygon_family<double>(name, name == "bow-tie"      ? 6
+                                                                                  : name == "horizontal" ? 24
+                                                                                                         : 12);
   bench::Random random(bench::stream(1, family.name));
   for (int i = 0; i < tries; ++i) {
     const bench::PolygonCase<double> c = family.draw(random);
