@@ -25,7 +25,8 @@ TEMPLATE_TEST_CASE("every method agrees with rationals on ordinary rays", "[ray_
     INFO("seed " << tests::seed() << ", case " << i);
     const auto [ray, box] = bench::ray_aabb_families::ordinary<S>(random);
     const auto truth = oracle::ray_aabb(ray, box);
-    for (const auto& part : {by_min_max(ray, box), by_min_max_exchanged(ray, box), by_fmin_fmax(ray, box), by_sign(ray, box)}) {
+    for (const auto& part :
+         {by_min_max(ray, box), by_min_max_exchanged(ray, box), by_fmin_fmax(ray, box), by_sign(ray, box)}) {
       if (part.has_value() != truth.has_value()) FAIL("wrong");
       if (part && (oracle::ulps(part->lo, truth->first) > 4 || oracle::ulps(part->hi, truth->second) > 4))
         FAIL("inaccurate");
