@@ -92,6 +92,8 @@ const Lesson& lesson() {
       .after = {"relations"},
       .ideas = {"tolerance", "squared distance", "exact predicate"},
       .shared = shared_ideas,
+      .query = R"({"kind": "point_point", "a": [0.1, 0.2], "b": [0.1, 0.3],
+ "tol": 0.1})",
   };
   return lesson;
 }

@@ -43,7 +43,7 @@ class Nearness {
     script_.value("tolerance", s_.tested_within, "", Role::first);
     add("tolerance", "How near is near?", 3,
         "**q** is near **p** if it lies in the ball around **p** whose radius is the tolerance.\n"
-        "The caller chooses the tolerance.",
+        "The caller chooses the tolerance. *d* is the distance of the two points.",
         {});
     const Point<C, 3> p = s_.tp.cast<C>(), q = s_.tq.cast<C>();
     const C t(s_.tested_within);

@@ -405,6 +405,16 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
          if (n.size() == 8 && cross(n, 4, 6, 0) < 0) return 2;
          return cross(n, 2, 4, 0) >= 0 ? 1 : 0;
        }},
+      {"tests to each update on does",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         double update = 0, test = 0;
+         for (const auto& [name, x] : o.values) {
+           if (name.ends_with("-DOP: update")) update = x;
+           if (name.ends_with("-DOP: test")) test = x;
+         }
+         const double more = (update - o("OBB: update")) / (o("OBB: test") - test);
+         return choice(q, std::to_string(1 + static_cast<int>(std::max(0.0, more))));
+       }},
       {"how many points leave the chain",
        [](const Question& q, const std::string&, const OnShow& o) {
          Numbers chain = o.told;
@@ -512,6 +522,8 @@ const std::vector<std::string>& from_what_is_known() {
                                                "single out one wedge",
                                                "which boxes cost",
                                                "of the count is left",
+                                               "of c++ return",
+                                               "becomes of the expected cost",
                                                "which is the fastest",
                                                "naive test",
                                                "how many roundings",
