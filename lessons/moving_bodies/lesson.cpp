@@ -172,6 +172,8 @@ const Lesson& lesson() {
       .after = {"aabb-aabb", "rays", "ray-sphere", "collision"},
       .ideas = {"Minkowski sum", "continuous collision detection", "slab", "tolerance"},
       .shared = shared_ideas,
+      .query = R"({"kind": "ray_sphere", "origin": [3.75, 1, 0], "dir": [-2, 0, 0],
+ "center": [0, 0, 0], "radius": 1.25})",
   };
   return lesson;
 }

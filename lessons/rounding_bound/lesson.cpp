@@ -93,6 +93,8 @@ const Lesson& lesson() {
       .after = {"convex-hull", "robustness"},
       .ideas = {"exact predicate", "filter"},
       .shared = shared_ideas,
+      .query = R"({"kind": "orient2d", "a": [-0.7, 0.4],
+ "b": [-3, -0.8], "c": [1.6, 1.6]})",
   };
   return lesson;
 }
