@@ -35,5 +35,10 @@ inline Answer reversed(Answer answer) {
 
 inline Answer answer(Relation r) { return {.meet = r != Relation::disjoint, .relation = r}; }
 inline Answer answer(Location l) { return {.meet = l != Location::out, .location = l}; }
+template <class S>
+Answer answer(const std::optional<Interval<S>>& part) {
+  if (!part) return {};
+  return {.meet = true, .t = part->lo, .part = Interval<double>{part->lo, part->hi}};
+}
 
 }  // namespace isect

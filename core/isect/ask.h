@@ -87,11 +87,6 @@ namespace isect {
 // Converts what each test returns into an Answer.
 
 template <class S>
-Answer answer(const std::optional<Interval<S>>& part) {
-  if (!part) return {};
-  return {.meet = true, .t = part->lo, .part = cast<double>(*part)};
-}
-template <class S>
 Answer answer(const RaySphere<S>& shared) {
   Answer out = answer(shared.solid);
   out.tangent = shared.line_roots == 1;

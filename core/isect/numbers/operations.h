@@ -126,8 +126,8 @@ class ToldOperations {
 /// Tells the operations of a text in doubles.
 template <class Text, class Trace>
 void tell_operations(const Text& text, Trace& trace) {
-  const Recording recording([&] { return std::array{text.template operator()<Recorded>()}; });
-  ToldOperations<Trace>(recording.steps(), trace).tell(recording.results()[0]);
+  const Recording steps([&] { return std::array{text.template operator()<Recorded>()}; });
+  ToldOperations<Trace>(steps.steps(), trace).tell(steps.results()[0]);
 }
 
 }  // namespace detail
