@@ -59,12 +59,15 @@ class BallsTeller : Teller {
     known_.expanded = true;
     script_.value("*R*", e.reach.value, "length");
     add("expanded", "A ray and a ball", 1,
-        "The balls share a point when their centres are at most *R* apart. So expand a to radius *R*: their Minkowski "
-        "sum.\nThen b is a point on a ray from **b** along **d**. The question is where it enters the ball.",
+        "The balls, of radii *r*_a and *r*_b, share a point when their centres are at most *R* apart.\n"
+        "So expand a to radius *R*: their Minkowski sum. Then b is a point on a ray from **b** along **d**. The "
+        "question is where it enters the ball.",
         "*R* = *r*_a + *r*_b = " + shown(e.reach.value));
     script_.value("*C*", c_);
     add("coefficient-c", "Are they apart at first?", 2,
-        "Substitute the ray into the equation of the expanded ball, as for a ray and a sphere. The constant is *C*.\n" +
+        "Let **f** lead from **a** to **b**. Substitute the ray into the equation of the expanded ball: the constant "
+        "is "
+        "*C*.\n" +
             (sign(c_) != s_.signs.apart ? at_fault(s_.signs.apart > 0    ? "they are apart at first"
                                                    : s_.signs.apart == 0 ? "they touch at first"
                                                                          : "they overlap at first")
@@ -82,7 +85,7 @@ class BallsTeller : Teller {
     b_ = e.b.value;
     script_.value("*B*", b_);
     add("coefficient-b", "Does the distance fall?", 5,
-        "Half the coefficient of *t*: its sign is that of the change of the distance at *t* = 0.\n" +
+        "*B* is half the coefficient of *t*: its sign is that of the change of the distance at *t* = 0.\n" +
             (apart() && sign(b_) != s_.signs.receding ? at_fault(s_.signs.receding < 0    ? "the distance falls"
                                                                  : s_.signs.receding == 0 ? "the distance stays"
                                                                                           : "the distance grows")
@@ -108,16 +111,17 @@ class BallsTeller : Teller {
     const double a = e.a.value, delta = e.discriminant.value;
     script_.value("*A*", a);
     script_.value("*Δ*", delta);
-    Step& step = add("discriminant", "Does the course meet the ball?", 8,
-                     "The sign of *Δ* shows whether the line of the ray meets the expanded ball.\n" +
-                         (apart() && sign(delta) != s_.signs.discriminant
-                              ? at_fault(s_.signs.discriminant > 0    ? "it meets the ball"
-                                         : s_.signs.discriminant == 0 ? "it touches the ball"
-                                                                      : "it passes by")
-                          : delta > 0 ? std::string("It is positive: the line passes through.")
-                          : delta < 0 ? std::string("It is negative: the line passes by.")
-                                      : std::string("It is zero: the line touches the expanded ball.")),
-                     "*Δ* = *B*^2 − *A* *C* = " + shown(delta));
+    Step& step =
+        add("discriminant", "Does the course meet the ball?", 8,
+            "*A* is the coefficient of *t*^2. The sign of *Δ* shows whether the line meets the expanded ball.\n" +
+                (apart() && sign(delta) != s_.signs.discriminant
+                     ? at_fault(s_.signs.discriminant > 0    ? "it meets the ball"
+                                : s_.signs.discriminant == 0 ? "it touches the ball"
+                                                             : "it passes by")
+                 : delta > 0 ? std::string("It is positive: the line passes through.")
+                 : delta < 0 ? std::string("It is negative: the line passes by.")
+                             : std::string("It is zero: the line touches the expanded ball.")),
+            "*Δ* = *B*^2 − *A* *C* = " + shown(delta));
     // with the full B; a sign lost; A left out
     step.question =
         which_value("What is the discriminant *Δ*?", delta, {b_ * b_ - 4 * a * c_, b_ * b_ + a * c_, b_ * b_ - c_},

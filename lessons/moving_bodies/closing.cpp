@@ -32,16 +32,10 @@ const Closing& closing() {
           "Boxes: two divisions for each axis. Balls: one square root and one division. Conservative advancement: a "
           "distance and a division for each step.",
       .choose =
-          "Boxes and balls at constant velocities: compute the time, which is as cheap as a ray. Discrete times for "
-          "slow "
-          "bodies only. Conservative advancement for other convex bodies, and for bodies that turn, wherever the fall "
-          "of the distance has a bound.",
-      .used =
-          "Continuous collision detection in physics engines such as Box2D; bullets and characters in games; planning "
-          "the motion of robots.",
-      .bug =
-          "Comparing each body's own step with its size. Two bodies can tunnel through each other: what counts is "
-          "the relative velocity.",
+          "Boxes and balls at constant velocities: compute the time. Discrete times for slow bodies only. Conservative "
+          "advancement for other convex bodies, and for those that turn.",
+      .used = "Continuous collision detection in physics engines such as Box2D; bullets in games; robots' motion.",
+      .bug = "Comparing each body's own step with its size. What counts is the relative velocity.",
       .bug_preset = "tunnels",
       .reading =
           {"Lecture note *Intersection Detection*, rays, and collision detection.",

@@ -111,9 +111,10 @@ class ConservativeTeller : Teller {
   void advance(double before) {
     script_.value("*t*", time_);
     const std::string caption =
-        advances_ == 1 ? "It takes at least distance / speed to close the distance. A step of that length is safe."
-                       : fmt::format("The distance has fallen to {}. At a speed of {} or less, a further step is safe.",
-                                     shown(distance_), shown(speed_));
+        advances_ == 1
+            ? "It takes at least distance / speed to close the distance. A step of that length, to *t*, is safe."
+            : fmt::format("The distance has fallen to {}. At a speed of {} or less, a further step is safe.",
+                          shown(distance_), shown(speed_));
     Step& step =
         add(fmt::format("advance-{}", advances_), fmt::format("Step {}", advances_), 8, caption,
             fmt::format("*t* = {} + {} / {} = {}", shown(before), shown(distance_), shown(speed_), shown(time_)));

@@ -109,7 +109,7 @@ class Cells {
                                              : ringed_.passes(factor) ? ", and its sign gets through"
                                                                       : ", left open by the filter"),
                      [&](const Neighbour& n) {
-                       return !through(n) ? Role::grid : side(n) ? Role::miss : on(n) ? Role::text : role_of(n.truth);
+                       return !through(n) ? Role::muted : side(n) ? Role::miss : on(n) ? Role::text : role_of(n.truth);
                      });
     step.decides = true;
     microscope::Keys keys(step.scene);
@@ -119,7 +119,7 @@ class Cells {
               : sign < 0 ? "right"
                          : "on the line",
               count([&](const Neighbour& n) { return through(n) && !n.wrong(factor) && n.truth == sign; }));
-    add_key(keys, Role::grid, "left open", total() - passing);
+    add_key(keys, Role::muted, "left open", total() - passing);
     add_key(keys, Role::miss, "wrong side", wrong_side);
     add_key(keys, Role::text, "wrongly on", called_on);
     step.question =

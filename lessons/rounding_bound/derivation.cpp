@@ -78,7 +78,7 @@ class Derivation {
         "product.\n"
         "*δ* is its relative error: in size at most *u* = 2^{−53}, about 1.1 · 10^{−16}, if nothing over- or "
         "underflows.\n" +
-            std::string(o.delta == 0 ? "This difference is a double itself, so *δ* is 0."
+            std::string(o.error == 0 ? "This difference is a double itself, so *δ* is 0."
                                      : "This difference is no double, so it is rounded."),
         names[0] + " = " + shown(o.value) + ", *δ* = " + in_u(o.delta));
     step.scene = bounds({rounded(o, names[0])}, "*u* |*x* − *y*|");
@@ -87,7 +87,7 @@ class Derivation {
   void say_differences() {
     std::vector<Row> rows;
     for (std::size_t i = 0; i < names.size(); ++i) rows.push_back(rounded(run_.differences[i], names[i]));
-    const auto exact = std::ranges::count(run_.differences, 0.0, &Operation::delta);
+    const auto exact = std::ranges::count(run_.differences, 0.0, &Operation::error);
     script_.value("differences without rounding", static_cast<double>(exact));
     Step& step = script_.add(
         "differences", "Four differences", 0,
@@ -155,8 +155,8 @@ class Derivation {
                                   : "In this run the error is " + percent(run_.det.share) + " of the bound.";
     Step& step = script_.add(
         "bound", "The bound is 5 *u* times the size", 3,
-        "Four roundings touch each product, and one *u* more pays for the rounding of the bound. Any polynomial is "
-        "counted so.\n"
+        "The error is at most *bound*: four roundings touch each product, and one *u* more pays for rounding the "
+        "bound.\n"
         "Shewchuk's constant, for this one, is (3 + 16 *u*) *u*: rounding the last difference cannot turn its sign.\n" +
             error,
         "*bound* = 5 *u* · *size* = " + shown(bound));

@@ -193,8 +193,14 @@ TEST_CASE("stages run up to the first that is certain, each with the bound that 
       lessons::rounding_bound_lesson::Setup(preset(lesson(id), "on-line").parameters)};
   int fine = 0;
   for (const Stage& stage : run.stages) {
-    if (stage.kind == Stage::Kind::compensated) CHECK(stage.bound == 50 * u * u * run.size()), ++fine;
-    if (stage.kind == Stage::Kind::triple_double) CHECK(stage.bound == 1000 * u * u * u * run.size()), ++fine;
+    if (stage.kind == Stage::Kind::compensated) {
+      CHECK(stage.bound == 50 * u * u * run.size());
+      ++fine;
+    }
+    if (stage.kind == Stage::Kind::triple_double) {
+      CHECK(stage.bound == 1000 * u * u * u * run.size());
+      ++fine;
+    }
   }
   CHECK(fine == 2);
 }
