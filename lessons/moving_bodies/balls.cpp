@@ -60,14 +60,13 @@ class BallsTeller : Teller {
     script_.value("*R*", e.reach.value, "length");
     add("expanded", "A ray and a ball", 1,
         "The balls, of radii *r*_a and *r*_b, share a point when their centres are at most *R* apart.\n"
-        "So expand a to radius *R*: their Minkowski sum. Then b is a point on a ray from **b** along **d**. The "
-        "question is where it enters the ball.",
+        "So expand a to radius *R*: their Minkowski sum. Then b shrinks to its centre, which moves along "
+        "**d**. When does it enter the ball?",
         "*R* = *r*_a + *r*_b = " + shown(e.reach.value));
     script_.value("*C*", c_);
     add("coefficient-c", "Are they apart at first?", 2,
         "Let **f** lead from **a** to **b**. Substitute the ray into the equation of the expanded ball: the constant "
-        "is "
-        "*C*.\n" +
+        "is *C*.\n" +
             (sign(c_) != s_.signs.apart ? at_fault(s_.signs.apart > 0    ? "they are apart at first"
                                                    : s_.signs.apart == 0 ? "they touch at first"
                                                                          : "they overlap at first")
@@ -122,11 +121,13 @@ class BallsTeller : Teller {
                  : delta < 0 ? std::string("It is negative: the line passes by.")
                              : std::string("It is zero: the line touches the expanded ball.")),
             "*Δ* = *B*^2 − *A* *C* = " + shown(delta));
-    // with the full B; a sign lost; A left out
-    step.question =
-        which_value("What is the discriminant *Δ*?", delta, {b_ * b_ - 4 * a * c_, b_ * b_ + a * c_, b_ * b_ - c_},
-                    "*B* is half the coefficient of *t*, so there is no factor 4.");
-    step.question->given = {{"*A*", a}, {"*B*", b_}, {"*C*", c_}};
+    // with the full B; a sign lost; A left out; where rounding turns its sign the numbers shown do not give it
+    if (sign(delta) == s_.signs.discriminant) {
+      step.question =
+          which_value("What is the discriminant *Δ*?", delta, {b_ * b_ - 4 * a * c_, b_ * b_ + a * c_, b_ * b_ - c_},
+                      "*B* is half the coefficient of *t*, so there is no factor 4.");
+      step.question->given = {{"*A*", a}, {"*B*", b_}, {"*C*", c_}};
+    }
     if (delta >= 0) return script_.refuse(9, {10});
     decide("passes", "They pass each other", 9,
            "Even where the distance is least, the centres are more than *R* apart.",

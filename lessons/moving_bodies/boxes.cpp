@@ -77,7 +77,7 @@ class BoxesTeller : Teller {
     script_.value("*t*_2" + on, times.hi);
     known_.rows.push_back({axis, times, Role::text});
     Step& step = add(std::string("times-") + "xy"[i], "The times" + on, 5,
-                     "Divide lengths" + on +
+                     "Divide the lengths between sides" + on +
                          " by the speed there. At *t*_1 the sides that face each other meet, at "
                          "*t*_2 the far ones part." +
                          std::string(times.lo < 0 ? "\nA negative time is one before the motion began." : ""),
@@ -85,12 +85,13 @@ class BoxesTeller : Teller {
     if (!(times.lo > 0)) return;
     // from centre to centre; until the far sides part; the gap, not divided
     const double d = s_.d()[i], gap = std::max(b.lo - a.hi, a.lo - b.hi);
+    std::vector<double> wrong = {std::abs((s_.b - s_.a)[i] / d), times.hi};
+    if (gap < 100 * times.lo) wrong.push_back(gap);
     step.question = which_value(
         fmt::format("On {} a reaches from {} to {}, b from {} to {}. Seen from a, b moves there by {} a second. When "
                     "do these extents meet?",
                     axis, shown(a.lo), shown(a.hi), shown(b.lo), shown(b.hi), shown(d)),
-        times.lo, {std::abs((s_.b - s_.a)[i] / d), times.hi, gap},
-        "The gap between the sides that face each other, divided by the speed.");
+        times.lo, wrong, "The gap between the sides that face each other, divided by the speed.");
     keep_picture(script_.walk());
   }
 
@@ -126,19 +127,21 @@ class BoxesTeller : Teller {
 
   /// Asks for first contact: the latest begin, not the earliest one.
   void ask_when(double begin) {
-    const double early = std::max(0.0, std::min(times_[0].lo, times_[1].lo));
     Question q = {fmt::format("Extents share points on *x* from *t* = {} to {}, on *y* from {} to {}. The motion lasts "
                               "from 0 to {}. When do the boxes first meet?",
                               shown(times_[0].lo), shown(times_[0].hi), shown(times_[1].lo), shown(times_[1].hi),
                               shown(s_.duration)),
-                  {shown(early)},
+                  {},
                   0,
                   "They meet when both axes allow it: first at the latest begin, if that is not after the earliest "
                   "end."};
-    if (const std::string late = shown(begin); late != q.choices[0]) q.choices.push_back(late);
-    q.answer = static_cast<int>(q.choices.size()) - 1;
+    std::vector<double> offered = {times_[0].lo, times_[1].lo, begin};
+    std::ranges::sort(offered);
+    for (const double t : offered)
+      if (q.choices.empty() || q.choices.back() != shown(t)) q.choices.push_back(shown(t));
     q.choices.emplace_back("not within the motion");
-    if (!s_.first) q.answer = static_cast<int>(q.choices.size()) - 1;
+    q.answer = s_.first ? static_cast<int>(std::ranges::find(q.choices, shown(begin)) - q.choices.begin())
+                        : static_cast<int>(q.choices.size()) - 1;
     script_.walk().steps.back().question = q;
   }
 

@@ -37,8 +37,8 @@ const CaseMap& cases() {
       branch,
       place,
       moved,
-      "Each point of the plane is a place of **b**, seen from **a**; sizes and velocities stay.\n"
-      "The region of contact is a, expanded by b and swept against **d**. At discrete times it may have gaps."};
+      "Each point of the plane is a place of **b**, seen from **a**; sizes, velocities and the duration stay.\n"
+      "The region of contact is a, expanded by b and swept against **d**. “Later” is contact after the motion."};
   return map;
 }
 

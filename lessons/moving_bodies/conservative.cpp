@@ -63,8 +63,9 @@ class ConservativeTeller : Teller {
     if (advances_ == 0)
       add("distance", "The distance at first", 2,
           s_.signs.apart > 0
-              ? "The balls are as far apart as their centres, less both radii.\nFor other bodies an algorithm such as "
-                "GJK finds the distance. The rest stays as it is here."
+              ? "The balls are as far apart as their centres, less both radii.\nFor other convex bodies an algorithm "
+                "such as "
+                "GJK finds the distance. Bodies that turn need a higher bound on the speed."
               : "The centres are no farther apart than both radii reach: the balls share a point already.");
     if (e.near)
       decide("near", "Within the tolerance?", 3, "The distance is within the tolerance *ε*: here the method stops.",
@@ -116,15 +117,15 @@ class ConservativeTeller : Teller {
             : fmt::format("The distance has fallen to {}. At a speed of {} or less, a further step is safe.",
                           shown(distance_), shown(speed_));
     Step& step =
-        add(fmt::format("advance-{}", advances_), fmt::format("Step {}", advances_), 8, caption,
+        add(fmt::format("advance-{}", advances_), fmt::format("Advance {}", advances_), 8, caption,
             fmt::format("*t* = {} + {} / {} = {}", shown(before), shown(distance_), shown(speed_), shown(time_)));
     if (advances_ > 1) return;
     // multiplied; not divided; half of it, to be safe
-    step.question = which_value(fmt::format("The distance is {}, and it falls by at most {} a second. Until which time "
-                                            "can there be no contact?",
+    step.question = which_value(fmt::format("The distance is {}, and it falls by at most {} a second. What is the "
+                                            "longest step that surely passes no contact?",
                                             shown(distance_), shown(speed_)),
                                 time_, {distance_ * speed_, distance_, time_ / 2},
-                                "The distance divided by the speed is a time in which it cannot close.");
+                                "Before distance / speed has passed, the distance cannot close.");
   }
 
   /// Adds one step for the advances that have none of their own.
@@ -133,7 +134,8 @@ class ConservativeTeller : Teller {
     script_.value("*t*", time_);
     script_.value("distance", distance_, "length");
     add("advances",
-        more == 1 ? fmt::format("Step {}", advances_) : fmt::format("Steps {} to {}", told_alone + 1, advances_), 8,
+        more == 1 ? fmt::format("Advance {}", advances_) : fmt::format("Advances {} to {}", told_alone + 1, advances_),
+        8,
         more == 1 ? "One more step follows in the same way."
                   : fmt::format("{} more steps follow in the same way.", counted(more)));
   }
@@ -158,7 +160,7 @@ class ConservativeTeller : Teller {
   void near_miss() {
     end("contact", "Near, but no contact", 4, false,
         fmt::format("At *t* = {} they are within *ε*, so the method returns it. Yet they do not meet in the motion.\n"
-                    "With a tolerance, it answers whether bodies come near.",
+                    "So NEAR proves no contact. MISS proves that there is none, but for rounding.",
                     shown(time_)));
     script_.walk().steps.back().verdict = {Verdict::Kind::on, "within *ε*, but they do not meet"};
   }

@@ -23,7 +23,7 @@ class DiscreteTeller : Teller {
                 "    if they share a point: record t",                   // 3
                 "t_in, t_out ← when the boxes meet and part",            // 4
                 "if dt ≤ t_out − t_in: one of the tests must see them",  // 5
-                "return t_in, if they meet"}),                           // 6
+                "compare t_in with the first t recorded"}),              // 6
         dt_(s.duration / s.tests) {}
 
   Walk tell() {

@@ -100,19 +100,19 @@ class Painter {
 
   /// Draws the duration as a line below the bodies, and the rows of times above it.
   void clock() {
-    const double width = std::max(all_.hi.x() - all_.lo.x(), 5 * unit_), step = 0.42 * unit_;
+    const double width = std::max(all_.hi.x() - all_.lo.x(), 5 * unit_), step = 0.5 * unit_;
     const double left = (all_.lo.x() + all_.hi.x() - width) / 2, top = all_.lo.y() - 0.7 * unit_;
     const double bottom = top - 2 * step;  // room for two rows from the start, so that nothing moves
     const auto x = [&](double t) { return left + t / s_.duration * width; };
     add(Line{{left, bottom, 0}, {left + width, bottom, 0}, Role::muted, Pen::hairline});
-    add(Label{{left, bottom, 0}, "*t* = 0", Role::muted});
-    add(Label{{left + width, bottom, 0}, shown(s_.duration), Role::muted});
+    add(Heading{{left - 0.25 * unit_, bottom, 0}, "*t* = 0", Role::muted, 0, false, 1});
+    add(Heading{{left + width + 0.25 * unit_, bottom, 0}, shown(s_.duration), Role::muted, 0, false, 0});
     for (std::size_t i = 0; i < k_.rows.size(); ++i) {
       const Row& row = k_.rows[i];
       const double y = row.role == Role::hit ? bottom : top - step * static_cast<double>(i);
       const double margin = 0.08 * s_.duration;
       const Interval<double> seen = {std::max(row.times.lo, -margin), std::min(row.times.hi, s_.duration + margin)};
-      if (!row.name.empty()) add(Label{{left - 0.2 * unit_, y, 0}, row.name, Role::text});
+      if (!row.name.empty()) add(Heading{{left - 0.25 * unit_, y, 0}, row.name, Role::text, 0, false, 1});
       if (!(seen.lo <= seen.hi)) continue;
       if (seen.lo == seen.hi) {
         add(Dot{{x(seen.lo), y, 0}, Mark::disc, row.role});

@@ -117,14 +117,14 @@ std::string Teller::reason() const {
                   : std::string());
     }
     case Meeting::at_first:
-      return s_.touching ? "They touch at the start. Closed sets share what they touch in: this is a contact, whether "
+      return s_.touching ? "They touch at the start. The bodies include their surfaces, so this is a contact, whether "
                            "they part after it or not."
                          : "They share points from the start. So first contact is at *t* = 0, however they move.";
     case Meeting::grazing:
       return s_.balls()
-                 ? "They share one point at one time: b grazes a. Closed sets: this is a contact."
+                 ? "They share one point at one time: b grazes a. Bodies include their surfaces, so touching counts."
                  : "On one axis they do not move against each other, and only touch: b slides along a face of a.\n"
-                   "Closed sets: this is a contact.";
+                   "Bodies include their surfaces, so touching counts.";
     case Meeting::unseen:
     case Meeting::met:
       break;

@@ -62,11 +62,11 @@ class Cells {
   }
 
   void say_truth() {
-    Step& step = add(
-        "truth", "The neighbours of **a**",
-        "Each cell is one position of **a**: one step right is the next double in *x*, one step up the next in *y*.\n"
-        "Each sign here is exact. The handles at the border select the ringed neighbour, the one just tested.",
-        place(ringed_.truth), [](const Neighbour& n) { return role_of(n.truth); });
+    Step& step =
+        add("truth", "The neighbours of **a**",
+            "Each cell is one position of **a**. Its right neighbour is the next double in *x*, its upper one in *y*.\n"
+            "Each sign here is exact. The handles at the border select the ringed neighbour, the one just tested.",
+            place(ringed_.truth), [](const Neighbour& n) { return role_of(n.truth); });
     microscope::Keys keys(step.scene);
     for (const int sign : {1, 0, -1})
       add_key(keys, role_of(sign),
@@ -79,12 +79,14 @@ class Cells {
   void say_stages() {
     const int doubles = count([](const Neighbour& n) { return n.decided == Stage::Kind::doubles; });
     const std::string caption =
-        doubles == total() ? "Doubles decide every cell: all lie far enough from the line."
-        : doubles == 0     ? "Doubles decide none of these cells: *det* stays within its bound in all of them."
-                           : "Doubles decide where |*det*| reaches its bound. Closer to the line a finer stage must.";
+        doubles == total() ? "With the whole bound, doubles decide every cell: all lie far enough from the line."
+        : doubles > 0 ? "With the whole bound, doubles decide where |*det*| reaches it. Elsewhere a finer stage must."
+        : count([](const Neighbour& n) { return std::isfinite(n.det); }) == 0
+            ? "Doubles decide none of these cells: *det* is no finite number in any of them."
+            : "With the whole bound, doubles decide none of these cells: |*det*| does not reach it.";
     Step& step = add("stages", "Which stage decides",
                      caption + "\nA finer stage runs only where all those before it leave the sign open.",
-                     std::string("decided by ") + words_of(ringed_.decided).name,
+                     std::string("with the whole bound: ") + words_of(ringed_.decided).name,
                      [](const Neighbour& n) { return role_of(n.decided); });
     std::map<Stage::Kind, int> found;
     for (const Neighbour& n : all_) ++found[n.decided];
@@ -122,6 +124,7 @@ class Cells {
     add_key(keys, Role::muted, "left open", total() - passing);
     add_key(keys, Role::miss, "wrong side", wrong_side);
     add_key(keys, Role::text, "wrongly on", called_on);
+    if (passing == 0) return;  // what gets through is known
     step.question =
         Question{fmt::format("In how many of these cells does the filter let a wrong sign through, with the "
                              "bound times {}?",
@@ -147,12 +150,13 @@ class Cells {
                           counted(passing), counted(total()), counted(whole));
     if (passing == 0) return text;
     text += wrong == 0 ? "\nAll of them are right."
-                       : fmt::format("\nWrong are {}: a wrong side in {}, “on the line” of points beside it in {}.",
-                                     counted(wrong), counted(wrong_side), counted(called_on));
+                       : fmt::format("\n{} {} wrong: the wrong side in {}, “on the line” of points beside it in {}.",
+                                     plural(wrong, "sign"), wrong == 1 ? "is" : "are", counted(wrong_side),
+                                     counted(called_on));
     if (factor == 1) return text + " That is proved, for any three points, and needs no counting.";
     if (factor <= 0.6 + 1e-9)
       return text +
-             "\nBelow 3 *u* · *size*, a factor of 0.6, a constant is a guess: counting proves nothing elsewhere.";
+             "\nCounting here proves nothing elsewhere: other points need a factor of nearly 0.6, 3 *u* · *size*.";
     return s_.unit == 1 ? text + " The proof of Shewchuk's constant, 3 *u* and a little, covers this factor." : text;
   }
 

@@ -27,7 +27,7 @@ bool wrong_with_two_fifths(const Parameters& p) {
 const std::string& opening() {
   static const std::string text =
       "This course speaks of exact tests, or exact predicates. How can they be exact, although doubles round?\n"
-      "A bound on the rounding error tells when a sign is certain. We derive that bound, and attack its constant.";
+      "A bound on the rounding error tells when a sign is certain. We derive that bound, and try smaller ones.";
   return text;
 }
 
@@ -36,8 +36,7 @@ const Closing& closing() {
       .result =
           "Where |*det*| reaches its error bound, the sign in doubles is certain: that is a filter. Elsewhere finer "
           "stages find the sign.",
-      .cost =
-          "The bound takes a second evaluation, without signs. Finer stages run only where it leaves the sign open.",
+      .cost = "The bound takes one sum and one product more. Finer stages run only where it leaves the sign open.",
       .choose =
           "For every sign that a program branches on: hulls, triangulations, maps. A value that is only drawn needs "
           "no bound.",
@@ -57,8 +56,10 @@ const Closing& closing() {
            "certain",
            right_but_open,
            {{"right", "12"}, {"up", "-12"}}},
-          {"How large may the factor be for a wrong sign to get through? Find one of at least 0.4.",
-           "With 0.43 one wrong sign is left: 12 to the right and 12 up.",
+          {"Up to which factor does a wrong sign get through here? Find one of at least 0.4.",
+           "Up to |*det*| / *bound*, about 0.435, of the neighbour 12 to the right and 12 up. Other points reach "
+           "nearly "
+           "0.6.",
            "weak",
            wrong_with_two_fifths,
            {{"factor", "0.43"}}},

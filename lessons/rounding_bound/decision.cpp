@@ -15,7 +15,9 @@ namespace {
 
 std::string decision_caption(bool known, bool through, bool certain) {
   if (!known) return "No comparison holds with infinities or what is not a number. The sign stays open.";
-  if (!through) return "The interval holds 0. As far as the bound tells, the truth may have either sign, or be 0.";
+  if (!through)
+    return "The interval *det* ± factor · *bound* holds 0. As far as this bound tells, the truth may have either sign, "
+           "or be 0.";
   return certain ? "Even with the whole bound the interval leaves 0 out: no error can have turned the sign."
                  : "With the whole bound this sign would stay open. The weaker filter lets it through.";
 }

@@ -94,10 +94,13 @@ class Derivation {
         std::string(exact == 4   ? "All four differences are doubles themselves: nothing is rounded yet."
                     : exact == 0 ? "All four differences are rounded. Last bits of the coordinates may be lost already."
                                  : "The rounded ones may have lost last bits of the coordinates already.") +
-            "\nSterbenz's lemma: two doubles within a factor of two of each other have an exact difference.");
+            "\nSterbenz's lemma: two doubles within a factor of two of each other have an exact difference. "
+            "Others may have one, too.");
     step.scene = bounds(rows, "*u* |*x* − *y*|");
-    step.question = which_value("Of the four differences, how many are exact, without any rounding?",
-                                static_cast<double>(exact), {0, 2, 4}, "Each was compared with the exact difference.");
+    step.question = Question{"Of the four differences, how many are exact, without any rounding?",
+                             {"0", "1", "2", "3", "4"},
+                             static_cast<int>(exact),
+                             "Each was compared with the exact difference."};
   }
 
   void say_products() {
@@ -109,13 +112,14 @@ class Derivation {
         : run_.underflows()
             ? "Digits below 2^{−1074} are lost here: *δ* of a product is larger than *u*. The model fails.\n"
               "An absolute term mends it: for the bound, each product counts as 2^{−960} at least."
+        : run_.vanish() ? "A factor of each product is exactly 0, and so are both products."
         : run_.tiny()
             ? "Products as small as these may lose digits below 2^{−1074}, though here none is lost.\n"
               "So for the bound each product counts as 2^{−960} at least."
             : "Each product has three factors 1 + *δ*: those of its differences, and its own.\n"
               "A chain of *n* roundings errs by *n* *u* / (1 − *n* *u*) at most, relative to the product. So here "
               "that is about 3 *u*.\n"
-              "The core counts one *u* more, 4 *u*, as the bound is rounded, too.";
+              "The picture takes 4 *u*: the fourth covers the terms in *u*^2.";
     Step& step = script_.add("products", "A product has three roundings", 1, text);
     step.scene = bounds({bounded(run_.left, "*left*"), bounded(run_.right, "*right*")}, "*bound*");
   }
@@ -127,7 +131,8 @@ class Derivation {
     Step& step = script_.add("determinant", "What the last difference leaves", 2,
                              determinant_caption() +
                                  "\nBounds add up where values cancel. So the bound goes by "
-                                 "*size* = |*left*| + |*right*|, not by |*det*|.",
+                                 "*size* = |*left*| + |*right*|, not by |*det*|." +
+                                 (run_.tiny() ? "\nHere *size* counts each product as 2^{−960} at least." : ""),
                              has_sign ? "*det* = " + shown(run_.det.value) : "");
     step.scene = bounds({bounded(run_.det, "*det*")}, "*bound*");
     // 3: without the last difference; 7: that every rounding touches every product.
@@ -148,18 +153,23 @@ class Derivation {
   void say_bound() {
     const double bound = run_.bound();
     script_.value("*bound*", bound);
-    if (!run_.overflows()) script_.value("error", run_.det.error);
-    const std::string error = run_.overflows() ? "The bound is infinite here: nothing is certain."
-                              : run_.det.share == 0
-                                  ? "In this run the errors are 0, or cancel."
-                                  : "In this run the error is " + percent(run_.det.share) + " of the bound.";
-    Step& step = script_.add(
-        "bound", "The bound is 5 *u* times the size", 3,
-        "The error is at most *bound*: four roundings touch each product, and one *u* more pays for rounding the "
-        "bound.\n"
-        "Shewchuk's constant, for this one, is (3 + 16 *u*) *u*: rounding the last difference cannot turn its sign.\n" +
-            error,
-        "*bound* = 5 *u* · *size* = " + shown(bound));
+    const bool too_small = run_.det.error == 0 && run_.det.share > 0;  // for a double
+    if (!run_.overflows() && !too_small) script_.value("error", run_.det.error);
+    const bool any = std::ranges::any_of(run_.differences, [](const Operation& o) { return o.error != 0; }) ||
+                     run_.left.error != 0 || run_.right.error != 0;
+    const std::string error = run_.det.share > 0
+                                  ? "In this run the error is " + percent(run_.det.share) + " of the bound."
+                              : any ? "In this run the errors cancel."
+                                    : "In this run nothing is rounded before the last difference.";
+    const std::string derived =
+        std::string(
+            "The error is at most *bound*: four roundings touch each product. One *u* more covers the terms in "
+            "*u*^2.\n") +
+        (run_.underflows() ? "The 2^{−960} in *size* pays for digits that underflow took.\n" : "") +
+        "Shewchuk needs only (3 + 16 *u*) *u* for the sign: the last rounding cannot turn it.\n" + error;
+    Step& step = script_.add("bound", "The bound is 5 *u* times the size", 3,
+                             run_.overflows() ? "The bound, *bound*, is infinite here: nothing is certain." : derived,
+                             "*bound* = 5 *u* · *size* = " + shown(bound));
     step.scene = bounds({bounded(run_.det, "*det*")}, "*bound*");
   }
 

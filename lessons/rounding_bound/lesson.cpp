@@ -41,6 +41,9 @@ std::vector<Preset> presets() {
   const Place far_points = {{0.0625, 0.0625, 0}, {1.5, 1.5, 0}, {3, 3, 0}};
   const Place near_points = {{2.9, 1.9, 0}, {2.1, 1.3, 0}, {3.7, 2.5, 0}};
   const Place small = {{1e-50, 1e-50, 0}, {-2, -2, 0}, {2, 2, 0}};
+  const Place tight = {{1.0000000074505806, -1.0000000149011616, 0},
+                       {-1.0000000074505806, 1.0000000149011612, 0},
+                       {-1.1102230246251565e-16, -1.1102230246251565e-16, 0}};
   const Place smaller = {{1e-60, 1e-60, 0}, {-2, -2, 0}, {2, 2, 0}};
   return {preset_of("near", "near the line", {.right = 12, .up = -12}),
           preset_of("ordinary", "well beside the line", {}, ordinary),
@@ -49,6 +52,7 @@ std::vector<Preset> presets() {
           preset_of("short-numbers", "on the line, few bits", {}, short_numbers),
           preset_of("weak", "factor 1/8", {.right = 12, .up = 12, .factor = 0.125}),
           preset_of("half", "factor 1/2", {.right = 12, .up = 12, .factor = 0.5}),
+          preset_of("tight", "factor 0.599", {.factor = 0.599}, tight),
           preset_of("naive", "factor 0", {.right = 6, .up = 6, .factor = 0}),
           preset_of("rounded-differences", "rounded differences", {.right = 6, .up = -6}, far_points),
           preset_of("exact-differences", "exact differences", {.right = 3, .up = -3}, near_points),

@@ -45,6 +45,8 @@ struct Run {
   bool overflows() const { return !std::isfinite(det.value) || !std::isfinite(det.bound); }
   /// Whether products may underflow; and whether one did, and lost more than one rounding takes.
   bool tiny() const { return size() < 0x1p-900; }
+  /// Whether both products are exactly 0.
+  bool vanish() const { return left.value == 0 && right.value == 0 && left.error == 0 && right.error == 0; }
   bool underflows() const { return std::abs(left.delta) > u || std::abs(right.delta) > u; }
 };
 

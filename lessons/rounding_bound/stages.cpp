@@ -53,8 +53,8 @@ std::string method(Kind kind) {
 
 std::string grid_caption(const Stage& s) {
   const std::string multiple =
-      "Every double is a whole multiple of its last bit, so the truth is one of some power of "
-      "two: the step.\n";
+      "Every double is a whole multiple of its last bit. So the truth is a whole multiple of some power of two: the "
+      "step.\n";
   if (!(s.step > 0)) return multiple + "Here that step underflows, so a zero cannot be told.";
   return multiple + (s.sign ? "The truth is smaller than one step, so it is 0: **a** lies on the line."
                             : "The truth may be as large as a step, so it need not be 0.");
@@ -68,8 +68,10 @@ std::string outcome_of(const Stage& s, int truth) {
 }
 
 std::string formula(const Stage& s) {
-  if (s.kind == Kind::grid) return s.step > 0 ? "|truth| ≤ " + shown(s.bound) + ", the step is " + shown(s.step) : "";
+  if (s.kind == Kind::grid)
+    return s.step > 0 && s.step < 1 ? "|truth| ≤ " + shown(s.bound) + ", the step is " + shown(s.step) : "";
   if (!std::isfinite(s.value)) return {};
+  if (s.value == 0 && s.sign && *s.sign != 0) return "value: smaller than the least double";
   return "value " + shown(s.value) + (s.bound > 0 ? ", bound " + shown(s.bound) : "");
 }
 
