@@ -16,20 +16,20 @@ Answer decided(const std::optional<Answer>& answer) {
   return *answer;
 }
 
-Answer in_space(const AnyShape<double, 3>& a, const Shaped& b) { return decided(ask_any(a, b.shape<3>())); }
+Answer asked_in_space(const AnyShape<double, 3>& a, const Shaped& b) { return decided(ask_any(a, b.shape<3>())); }
 
 }  // namespace
 
 Answer by_core(const Shaped& a, const Shaped& b) {
-  return a.flat() ? ask_any(a.shape<2>(), b.shape<2>()) : in_space(a.shape<3>(), b);
+  return a.flat() ? ask_any(a.shape<2>(), b.shape<2>()) : asked_in_space(a.shape<3>(), b);
 }
 
 Answer by_core(const viz::Vec3& p, const Shaped& o) {
-  return o.flat() ? ask_any(point_of<2>(p), o.shape<2>()) : in_space(point_of<3>(p), o);
+  return o.flat() ? ask_any(point_of<2>(p), o.shape<2>()) : asked_in_space(point_of<3>(p), o);
 }
 
-Answer by_core(const Ray<double, 3>& x, const Shaped& o) { return in_space(x, o); }
-Answer by_core(const Triangle<double, 3>& x, const Shaped& o) { return in_space(x, o); }
+Answer by_core(const Ray<double, 3>& x, const Shaped& o) { return asked_in_space(x, o); }
+Answer by_core(const Triangle<double, 3>& x, const Shaped& o) { return asked_in_space(x, o); }
 
 void give(Relation r, Told& out) {
   out.answer = answer(r);

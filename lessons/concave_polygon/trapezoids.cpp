@@ -183,7 +183,11 @@ class Trapezoids {
     const int next = side < 0 ? node.first : node.second;
     script_.value("questions asked", static_cast<double>(path_.size()));
     Scene scene = searched(s_, map_, path_, side == 0 ? -1 : next);
-    Step& step = add(fmt::format("ask-{}", path_.size()), title, side == 0 ? 5 : line, caption, scene);
+    // two steps in a row have different titles
+    const std::string named = title.substr(0, title.rfind("the ")) + name(node);
+    Step& step =
+        add(fmt::format("ask-{}", path_.size()), title == asked_ ? named : title, side == 0 ? 5 : line, caption, scene);
+    asked_ = title;
     step.decides = true;
     if (side == 0) return finish(-1);
     at_ = next;
@@ -213,7 +217,8 @@ class Trapezoids {
   Script script_;
   std::vector<int> inserted_;
   std::vector<Asked> path_;
-  int at_ = 0;  ///< the node that is asked next
+  int at_ = 0;         ///< the node that is asked next
+  std::string asked_;  ///< the title of the question before
   bool done_ = false;
 };
 

@@ -50,7 +50,7 @@ const Lesson& lesson() {
            where("walk", {"build", "ray", "pairs"},
                  vector("p", "**p**", "Centre of box 0, in units; its third coordinate is not used.", at_the_left)),
            where("walk", {"build", "ray"},
-                 {"size", "size of box 0", "How many times its usual size box 0 is.", 1.0, 0, 100, 0.25, 8}),
+                 {"size", "box 0", "How many times its usual size box 0 is.", 1.0, 0, 100, 0.25, 8}),
            where("walk", {"ray"},
                  vector("o", "**o**", "The origin of the ray, in units; its third coordinate is not used.",
                         Vec3::Zero())),

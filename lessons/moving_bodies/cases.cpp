@@ -33,7 +33,7 @@ const CaseMap& cases() {
       "*y* of **b** − **a**",
       {-7, -3.5},
       {7, 3.5},
-      {"no contact", "contact", "at once", "later", "between tests", "no relative motion", "touching in passing"},
+      {"no contact", "contact", "at once", "later", "between tests", "no relative motion", "graze"},
       branch,
       place,
       moved,

@@ -112,7 +112,7 @@ class Painter {
       const double y = row.role == Role::hit ? bottom : top - step * static_cast<double>(i);
       const double margin = 0.08 * s_.duration;
       const Interval<double> seen = {std::max(row.times.lo, -margin), std::min(row.times.hi, s_.duration + margin)};
-      if (!row.name.empty()) add(Heading{{left - 0.25 * unit_, y, 0}, row.name, Role::text, 0, false, 1});
+      if (!row.name.empty()) add(Heading{{x(-margin) - 0.25 * unit_, y, 0}, row.name, Role::text, 0, false, 1});
       if (!(seen.lo <= seen.hi)) continue;
       if (seen.lo == seen.hi) {
         add(Dot{{x(seen.lo), y, 0}, Mark::disc, row.role});
@@ -138,8 +138,9 @@ class Painter {
     const Vec3 a = flat(s_.a), b = flat(s_.b);
     scene_.handles = {{"a", Handle::Kind::point, a, Vec3::Zero(), Role::first},
                       {"b", Handle::Kind::point, b, Vec3::Zero(), Role::second},
-                      {"r_a", Handle::Kind::length, a - s_.r_a * Vec3::UnitY(), a, Role::first},
-                      {"r_b", Handle::Kind::length, b - s_.r_b * Vec3::UnitY(), b, Role::second}};
+                      {"r_a", Handle::Kind::length, a - s_.r_a * Vec3::UnitY(), a, Role::first}};
+    if (!k_.expanded)  // else b is a point
+      scene_.handles.push_back({"r_b", Handle::Kind::length, b - s_.r_b * Vec3::UnitY(), b, Role::second});
     if (!(s_.duration > 0)) return;
     const auto velocity = [&](const char* name, const Vec3& anchor, const Vec3& tip, Role role) {
       Handle handle = {name, Handle::Kind::vector, tip, anchor, role};

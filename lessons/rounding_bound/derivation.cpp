@@ -21,7 +21,7 @@ namespace {
 const std::array<std::string, 4> names = {"*a_x* − *c_x*", "*b_y* − *c_y*", "*a_y* − *c_y*", "*b_x* − *c_x*"};
 
 /// "0.25 *u*"
-std::string in_u(double x) { return shown(x / u) + " *u*"; }
+std::string in_u(double x) { return x != 0 && std::abs(x) < 1e-6 * u ? "nearly 0" : shown(x / u) + " *u*"; }
 std::string percent(double share) { return percent_text(100 * share) + " %"; }
 
 /// A rounded difference between its bounds, u times its size.

@@ -99,7 +99,8 @@ TEST_CASE("the filter lets through as many signs as rationals count, wrong ones 
     CHECK(value(last, "signs that get through") == passing);
     CHECK(value(last, "wrong ones among these") == wrong);
     CHECK((last.verdict.kind == Verdict::Kind::no) == (wrong > 0));
-    CHECK(last.question->answer == (wrong == 0 ? 0 : 10 * wrong < cells ? 1 : 2));
+    CHECK(last.question.has_value() == (passing > 0));
+    if (passing > 0) CHECK(last.question->answer == (wrong == 0 ? 0 : 10 * wrong < cells ? 1 : 2));
     CHECK(says(last.caption, "All of them are right.") == (passing > 0 && wrong == 0));
     CHECK(says(last.caption, "this is the naive test") == (factor == 0 && passing == cells));
     if (wrong > 0) CHECK_THAT(last.caption, Contains("of points beside it in " + std::to_string(beside) + "."));
@@ -144,9 +145,11 @@ TEST_CASE("each line of the derivation tells the run's own rounding", "[words]")
     if (f.finite()) {
       const Rational error = abs(Rational(f.det) - f.truth);
       CHECK(error <= Rational(f.bound));
-      CHECK(says(bound.caption, "the errors are 0, or cancel") == (error == 0));
+      CHECK((says(bound.caption, "the errors cancel") || says(bound.caption, "nothing is rounded")) == (error == 0));
       const double off = static_cast<double>(error);
-      CHECK(std::abs(std::abs(value(bound, "error")) - off) <= 1e-12 * off + 1e-322);
+      const bool told = std::ranges::find(bound.values, "error", &Value::name) != bound.values.end();
+      CHECK((told || off <= 0x1p-1074));  // one smaller than the least double is told as a share alone
+      if (told) CHECK(std::abs(std::abs(value(bound, "error")) - off) <= 1e-12 * off + 1e-322);
       CHECK(says(find(walk, "determinant")->caption, "came out equal") == (f.det == 0));
     }
     const double factor = number(p, "factor");

@@ -233,7 +233,7 @@ const std::vector<std::pair<std::string, double (*)(const OnShow&)>>& ways() {
          return std::min((o.told[0] - o.told[3]) / o.told[4], (o.told[1] - o.told[2]) / o.told[4]);
        }},
       {"For how long do they share points", [](const OnShow& o) { return (o.told[0] + o.told[1]) / o.told[2]; }},
-      {"Until which time can there be no contact", [](const OnShow& o) { return o.told[0] / o.told[1]; }},
+      {"What is the longest step that surely passes no contact", [](const OnShow& o) { return o.told[0] / o.told[1]; }},
   };
   return all;
 }
