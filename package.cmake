@@ -30,7 +30,9 @@ set(CPACK_COMPONENTS_ALL core)
 
 isect_debian_papers(core libisect-dev)
 set(CPACK_DEBIAN_CORE_PACKAGE_NAME libisect-dev)
-set(CPACK_DEBIAN_CORE_PACKAGE_ARCHITECTURE all)
+if(NOT ISECT_COMPILED)
+  set(CPACK_DEBIAN_CORE_PACKAGE_ARCHITECTURE all)
+endif()
 set(CPACK_DEBIAN_CORE_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_CORE_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
 set(CPACK_DEBIAN_CORE_DESCRIPTION "exact intersection tests of shapes, header-only

@@ -43,9 +43,7 @@ std::string cache(const char* level, int name) {
   const long bytes = sysconf(name);
   return bytes <= 0 ? "" : std::to_string((bytes + (1 << 19)) >> 20) + " MB of " + level;
 }
-}  // namespace
 
-namespace {
 /// Seconds of one pass of a fixed loop: as many as a suite's pass over ordinary cases takes, 0.5 ms.
 double fixed_pass() {
   const auto start = std::chrono::steady_clock::now();
