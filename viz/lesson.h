@@ -207,6 +207,9 @@ struct Lesson {
   std::vector<std::string> ideas = {};  ///< terms of the glossary that it shares with others
   /// Returns which other lessons these are, by idea. Null: the lesson stands alone.
   std::vector<SharedIdea> (*shared)(const Lesson&) = nullptr;
+  /// A case of the lesson's test as JSON for `isect query`, with line breaks where it is long: see `judge` in
+  /// viz/walk/closing.h. Empty: none.
+  std::string query = {};
   std::string made_from = {};  ///< the text of the scene file that it was made from; empty: it is built in
 
   /// Returns all steps for a setting: the lesson's own, its map of cases, its closing card. The map lacks its regions,

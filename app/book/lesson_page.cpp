@@ -62,7 +62,11 @@ std::string exercises(const viz::Lesson& lesson) {
     out += folded("Solution", prose(e.solution)) + "</li>\n";
     solutions += html(Blocks{Prose{e.solution, fmt::format("Exercise {}.", ++number)}});
   }
-  return out + "</ol>\n<div class=\"answers\">\n<h3>Solutions</h3>\n" + solutions + "</div>\n</section>\n";
+  out += "</ol>\n";
+  if (const std::optional<viz::Judge> own = viz::judge(lesson))
+    out += fmt::format("{}<pre class=\"judge\">{}</pre>\n", prose(own->told),
+                       viz::xml_escaped(fmt::format("{}", fmt::join(own->command, "\n"))));
+  return out + "<div class=\"answers\">\n<h3>Solutions</h3>\n" + solutions + "</div>\n</section>\n";
 }
 
 std::string link(const viz::Lesson& to, bool alone) {

@@ -11,6 +11,7 @@
 #include "app/pages/html.h"
 #include "app/pages/latex.h"
 #include "app/pages/pages.h"
+#include "viz/text/rich_text.h"
 #include "viz/text/tex.h"
 #include "viz/walk/closing.h"
 
@@ -53,6 +54,12 @@ Blocks contents(const Excerpt& e, const std::set<int>& drawn) {
     for (const viz::Exercise& x : e.lesson->closing->exercises) {
       all.push_back(Prose{prompt(x), fmt::format("Exercise {}.", ++exercises)});
       answers.push_back(Prose{x.solution, fmt::format("Exercise {}.", exercises)});
+    }
+    if (const std::optional<viz::Judge> own = viz::judge(*e.lesson)) {
+      all.push_back(Prose{own->told});
+      Code command;
+      for (const std::string& line : own->command) command.lines.push_back(viz::as_markup(line));
+      all.push_back(command);
     }
   }
   if (!answers.empty()) all.push_back(Heading{"Answers"});

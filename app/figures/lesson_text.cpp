@@ -29,6 +29,15 @@ std::string heading(const std::string& text, char rule, std::size_t width) {
   return inked(Ink::bold, wrapped(text, width, 0)) + std::string(std::min(count_characters(text), width), rule) + "\n";
 }
 
+/// Who judges a reader's own program; its command as it is typed.
+std::string judge_text(const viz::Lesson& lesson, std::size_t columns) {
+  const std::optional<viz::Judge> own = viz::judge(lesson);
+  if (!own) return {};
+  std::string out = wrapped(plain(own->told), columns, 0);
+  for (const std::string& line : own->command) out += "  " + line + "\n";
+  return out;
+}
+
 class LessonWriter {
  public:
   LessonWriter(const Excerpt& e, const TextOptions& how) : e_(e), how_(how) {}
@@ -260,6 +269,7 @@ class LessonWriter {
       else
         answers_ += paragraph(fmt::format("Exercise {}: {}", i + 1, solution));
     }
+    out += judge_text(*e_.lesson, how_.columns);
     return out + (how_.answers ? "" : "\n");
   }
 
@@ -288,8 +298,9 @@ std::string exercises_text(const viz::Lesson& lesson, const TextOptions& how) {
     if (!way.empty()) out += wrapped("One way:" + way, how.columns, 3);
     out += wrapped("Solution: " + plain(e.solution), how.columns, 3) + "\n";
   }
-  out.pop_back();
-  return out;
+  const std::string judge = judge_text(lesson, how.columns);
+  if (judge.empty()) out.pop_back();
+  return out + judge;
 }
 
 }  // namespace isect::program

@@ -6,6 +6,7 @@
 #include "bench/contest.h"
 #include "bench/growth.h"
 #include "bench/point_polygon/families.h"
+#include "bench/point_polygon/oracle.h"
 #include "bench/session.h"
 
 namespace isect::bench::convex_polygon_suite {

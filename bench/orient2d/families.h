@@ -1,12 +1,14 @@
 #pragma once
-// Three points that are hard to orient, each family a seeded generator; and their true orientation.
+// Three points that are hard to orient, each family a seeded generator. Their true orientation stands in
+// oracle.h.
 
 #include <array>
+#include <limits>
+#include <type_traits>
 
 #include <isect/shapes.h>
 #include "bench/named_draw.h"
 #include "bench/random_shapes.h"
-#include "bench/rational.h"
 
 namespace isect::bench {
 
@@ -105,14 +107,3 @@ constexpr std::array<NamedDraw<OrientCase<S>>, 8> orient2d_draws = {{
 }};
 
 }  // namespace isect::bench
-
-namespace isect::oracle {
-
-/// +1 when a, b, c turn counter-clockwise, -1 clockwise, 0 on one line.
-template <class S>
-int orientation(const Point<S, 2>& a, const Point<S, 2>& b, const Point<S, 2>& c) {
-  const auto p = rational<S, 2>(a), u = rational<S, 2>(b) - p, v = rational<S, 2>(c) - p;
-  return sign(u[0] * v[1] - u[1] * v[0]);
-}
-
-}  // namespace isect::oracle

@@ -5,6 +5,7 @@
 #include <isect/methods/orient.h>
 #include "bench/contest.h"
 #include "bench/orient2d/families.h"
+#include "bench/orient2d/oracle.h"
 #include "bench/session.h"
 #ifdef ISECT_PEERS
 #include "bench/orient2d/peers.h"

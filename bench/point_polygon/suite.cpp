@@ -9,6 +9,7 @@
 #include "bench/growth.h"
 #include "bench/growth_shapes.h"
 #include "bench/point_polygon/families.h"
+#include "bench/point_polygon/oracle.h"
 #include "bench/session.h"
 #ifdef ISECT_PEERS
 #include "bench/point_polygon/peers.h"

@@ -6,6 +6,7 @@
 #include "bench/pair_contest.h"
 #include "bench/ray_triangle/families.h"
 #include "bench/ray_triangle/oracle.h"
+#include "bench/ray_triangle/shared_edges.h"
 #include "bench/session.h"
 #ifdef ISECT_PEERS
 #include "bench/ray_triangle/peers.h"

@@ -4,12 +4,18 @@
 // Source: Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, Discrete
 // Comput. Geom. 18 (1997).
 
+#include <variant>
+
 #include <isect/numbers/predicate.h>
 #include <isect/shapes.h>
 
 namespace isect {
 
 namespace orient {
+
+/// Fallback is reported to anyone; operations and stages, to a listener that derives from HearsOperations and
+/// HearsStages.
+using Event = std::variant<Operation, Stage, Fallback>;
 
 namespace detail {
 

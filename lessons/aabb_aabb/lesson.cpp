@@ -58,6 +58,8 @@ const Lesson& lesson() {
       .after = {"relations", "intervals"},
       .ideas = {"separating axis", "containment"},
       .shared = shared_ideas,
+      .query = R"({"kind": "box_box", "alo": [0, 0, 0], "ahi": [1, 1, 1],
+ "blo": [1, 0, 0], "bhi": [2, 1, 1]})",
   };
   return lesson;
 }

@@ -161,8 +161,8 @@ class Teller {
   }
 
   std::string end_formula() const {
-    if (s_.truth == Relation::b_inside_a) return "b ⊆ a: a.min_i ≤ b.min_i and b.max_i ≤ a.max_i for all *i*";
-    if (s_.truth == Relation::a_inside_b) return "a ⊆ b: b.min_i ≤ a.min_i and a.max_i ≤ b.max_i for all *i*";
+    if (s_.truth == Relation::b_inside_a) return "b ⊆ a: a.min_i ≤ b.min_i and b.max_i ≤ a.max_i on each axis *i*";
+    if (s_.truth == Relation::a_inside_b) return "a ⊆ b: b.min_i ≤ a.min_i and a.max_i ≤ b.max_i on each axis *i*";
     return {};
   }
 

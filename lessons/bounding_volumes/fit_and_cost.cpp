@@ -7,6 +7,7 @@
 
 #include <isect/volume.h>
 #include "lessons/bounding_volumes/picture.h"
+#include "lessons/bounding_volumes/upkeep.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 #include "viz/chart/chart.h"
@@ -62,6 +63,7 @@ class Fit {
         {}, {}, fmt::format("{} triangles", mesh_.triangles.size()));
     sphere(), aabb(), obb(), slab_of_dop(), dops();
     tightness();
+    tell_upkeep(script_, upkeep(fitted_.obb, all_[2]), upkeep(fitted_.kdop, fitted_.hull.vertices, all_[3]));
     trade_off();
     return std::move(script_.walk());
   }
@@ -93,18 +95,20 @@ class Fit {
   }
 
   void sphere() {
-    volume_step(0, 0, "Sphere: a centre and a radius",
-                "The radius reaches to the farthest vertex. When the object turns, only the centre moves with it.\n"
-                "Void is what of a volume the object leaves empty: of this sphere, " +
-                    in_percent(part_that_is_void(all_[0])) + ". Below, it is told in volumes of the object.",
-                radius(fitted_.ball, farthest(mesh_, fitted_.ball)), "|**x** − **c**| ≤ *r*");
+    volume_step(
+        0, 0, "Sphere: a centre and a radius",
+        "It holds every point **x** within the radius *r* of the centre **c**; *r* reaches to the farthest vertex.\n"
+        "When the object turns, only the centre moves with it.\n"
+        "Void is what of a volume the object leaves empty: of this sphere, " +
+            in_percent(part_that_is_void(all_[0])) + ". Below, it is told in volumes of the object.",
+        radius(fitted_.ball, farthest(mesh_, fitted_.ball)), "|**x** − **c**| ≤ *r*");
   }
 
   void aabb() {
     Step& step = volume_step(1, 1, "AABB: two extreme points",
-                             "An axis-aligned bounding box (AABB): the least and the greatest coordinate on each axis, "
-                             "so *a*_{min,*i*} ≤ *a*_{max,*i*}. "
-                             "Both are found and tested by comparisons alone.\n"
+                             "An axis-aligned bounding box (AABB): the least and the greatest coordinate on each axis "
+                             "*i*, so *a*_{min,*i*} ≤ *a*_{max,*i*}. A coordinate *x_i* of a point in it lies between "
+                             "them. The ends are found and tested by comparisons alone.\n"
                              "When the object turns, the box must be fitted again.",
                              corners(fitted_.aabb), "*a*_{min,*i*} ≤ *x_i* ≤ *a*_{max,*i*} for *i* = x, y, z");
     const double box = all_[1].volume, ball = all_[0].volume;
@@ -117,12 +121,11 @@ class Fit {
   }
 
   void obb() {
-    volume_step(
-        2, 2, "OBB: axes and half-lengths",
-        "An oriented bounding box (OBB): a centre, three unit axes (orthogonal, right-handed) and a half-length along "
-        "each.\n"
-        "It rotates with the object: its axes are rotated. Finding the tightest axes takes a search.",
-        axes(fitted_.obb), "|(**x** − **b**_c) · **b***_i*| ≤ *h_i* for *i* = u, v, w")
+    volume_step(2, 2, "OBB: axes and half-lengths",
+                "An oriented bounding box (OBB): a centre **b**_c, three unit axes **b***_i* (orthogonal, "
+                "right-handed) and a half-length *h_i* along each.\n"
+                "It rotates with the object: its axes are rotated. Finding the tightest axes takes a search.",
+                axes(fitted_.obb), "|(**x** − **b**_c) · **b***_i*| ≤ *h_i* for *i* = u, v, w")
         // one axis follows from the other two; a corner instead of axes; an AABB's
         .question = which_value("An OBB keeps a centre, three axes and three half-lengths. How many numbers are that?",
                                 static_cast<double>(all_[2].numbers), {6, 9, 12},
@@ -151,7 +154,8 @@ class Fit {
     script_.value(void_part, part_that_is_void(all_[3]));
     Step& step =
         script_.add("k-dops", "k-DOPs: more slabs, less void", 3,
-                    "*k* is even, as each normal gives a slab with two bounds. More slabs can only cut off more.\n"
+                    "*k* is even, as each normal **n***_i* gives a slab with two bounds, *lo_i* and *hi_i*. More slabs "
+                    "can only cut off more.\n"
                     "All objects share the normals, so only *k* bounds are stored. With *k* = 6 this is the AABB.",
                     "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
     step.scene.items = side_by_side(mesh_, fitted_.object, dops_);  // no handle: the object stands in each of them

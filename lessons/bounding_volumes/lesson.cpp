@@ -88,6 +88,8 @@ const Lesson& lesson() {
       .after = {"relations", "aabb-aabb", "sphere-sphere", "obb-obb"},
       .ideas = {"trivial reject", "slab"},
       .shared = shared_ideas,
+      .query = R"({"kind": "bounding_volume_fit", "volume": "sphere",
+ "points": [[0, 0, 0], [1, 2, 3], [-1, 0, 2]]})",
   };
   return lesson;
 }

@@ -68,6 +68,9 @@ const Lesson& lesson() {
       .after = {"intervals", "sphere-sphere", "convex-hull"},
       .ideas = {"Minkowski sum", "orientation"},
       .shared = shared_ideas,
+      .query = R"({"kind": "capsule_capsule",
+ "a": {"p": [-4, 0, 0], "q": [4, 0, 0], "r": 2},
+ "b": {"p": [2, 3, 5], "q": [-2, -3, 5], "r": 3}})",
   };
   return lesson;
 }

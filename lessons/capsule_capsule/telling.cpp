@@ -57,8 +57,8 @@ class Teller {
     script_.value("*R*", sum(), "length", Role::first);
     shown_.radii = true;
     add("reach", "How far do they reach?", 0,
-        "A capsule is the Minkowski sum of a segment and a ball: all points within *r* of the segment.\n"
-        "So two capsules meet if and only if their segments come within *R* = *r*_a + *r*_b of each other.",
+        "A capsule is the Minkowski sum of a segment and a ball: all points within its radius *r* of the segment.\n"
+        "So two capsules meet if and only if the distance *d* of their segments is at most *R* = *r*_a + *r*_b.",
         fmt::format("*R* = {} + {} = {}", shown(s_.a.radius), shown(s_.b.radius), shown(sum())));
     shown_.radii = false;
   }
@@ -68,7 +68,7 @@ class Teller {
     if (e.holds) least_ = 0, script_.value("*d*", 0, "length", Role::highlight);
     Step& step =
         add("crossing", "Do the segments cross?", 1,
-            e.holds ? "They cross between their ends, so their distance is 0."
+            e.holds ? "They cross between their ends, so their distance *d* is 0."
                     : "No crossing. In the plane, a shortest connection of the segments then starts at an endpoint.\n"
                       "In space it may start between the ends of both, so four ends would not be enough.",
             e.holds ? "*d* = 0" : "");

@@ -46,7 +46,8 @@ const Closing& closing() {
           "contacts (a face clipped by a face).",
       .bug = "Reciprocals of zero: 0 · ∞ is not a number, and a segment along a side is lost.",
       .bug_preset = "along-a-side",
-      .reading = {"You-Dong Liang and Brian Barsky, A New Concept and Method for Line Clipping, *ACM Transactions on "
+      .reading = {"Timothy Kay and James Kajiya, Ray Tracing Complex Scenes, *SIGGRAPH*, 1986, pages 269–278.",
+                  "You-Dong Liang and Brian Barsky, A New Concept and Method for Line Clipping, *ACM Transactions on "
                   "Graphics* 3, 1984, pages 1–22.",
                   "Ivan Sutherland and Gary Hodgman, Reentrant Polygon Clipping, *Communications of the ACM* 17, 1974, "
                   "pages 32–42.",
@@ -63,10 +64,12 @@ const Closing& closing() {
           {"How many vertices can a triangle have after four sides have cut it?",
            "Seven: a cut of a convex polygon adds at most one vertex. A triangle can keep a part of each of its three "
            "sides, and of the box's four."},
-          {"Why do slabs by reciprocals lose a segment along a side?",
-           "There *d* = 0, so 1/*d* = ∞, and the distance to the side is 0. Their product is NaN. Test for "
-           "*d* = 0 "
-           "first."},
+          {"Why do slabs by reciprocals lose a segment along the top, but not along the bottom? And what do exchanged "
+           "arguments change?",
+           "*d* = 0 makes 1/*d* = ∞, and ∞ times the distance 0 is NaN. No comparison with NaN holds, so min and max "
+           "return their first argument. Along the top that is *t*_1 = −∞, which hides the NaN. Along the bottom it is "
+           "*t*_1 = NaN; there the range survives only as the first argument. Test for *d* = 0 first.",
+           "slabs-bottom"},
           {"Why must a renderer clip at the near plane before it divides by depth?",
            "Points behind the eye have negative depth. The division would mirror them to the front of the eye."},
       }};

@@ -1,6 +1,6 @@
 // Clipping (N01): a segment by a range of t that narrows, a polygon by one cut a side; both against a box.
 //
-// The walks stand in clipping/segment and clipping/polygon.
+// The walks stand in clipping/segment, clipping/reciprocals and clipping/polygon.
 
 #include <isect/clip_segment.h>
 #include <isect/methods/clip_segment.h>
@@ -31,6 +31,15 @@ const Situation segments[] = {
     {"at-a-corner", "touching a corner", {{{1, 2}, {3, 0.5}, {0, 2}, {-3, 1}}}},
     {"along-a-side", "along a side", {{{-3, 1.25}, {1, 1.25}, {0, 2}, {-3, 1}}}},
 };
+const Situation slabs[] = {
+    {"slabs", "both ends cut", {{{-3, -2}, {3.5, 2}, {0, 2}, {-3, 1}}}},
+    {"slabs-bottom", "along the bottom", {{{-3, -1.25}, {1, -1.25}, {0, 2}, {-3, 1}}}},
+    {"slabs-top", "along the top", {{{-3, 1.25}, {1, 1.25}, {0, 2}, {-3, 1}}}},
+};
+const Situation exchanged[] = {
+    {"slabs-bottom-exchanged", "bottom, exchanged", {{{-3, -1.25}, {1, -1.25}, {0, 2}, {-3, 1}}}},
+    {"slabs-left-exchanged", "left, exchanged", {{{-2, -2}, {-2, 1}, {0, 2}, {-3, 1}}}},
+};
 const Situation polygons[] = {
     {"cut", "cut", {{{-1.5, -2}, {3.25, -0.75}, {1, 2}, {-3, 0.5}}}},
     {"polygon-inside", "inside", {{{-0.5, -1}, {1.5, -0.5}, {1, 1}, {-1.5, 0.5}}}},
@@ -42,8 +51,8 @@ const Situation polygons[] = {
     {"concave", "not convex", {{{0.25, -1.125}, {2.25, 0}, {0.25, 1.125}, {3.75, 0}}}},
 };
 
-Preset preset_of(const Situation& s, const std::string& shape) {
-  Parameters values = {{"shape", shape}};
+Preset preset_of(const Situation& s, const std::string& shape, const std::string& first = "range") {
+  Parameters values = {{"shape", shape}, {"first", first}};
   for (int i = 0; i < 4; ++i) values[std::string(1, "pqrs"[i])] = flat(s.points[i]);
   return {s.id, s.title, shape, values};
 }
@@ -51,6 +60,8 @@ Preset preset_of(const Situation& s, const std::string& shape) {
 std::vector<Preset> presets() {
   std::vector<Preset> all;
   for (const Situation& s : segments) all.push_back(preset_of(s, "segment"));
+  for (const Situation& s : slabs) all.push_back(preset_of(s, "slabs"));
+  for (const Situation& s : exchanged) all.push_back(preset_of(s, "slabs", "slab"));
   for (const Situation& s : polygons) all.push_back(preset_of(s, "polygon"));
   return all;
 }
@@ -59,24 +70,28 @@ Parameter vertex(const char* name, const char* help, int index) {
   return vector(name, std::string("**") + name + "**", help, flat(polygons[0].points[index]));
 }
 
-bool is_segment(const Parameters& values) { return std::get<std::string>(values.at("shape")) == "segment"; }
+bool is(const Parameters& values, const char* shape) { return std::get<std::string>(values.at("shape")) == shape; }
 
 Walk walk(const Parameters& values) {
   const auto at = [&](const char* name) { return flat_point(values, name); };
   const Box box = box_of_lesson();
-  if (is_segment(values)) return clip_a_segment({at("p"), at("q")}, box);
+  if (is(values, "segment")) return clip_a_segment({at("p"), at("q")}, box);
+  if (is(values, "slabs"))
+    return clip_by_reciprocals({at("p"), at("q")}, box, std::get<std::string>(values.at("first")) == "range");
   return clip_a_polygon({at("p"), at("q"), at("r"), at("s")}, box);
 }
 
 /// Whether anything of a segment is kept.
 std::vector<Opinion> opinions(const Parameters& values) {
-  if (!is_segment(values)) return {};
+  if (is(values, "polygon")) return {};
   const Segment<double, 2> s = {flat_point(values, "p"), flat_point(values, "q")};
   const Box box = box_of_lesson();
   const auto says = [](const auto& kept) { return kept ? "a part is kept" : "nothing is kept"; };
   Opinions all(says(clip(s, box)));
   all.add("Liang and Barsky", says(clip_segment::liang_barsky(s, box)));
   all.add("slabs, min and max", says(ray_aabb::by_min_max(segment(s.p, s.q), box)));
+  if (is(values, "slabs"))
+    all.add("slabs, min and max exchanged", says(ray_aabb::by_min_max_exchanged(segment(s.p, s.q), box)));
   all.add("slabs, by sign", says(ray_aabb::by_sign(segment(s.p, s.q), box)));
   return all.take();
 }
@@ -89,7 +104,14 @@ const Lesson& lesson() {
       .title = "Clipping",
       .rows = "N01",
       .summary = "The part of a segment or a polygon that lies in a box: the sides cut it one after another.",
-      .parameters = {choice("shape", "shape", "What is clipped at the box.", {"segment", "polygon"}),
+      .parameters = {choice("shape", "shape",
+                            "What is clipped at the box: a segment, side by side or slab by slab; or a polygon.",
+                            {"segment", "slabs", "polygon"}),
+                     where(
+                         "shape", {"slabs"},
+                         choice("first", "first argument",
+                                "What min and max have as their first argument: the range so far, or the new slab's t.",
+                                {"range", "slab"})),
                      vertex("p", "First end or vertex, in world units; its third coordinate is not used.", 0),
                      vertex("q", "Second end or vertex, in world units.", 1),
                      where("shape", {"polygon"}, vertex("r", "Third vertex of the polygon; a segment has none.", 2)),
@@ -106,6 +128,8 @@ const Lesson& lesson() {
       .after = {"intervals", "rays", "ray-polygon"},
       .ideas = {"trivial reject", "slab", "half-space"},
       .shared = shared_ideas,
+      .query = R"({"kind": "segment_box", "segment": [[-3, 1.25], [1, 1.25]],
+ "lo": [-2, -1.25], "hi": [2, 1.25]})",
   };
   return lesson;
 }

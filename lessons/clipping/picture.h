@@ -17,7 +17,10 @@ const std::string& opening();
 const viz::Closing& closing();
 
 viz::Walk clip_a_segment(const Segment<double, 2>&, const Box&);  ///< Liang and Barsky: a range of t
-viz::Walk clip_a_polygon(const Ring<double, 2>&, const Box&);     ///< Sutherland and Hodgman: side by side
+/// By slabs with reciprocals. `range_first`: the range is the first argument of min and max, and what is new the
+/// second.
+viz::Walk clip_by_reciprocals(const Segment<double, 2>&, const Box&, bool range_first);
+viz::Walk clip_a_polygon(const Ring<double, 2>&, const Box&);  ///< Sutherland and Hodgman: side by side
 
 /// One side of the box: the lower or the upper one on an axis.
 struct Side {

@@ -61,7 +61,7 @@ void SegmentTeller::say(const clip_segment::Outcodes& e) {
       inside   ? 0
       : beyond ? 2
                : 1,
-      std::string("One bit for each side that an endpoint lies beyond: top, bottom, right, left.\n") +
+      std::string("One bit for each side that an end, **p** or **q**, lies beyond: top, bottom, right, left.\n") +
           (inside   ? "All bits are 0, so both ends lie in the box. The box is convex: trivial accept."
            : beyond ? "A bit is 1 in both, so the whole segment lies beyond that side: trivial reject."
                     : "Some bit is 1, but none is 1 in both. Only now is there a need to compute."),
@@ -83,7 +83,8 @@ void SegmentTeller::say(const clip_segment::Outcodes& e) {
   script_.value("*t*_{out}", 1, "t");
   Step& begin = script_.add("range", "The range of *t*", 3,
                             "The segment is **p** + *t* **d** with 0 ≤ *t* ≤ 1, where **d** = **q** − **p**.\n"
-                            "Each side of the box will cut this range. What is left at the end lies in the box.",
+                            "Each side of the box, with its normal **n** pointing inwards, will cut this range. What "
+                            "is left at the end lies in the box.",
                             "[*t*_{in}, *t*_{out}] = [0, 1]");
   begin.scene = picture(known_);
 }
@@ -105,7 +106,7 @@ void SegmentTeller::end() {
   const int line = trivial_ || !found_ ? last : 9;
   script_
       .add("kept", truth_ ? "What is kept" : "Nothing is kept", line, end_caption(one),
-           truth_ && !one ? fmt::format("**p** + *t* **d**,  {} ≤ *t* ≤ {}", lo, hi) : "")
+           truth_ && !one && !trivial_ ? fmt::format("**p** + *t* **d**,  {} ≤ *t* ≤ {}", lo, hi) : "")
       .scene = picture(known_);
 }
 

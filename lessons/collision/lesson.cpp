@@ -61,6 +61,8 @@ const Lesson& lesson() {
         .after = {"aabb-aabb", "rays", "hierarchy"},
         .ideas = {"Minkowski sum", "continuous collision detection", "bounding volume hierarchy", "temporal coherence"},
         .shared = shared_ideas,
+        .query = R"({"kind": "box_box", "alo": [0, 0], "ahi": [1, 1],
+ "blo": [0.5, 0.5], "bhi": [2, 2]})",
     };
   }();
   return lesson;

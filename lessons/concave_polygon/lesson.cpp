@@ -14,8 +14,8 @@ namespace {
 using namespace viz;
 
 Preset preset_of(const char* id, const char* title, const std::string& method, const std::string& polygon,
-                 const Vec3& p) {
-  return {id, title, method, {{"method", method}, {"polygon", polygon}, {"p", p}}};
+                 const Vec3& p, const std::string& order = "random") {
+  return {id, title, method, {{"method", method}, {"polygon", polygon}, {"p", p}, {"order", order}}};
 }
 
 std::vector<Preset> presets() {
@@ -27,6 +27,7 @@ std::vector<Preset> presets() {
           preset_of("slabs-spiky", "long spikes", "slabs", "spiky", spikes),
           preset_of("trapezoids", "inside", "trapezoids", "concave", {0.375, 0, 0}),
           preset_of("trapezoids-edge", "on an edge", "trapezoids", "concave", {0.5625, -0.375, 0}),
+          preset_of("trapezoids-sorted", "from left to right", "trapezoids", "spiky", {0.5, 0, 0}, "sorted"),
           preset_of("hierarchy", "inside", "hierarchy", "concave", inside)};
 }
 
@@ -34,7 +35,10 @@ std::vector<Parameter> parameters() {
   std::vector<Parameter> all = {
       choice("method", "method", "How the polygon is preprocessed.", {"slabs", "trapezoids", "hierarchy"}),
       choice("polygon", "polygon", "With notches, or with long spikes.", {"concave", "spiky"}),
-      vector("p", "**p**", "The point, in world units; its third coordinate is not used.", Vec3(-0.875, 1, 0))};
+      vector("p", "**p**", "The point, in world units; its third coordinate is not used.", Vec3(-0.875, 1, 0)),
+      where("method", {"trapezoids"},
+            choice("order", "order", "How the edges are added: in random order, or sorted from left to right.",
+                   {"random", "sorted"}))};
   for (int i = 0; i < most_corners(); ++i) all.push_back(movable("v", i, "polygon's corner"));
   return all;
 }
@@ -88,6 +92,8 @@ const Lesson& lesson() {
       .after = {"crossings", "convex-polygon"},
       .ideas = {"bisection", "half-open rule"},
       .shared = shared_ideas,
+      .query = R"({"kind": "pip", "variant": "trapezoids", "point": [2, 3],
+ "rings": [[[0, 0], [4, 0], [4, 4], [2, 1], [0, 4]]]})",
   };
   return lesson;
 }

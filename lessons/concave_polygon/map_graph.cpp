@@ -94,8 +94,8 @@ void add_graph(Scene& scene, const Frame& frame, const TrapezoidMap& map, bool n
 }
 
 void add_path(Scene& scene, const Frame& frame, const TrapezoidMap& map, const std::vector<Asked>& path) {
-  const double unit = frame.unit, x = frame.table(0.3), top = frame.below_top(0.6), pitch = 0.36 * unit,
-               stub = 0.22 * unit;
+  const double unit = frame.unit, x = frame.table(0.3), top = frame.below_top(0.6),
+               pitch = std::min(0.36, 3.3 / depth(map)) * unit, stub = 0.22 * unit;  // the longest path fits
   for (Index k = 0; k < path.size(); ++k) {
     const Node& n = map.nodes[path[k].node];
     const double y = top - pitch * static_cast<double>(k);

@@ -36,6 +36,11 @@ const Ring<double, 2>& given(bool spiky) {
 
 bool is_spiky(const Parameters& values) { return std::get<std::string>(values.at("polygon")) == "spiky"; }
 
+bool is_sorted(const Parameters& values) {
+  const auto order = values.find("order");
+  return order != values.end() && std::get<std::string>(order->second) == "sorted";
+}
+
 Ring<double, 2> ring_of(const Parameters& values) {
   Ring<double, 2> ring = given(is_spiky(values));
   move_vertices(values, "v", ring);
@@ -76,7 +81,11 @@ bool can_be_prepared(const Parameters& values) {
 }
 
 Setup::Setup(const Parameters& values)
-    : spiky(is_spiky(values)), ring(ring_of(values)), p(flat_point(values, "p")), truth(locate(p, ring)) {}
+    : spiky(is_spiky(values)),
+      sorted(is_sorted(values)),
+      ring(ring_of(values)),
+      p(flat_point(values, "p")),
+      truth(locate(p, ring)) {}
 
 Setup::Setup(const Ring<double, 2>& of, const Point<double, 2>& at)
     : frame(frame_of(of)), spiky(false), ring(of), p(at), truth(locate(p, ring)) {}

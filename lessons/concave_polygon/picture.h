@@ -30,6 +30,7 @@ struct Setup {
 
   Frame frame;
   bool spiky;
+  bool sorted = false;  ///< the map's edges are added from left to right, not at random
   Ring<double, 2> ring;
   Point<double, 2> p;
   Location truth;
@@ -60,7 +61,6 @@ const Kept& kept(int spikes);
 inline constexpr int fewest_spikes = 8, most_spikes = 512;
 viz::Chart growth();
 std::string growth_caption();
-
 // Pictures.
 
 viz::Region polygon(const Setup&, bool outlined = true);

@@ -6,6 +6,7 @@
 
 #include <tuple>
 
+#include "lessons/concave_polygon/depth.h"
 #include "lessons/concave_polygon/map_picture.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
@@ -28,7 +29,7 @@ class Trapezoids {
         script_({"Lecture note, concave polygons; Seidel, Computational Geometry 1 (1991); de Berg et al., "
                  "Computational Geometry (2008), ch. 6",
                  alt_text(setup, "split into trapezoids by walls at its vertices"),
-                 {"for each edge, in random order",                        // 0
+                 {"for each edge, at best in random order",                // 0
                   "    follow it through the trapezoids that it cuts",     // 1
                   "    put a question in the place of each: x or y",       // 2
                   "x: is p left or right of the vertex? next question",    // 3
@@ -39,7 +40,7 @@ class Trapezoids {
 
   Walk tell() {
     Record<trapezoid_map::BuildEvent> record;
-    map_ = make_trapezoid_map(s_.ring, seed, record);
+    map_ = s_.sorted ? sorted_map(s_.ring, record) : make_trapezoid_map(s_.ring, seed, record);
     build(record.events);
     search();
     return std::move(script_.walk());
@@ -71,8 +72,11 @@ class Trapezoids {
     start.items = {polygon(s_),
                    trapezoid(s_.frame, map, {-1, -1, -1, static_cast<int>(s_.ring.size())}, Role::highlight)};
     add("edges", "One trapezoid: the whole plane", 0,
-        "The map starts with one trapezoid. Edges are added one by one, in random order, so that no polygon "
-        "is bad on average.",
+        s_.sorted ? "The map starts with one trapezoid. Edges are added one by one, here by their left ends, from left "
+                    "to right.\n"
+                    "That order is a bad one for long spikes."
+                  : "The map starts with one trapezoid. Edges are added one by one, in random order, so that no "
+                    "polygon is bad on average.",
         start);
     const auto cuts = [](const auto& event) { return std::get<trapezoid_map::Inserted>(event).cut; };
     const Index most = static_cast<Index>(std::ranges::max_element(events, {}, cuts) - events.begin());
@@ -81,7 +85,8 @@ class Trapezoids {
       const TrapezoidMap before = map;
       builder.insert(inserted.piece);
       inserted_.push_back(inserted.piece);
-      if (k == 0 || k == most) tell_insert(before, map, inserted, static_cast<int>(k));
+      if (k == 0 || k == (s_.sorted ? events.size() - 1 : most))
+        tell_insert(before, map, inserted, static_cast<int>(k));
     }
     Scene all = grown(s_, map, inserted_, -1);
     all.items.emplace_back(
@@ -89,18 +94,20 @@ class Trapezoids {
     add_graph(all, s_.frame, map, false);
     count(map);
     const int n = s_.size();
-    Step& step = add(
-        "map", "All edges added", 2,
-        "From every vertex, vertical walls run up and down to the next edge. If no two share an *x*-coordinate, the "
-        "trapezoids number 2*n* + 1.\n"
-        "The questions form a graph of O(*n*) nodes, built in O(*n* lg *n*), on average over the orders.",
-        std::move(all));
+    Step& step = add("map", "All edges added", 2,
+                     "From every vertex, vertical walls run up and down to the next edge. If no two share an "
+                     "*x*-coordinate, the trapezoids number 2*n* + 1.\n" +
+                         std::string(s_.sorted ? "The questions form a graph: each path through it is a search."
+                                               : "The questions form a graph of O(*n*) nodes, built in O(*n* lg *n*), "
+                                                 "on average over the orders."),
+                     std::move(all));
     step.formula = fmt::format("2*n* + 1 = {}", 2 * n + 1);
     // misconceptions: one a vertex; the bound for edges without common ends; those of a grid
     step.question =
         which_value("How many trapezoids does the complete map have?", 2 * n + 1, {n + 1.0, 3 * n + 1.0, 1.0 * n * n},
                     "On average two trapezoids begin at each vertex. One more has no left end.");
     keep_picture(script_.walk());
+    if (s_.sorted) tell_depth(script_, s_.ring, map_);
   }
 
   void tell_insert(const TrapezoidMap& before, const TrapezoidMap& now, const trapezoid_map::Inserted& inserted,
@@ -176,7 +183,11 @@ class Trapezoids {
     const int next = side < 0 ? node.first : node.second;
     script_.value("questions asked", static_cast<double>(path_.size()));
     Scene scene = searched(s_, map_, path_, side == 0 ? -1 : next);
-    Step& step = add(fmt::format("ask-{}", path_.size()), title, side == 0 ? 5 : line, caption, scene);
+    // two steps in a row have different titles
+    const std::string named = title.substr(0, title.rfind("the ")) + name(node);
+    Step& step =
+        add(fmt::format("ask-{}", path_.size()), title == asked_ ? named : title, side == 0 ? 5 : line, caption, scene);
+    asked_ = title;
     step.decides = true;
     if (side == 0) return finish(-1);
     at_ = next;
@@ -192,11 +203,12 @@ class Trapezoids {
     Scene scene = found(s_, map_, path_, trapezoid_reached);
     const Index questions = on ? path_.size() : path_.size() - 1;
     add("verdict", on ? "On the boundary" : "A trapezoid is reached", on ? 5 : 6,
-        fmt::format("{}\n{} question{} for {} vertices. The mean over all orders of insertion is O(lg *n*).",
+        fmt::format("{}\n{} question{} for {} vertices. The mean over all orders of insertion is O(lg *n*).{}",
                     on                         ? "A question that is answered by \"on it\" ends the search."
                     : s_.truth == Location::in ? "All of this trapezoid is inside: the mark was computed beforehand."
                                                : "All of this trapezoid is outside: the mark was computed beforehand.",
-                    questions, questions == 1 ? "" : "s", s_.size()),
+                    questions, questions == 1 ? "" : "s", s_.size(),
+                    s_.sorted ? fmt::format(" In this one a search asks up to {}.", depth(map_)) : ""),
         std::move(scene));
   }
 
@@ -205,7 +217,8 @@ class Trapezoids {
   Script script_;
   std::vector<int> inserted_;
   std::vector<Asked> path_;
-  int at_ = 0;  ///< the node that is asked next
+  int at_ = 0;         ///< the node that is asked next
+  std::string asked_;  ///< the title of the question before
   bool done_ = false;
 };
 

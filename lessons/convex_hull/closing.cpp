@@ -39,7 +39,9 @@ const Closing& closing() {
       .result =
           "The hull is the intersection of all convex sets that contain the points. Its boundary turns left at every "
           "vertex.",
-      .cost = "O(*n* lg *n*) for the sort. The scan is linear, as a point leaves a chain at most once.",
+      .cost =
+          "O(*n* lg *n*) for the sort. The scan is linear, as a point leaves a chain at most once. Output-sensitive "
+          "methods take O(*n* lg *h*) for *h* vertices.",
       .choose = "For rigid bodies whose hull is small. A box or ball is cheaper to keep, to test and to update.",
       .used =
           "Physics engines wrap bodies in hulls of few vertices; GJK and the separating axis test run on them. "
@@ -48,6 +50,10 @@ const Closing& closing() {
       .bug_preset = "scattered",
       .reading = {"Alex M. Andrew, Another Efficient Algorithm for Convex Hulls in Two Dimensions, *Information "
                   "Processing Letters* 9, 1979, pages 216–219.",
+                  "David Kirkpatrick and Raimund Seidel, The Ultimate Planar Convex Hull Algorithm?, *SIAM Journal on "
+                  "Computing* 15, 1986, pages 287–299.",
+                  "Timothy Chan, Optimal Output-Sensitive Convex Hull Algorithms in Two and Three Dimensions, "
+                  "*Discrete & Computational Geometry* 16, 1996, pages 361–368.",
                   "Franco Preparata and Michael Shamos, *Computational Geometry: An Introduction*, 1985, chapter 3.",
                   "Mark de Berg et al., *Computational Geometry: Algorithms and Applications*, 3rd edition, 2008, "
                   "section 1.1."},
@@ -67,7 +73,8 @@ const Closing& closing() {
            "most 2*n* steps."},
           {"Why does no method find every hull faster than it sorts?",
            "Map the numbers *x* to the parabola *y* = *x*^2. All points are vertices, and the hull lists them in "
-           "order. That is the worst case: where few points are vertices, faster methods exist."},
+           "order. That is the worst case. Where only *h* of the points are vertices, Kirkpatrick and Seidel's and "
+           "Chan's methods take O(*n* lg *h*): output-sensitive time."},
           {"Rounding makes one orientation wrong. What can happen to the hull?",
            "It may lose a true vertex or keep a dent, so that it is not convex. An exact predicate for the orientation "
            "prevents both."},

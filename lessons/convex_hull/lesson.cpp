@@ -85,6 +85,8 @@ const Lesson& lesson() {
         .after = {"bounding-volumes"},
         .ideas = {"orientation", "exact predicate"},
         .shared = shared_ideas,
+        .query = R"({"kind": "convex_hull2d", "points":
+ [[0, 0], [2, 0], [1, 0], [1, 1], [2, 2], [0, 2]]})",
     };
   }();
   return lesson;

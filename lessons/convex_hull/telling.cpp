@@ -49,7 +49,7 @@ class Teller {
     add("points", "Points", 0,
         kept +
             "Think of a rubber band around nails. Sorting by *x*, then *y*, dominates the time: O(*n* lg *n*).\n"
-            "The scan is linear: a chain takes each point once, and drops it at most once.");
+            "The scan is linear: a chain takes each point once, and drops it at most once. **q** is the next point.");
     Record<convex_hull_2d::Event<double>> record;
     isect::convex_hull(points_, record);
     for (const auto& event : record.events) {

@@ -58,7 +58,8 @@ class Around {
     add("centroid", "A point inside", 0,
         "The centroid of any three vertices lies inside: all the preprocessing, O(1). In a very thin polygon the "
         "rounded centroid may fall outside.\n"
-        "Angles around **q**, polar coordinates, would order the vertices. Cross products do so without an arctangent.",
+        "Angles around **q**, polar coordinates, would order **p** and the vertices **v**. Cross products do so "
+        "without an arctangent.",
         "**v** comes before **p**  if  (**v** − **q**) × (**p** − **q**) > 0,  within half a turn");
   }
 

@@ -82,6 +82,8 @@ const Lesson& lesson() {
       .after = {"crossings"},
       .ideas = {"bisection", "orientation"},
       .shared = shared_ideas,
+      .query = R"({"kind": "pip", "variant": "convex", "point": [2, 2],
+ "rings": [[[0, 0], [4, 0], [4, 4], [0, 4]]]})",
   };
   return lesson;
 }

@@ -43,8 +43,8 @@ const Closing& closing() {
           "For few points, or polygons that change. Convex polygons allow bisection in O(lg *n*). For many points, "
           "prepare slabs or trapezoids.",
       .used =
-          "Map queries (PNPOLY), scan-line filling in PDF, SVG and font renderers, ray against polygon after "
-          "projection.",
+          "Map queries (PNPOLY), ray against polygon after projection. Filling: fonts by the non-zero rule, PDF and "
+          "SVG by either.",
       .bug = "Edges that count with both ends: a vertex on the ray counts twice, and inside becomes outside.",
       .bug_preset = "vertex-passed-closed",
       .reading =
@@ -66,10 +66,15 @@ const Closing& closing() {
            "pentagram",
            inside_by_both_rules,
            {{"p", "0,1.5,0"}}},
-          {"A square has the corners (0, 0), (2, 0), (2, 2), (0, 2). Which edges count for **p** = (−1, 2)?",
-           "None. The upper corners lie on the ray and count as below it, so no end lies above."},
-          {"And which edges of that square count for **p** = (−1, 0)?",
-           "The two vertical ones: each joins a lower corner, below, to an upper one, above. Two is even: OUT."},
+          {"A square has the corners (0, 0), (2, 0), (2, 2), (0, 2). Which edges count for **p** = (−1, 2), and which "
+           "for (−1, 0)?",
+           "At the height 2 none: the upper corners count as below, so no end lies above. At the height 0 the two "
+           "vertical ones: each joins a lower corner, below, to an upper one, above. Two is even: OUT."},
+          {"A font draws a letter as two strokes that overlap, both counter-clockwise. Which rule must fill it? And "
+           "which loops of a figure eight does each rule fill?",
+           "The non-zero rule: where the strokes overlap, the winding number is 2. Even-odd would leave a hole there. "
+           "Both rules fill both loops of a figure eight, where it is 1 and −1.",
+           "figure-eight"},
           {"Why does the half-open rule count what a ray raised by *ε* crosses?",
            "Choose *ε* smaller than the rise to the next vertex. Vertices at the ray's height lie below the raised "
            "ray, all others keep their side."},

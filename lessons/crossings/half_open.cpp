@@ -52,7 +52,8 @@ class HalfOpen : Teller {
     known_.raised = true;
     Step& step =
         add("rule", "The half-open rule", 1,
-            "A vertex at the height of **p** counts as below it.\n"
+            "An edge from **a** to **b** counts only if just one of its ends is above **p**. A vertex at the height of "
+            "**p** counts as below it.\n"
             "It does lie below the same ray raised by a tiny *ε* (dashed). That ray meets no vertex, only interiors of "
             "edges.",
             "counts only if  (*a*_y > *p*_y) ≠ (*b*_y > *p*_y)");
@@ -164,7 +165,6 @@ class HalfOpen : Teller {
   void finish() {
     known_.edge.reset();
     const Winding& truth = setup_.truth;
-    const bool differs = truth.nonzero != truth.even_odd;
     script_.settle(truth.even_odd == Location::in ? Verdict::Kind::yes : Verdict::Kind::no, verdict_text(truth));
     script_.value("winding number", truth.winding);
     const bool odd = count_ % 2 != 0;
@@ -172,16 +172,27 @@ class HalfOpen : Teller {
     Step& step =
         add("verdict", "Odd or even", odd ? 8 : 9,
             std::string(odd ? "The count is odd: **p** lies inside." : "The count is even: **p** lies outside.") +
-                "\nThe winding number adds 1 for an edge upwards and −1 for one downwards." +
-                (differs         ? " It is not 0: by the non-zero rule **p** lies inside."
-                 : setup_.simple ? " In a simple polygon it is 0, 1 or −1, so the even-odd and the non-zero rule agree."
-                                 : ""));
+                "\nThe winding number adds 1 for an edge upwards and −1 for one downwards." + rules());
     step.decides = true;
     // misconceptions: it is the count; every crossing adds 1 with the same sign; it is 1 inside and 0 outside
     step.question = which_value("How many times does the boundary wind around **p**, counter-clockwise?", truth.winding,
                                 {1.0 * count_, -1.0 * truth.winding, odd ? 1.0 : 0.0, 2},
                                 "Edges that cross upwards count 1, those downwards −1.");
     step.question->over = with_directions();
+  }
+
+  /// What the winding number says of the two rules, and who fills by which.
+  std::string rules() const {
+    const Winding& truth = setup_.truth;
+    if (setup_.simple) return " In a simple polygon it is 0, 1 or −1, so the even-odd and the non-zero rule agree.";
+    const std::string told = truth.nonzero != truth.even_odd ? " It is not 0: by the non-zero rule **p** lies inside."
+                             : truth.winding == 0 ? " It is 0: by the non-zero rule, too, **p** lies outside."
+                                                  : " An odd count makes it odd, and so not 0: both rules say inside.";
+    return told +
+           (truth.winding < 0 ? " It is negative, as the boundary winds clockwise around **p**. A rule that asks for "
+                                "more than 0 would leave this part out."
+                              : "") +
+           "\nFonts are filled by the non-zero rule, so that strokes of a letter may overlap. SVG and PDF offer both.";
   }
 
   /// Each edge an arrow, as the boundary runs: which way it winds is seen by that.

@@ -81,9 +81,11 @@ const Lesson& lesson() {
       .opening = opening(),
       .closing = &closing(),
       .errata = errata(),
-      .after = {"intervals", "rays"},
+      .after = {"intervals", "rays", "convex-hull"},
       .ideas = {"half-open rule", "orientation"},
       .shared = shared_ideas,
+      .query = R"({"kind": "pip", "point": [0.75, 0.125],
+ "rings": [[[-2, -1.5], [2, 1.5], [2, -1.5], [-2, 1.5]]]})",
   };
   return lesson;
 }

@@ -77,6 +77,11 @@ const std::vector<Situation>& situations() {
        {0, 0.125},
        {{{{-1.25, -1.75}, {0, 2.25}, {1.25, -1.75}, {-2, 0.75}, {2, 0.75}}}},
        "The boundary goes around the point twice."},
+      {"figure-eight",
+       "a figure eight",
+       {0.75, 0.125},
+       {{{{-2, -1.5}, {2, 1.5}, {2, -1.5}, {-2, 1.5}}}},
+       "The boundary crosses itself once: its two loops run in opposite ways around."},
   };
   return all;
 }

@@ -59,8 +59,9 @@ const Closing& closing() {
            "(*b*_{max,x}, *b*_{min,y}, *b*_{max,z}): the sign of each *n_i* chooses. It is the p-vertex; the opposite "
            "corner is the n-vertex."},
           {"The clip coordinates of **x** are the dot products of the matrix's rows with (**x**, 1). Find the left "
-           "plane.",
-           "Inside means −*w* ≤ *x*, so row 4 + row 1 gives its coefficients. The right plane is row 4 − row 1."},
+           "plane, and the near plane by both conventions.",
+           "Inside means −*w* ≤ *x*, so row 4 + row 1 gives the left plane's coefficients. With −*w* ≤ *z* (OpenGL) "
+           "the near plane is row 4 + row 3; with 0 ≤ *z* (Direct3D, Metal, Vulkan) it is row 3 alone."},
           {"The camera turns a little. Which answer of the last frame should be tried first?",
            "The plane that rejected the object last time: it probably will again. That is temporal coherence."},
       }};

@@ -80,6 +80,8 @@ const Lesson& lesson() {
       .after = {"bounding-volumes", "hierarchy"},
       .ideas = {"half-space", "bounding volume hierarchy", "temporal coherence"},
       .shared = shared_ideas,
+      .query = R"({"kind": "plane_box", "normal": [1, 1, 1], "d": -3,
+ "lo": [0, 0, 0], "hi": [1, 1, 1]})",
   };
   return lesson;
 }

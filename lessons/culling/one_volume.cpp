@@ -47,10 +47,14 @@ class OneVolume {
   Walk tell() {
     Step& first = script_.add(
         "view-volume", "What the eye can see", 0,
-        "The eye sees what lies in the frustum: the intersection of six half-spaces.\n"
-        "A renderer extracts their planes from its projection matrix: the last row plus or minus another row.\n"
-        "That holds for −*w* ≤ *z* ≤ *w*, as in OpenGL. With 0 ≤ *z* ≤ *w* (Direct3D, Metal, Vulkan) the near plane is "
-        "the third row alone.");
+        "The eye sees what lies in the frustum: the intersection of six half-spaces, **n** · **x** + *D* ≥ 0. Each "
+        "normal **n** points inwards.\n" +
+            std::string(ball_ ? "The centre **c** of the ball and its radius are compared with each plane.\n"
+                              : "The p-vertex is the box's corner farthest along **n**, the n-vertex the opposite one. "
+                                "Their coordinates are ends of the box, *b*_{min} or *b*_{max}.\n") +
+            "A renderer extracts the six planes from its projection matrix: the last row plus or minus another row.\n"
+            "That holds for −*w* ≤ *z* ≤ *w*, as in OpenGL. With 0 ≤ *z* ≤ *w* (Direct3D, Metal, Vulkan) the near "
+            "plane is the third row alone.");
     first.scene = picture(-1, Role::second);
     tally() = {};
     for (const frustum_planes::Tested& event : truth_.tested) say(event);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lessons/hierarchy/large.h"
 #include "lessons/hierarchy/splits.h"
 #include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"
@@ -38,6 +39,8 @@ class Building {
     int number = 0;
     for (const auto& event : record.events)
       if (const auto* split = std::get_if<bvh::Split<double>>(&event)) cut(*split, ++number);
+    for (State& s : drawn_.states) s = State::seen;
+    if (const std::optional<LargeBox> large = large_box(tree_)) tell_large(*large);
     done();
     return std::move(script_.walk());
   }
@@ -96,14 +99,17 @@ class Building {
       if (s == State::current) s = State::seen;
     set(split.node, State::current), set(first, State::waiting), set(first + 1, State::waiting);
     const char* const axis = name_of(split.axis);
-    Step& step = add(
-        fmt::format("cut-{}", number), fmt::format("Split {}: along {}", number, axis), number == 1 ? 1 : 3,
-        number == 1 ? "The surface-area heuristic: the chance that a random line meets a box is proportional "
-                      "to its surface, in the plane its perimeter *P*.\n" +
-                          fmt::format("A visit costs {}, a test 1; a leaf costs its number of boxes. ", options.visit) +
-                          tried(split)
-                    : too_many(split) + in_the_same_way(split),
-        &split);
+    Step& step =
+        add(fmt::format("cut-{}", number), fmt::format("Split {}: along {}", number, axis), number == 1 ? 1 : 3,
+            number == 1
+                ? "The surface-area heuristic: the chance that a random line meets a box is proportional to its "
+                  "surface, in the plane its perimeter *P*.\n" +
+                      fmt::format(
+                          "A visit costs {}, a test 1; a leaf costs its number of boxes, *n*. L and R mark the parts. ",
+                          options.visit) +
+                      tried(split)
+                : too_many(split) + in_the_same_way(split),
+            &split);
     const auto perimeter = [&](int node) { return shown(2 * half_perimeter(tree_.node(node).box)); };
     const double cost =
         cost_of(tree_.node(split.node).box, tree_.node(first).box, split.left, tree_.node(first + 1).box, split.right);
@@ -144,8 +150,13 @@ class Building {
         &drawn);
   }
 
+  void tell_large(const LargeBox& large) {
+    script_.value("expected cost", large.cost, "tests", Role::second);
+    script_.value(fmt::format("expected cost, box {} apart", large.box), large.apart, "tests", Role::hit);
+    add("large", "A box nearly as large as all", 1, told_of(large), nullptr).question = asked_of(large);
+  }
+
   void done() {
-    for (State& s : drawn_.states) s = State::seen;
     const BvhStatistics s = statistics(tree_.bvh);
     script_.value("nodes", s.nodes);
     script_.value("leaves", s.leaves);
@@ -171,7 +182,7 @@ class Building {
 
 }  // namespace
 
-Walk build(const Vec3& p) { return Building(Tree(scattered(p))).tell(); }
-Walk build(const Boxes& boxes) { return Building(Tree(boxes, place_beside(boxes))).tell(); }
+Walk build(const Boxes& boxes, const TreePlace& place) { return Building(Tree(boxes, place)).tell(); }
+Walk build(const Boxes& boxes) { return build(boxes, place_beside(boxes)); }
 
 }  // namespace isect::lessons::hierarchy_lesson

@@ -14,14 +14,14 @@ namespace {
 
 /// The ray misses the outermost box.
 bool misses_all(const Parameters& p) {
-  const Tree tree(scattered(std::get<Vec3>(p.at("p"))));
+  const Tree tree(boxes_of(p));
   const Vec3 &o = std::get<Vec3>(p.at("o")), &d = std::get<Vec3>(p.at("d"));
   return !intersects(Ray<double, 2>{o.head<2>(), d.head<2>()}, tree.node(0).box);
 }
 
 /// Whether both objects are apart already at their roots.
 bool one_test(const Parameters& p) {
-  const Tree a(scattered(std::get<Vec3>(p.at("p")))), b(cluster(std::get<Vec3>(p.at("q"))));
+  const Tree a(boxes_of(p)), b(cluster(std::get<Vec3>(p.at("q"))));
   bvh_pairs::Counts counts;
   report_pairs(
       b.bvh, b.boxes, a.bvh, a.boxes, [](int, int) {}, counts);
@@ -63,6 +63,8 @@ const Closing& closing() {
                   "Interference Detection, *SIGGRAPH*, 1996, pages 171–180.",
                   "Ingo Wald, On Fast Construction of SAH-based Bounding Volume Hierarchies, *IEEE Symposium on "
                   "Interactive Ray Tracing*, 2007, pages 33–40.",
+                  "Martin Stich, Heiko Friedrich and Andreas Dietrich, Spatial Splits in Bounding Volume Hierarchies, "
+                  "*High Performance Graphics*, 2009, pages 7–13.",
                   "Christer Ericson, *Real-Time Collision Detection*, 2005, chapter 6."},
       .exercises = {
           {"Drag the ray until one test settles it.",
@@ -75,8 +77,11 @@ const Closing& closing() {
            "pairs",
            one_test,
            {{"q", "3,-3,0"}}},
-          {"All boxes have the same centre, but different sizes. What does a hierarchy gain?",
-           "Nothing for rays through the centre: all nodes overlap there, so no node is ruled out by its box alone."},
+          {"All boxes have the same centre, but different sizes. What does a hierarchy gain? And what does one large "
+           "box do to a tree of small ones?",
+           "Nothing for rays through the centre: all nodes overlap there, so no node is ruled out by its box alone. "
+           "One large box makes each node that holds it as large. Test it by itself, or cut it in two.",
+           "large"},
           {"A box of the tree moves. How is the tree updated without a rebuild?",
            "Refit: from its leaf upwards each node takes the box around its children. That is O(depth), but the "
            "nodes may come to overlap."},

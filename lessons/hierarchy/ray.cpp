@@ -201,8 +201,8 @@ class Shooting {
 
 }  // namespace
 
-Walk ray(const Vec3& p, const Vec3& o, const Vec3& d) {
-  return Shooting(Tree(scattered(p)), {o.head<2>(), d.head<2>()}).tell();
+Walk ray(const Boxes& boxes, const Ray<double, 2>& ray, const TreePlace& place) {
+  return Shooting(Tree(boxes, place), ray).tell();
 }
 Walk ray(const Boxes& boxes, const Ray<double, 2>& ray) {
   return Shooting(Tree(boxes, place_beside(boxes)), ray).tell();

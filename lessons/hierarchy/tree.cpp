@@ -24,11 +24,19 @@ std::string held(const Tree& tree, int leaf, const std::string& prefix) {
 
 }  // namespace
 
-Boxes scattered(const Vec3& p) {
-  return {around(p.x(), p.y(), 0.3, 0.25),  around(-2.75, 1.5, 0.25, 0.25),  around(-3.25, 0.5, 0.375, 0.2),
-          around(-1.75, 1.25, 0.2, 0.375),  around(-1, 1.625, 0.3, 0.2),     around(-1.125, 0.625, 0.25, 0.25),
-          around(-3.5, -0.75, 0.25, 0.3),   around(-2.75, -1.5, 0.375, 0.2), around(-1.875, -0.875, 0.25, 0.3),
-          around(-0.875, -0.625, 0.3, 0.2), around(-0.25, -1.5, 0.25, 0.3),  around(0.125, 0.5, 0.2, 0.375)};
+Boxes scattered(const Vec3& p, double size) {
+  return {around(p.x(), p.y(), 0.3 * size, 0.25 * size),
+          around(-2.75, 1.5, 0.25, 0.25),
+          around(-3.25, 0.5, 0.375, 0.2),
+          around(-1.75, 1.25, 0.2, 0.375),
+          around(-1, 1.625, 0.3, 0.2),
+          around(-1.125, 0.625, 0.25, 0.25),
+          around(-3.5, -0.75, 0.25, 0.3),
+          around(-2.75, -1.5, 0.375, 0.2),
+          around(-1.875, -0.875, 0.25, 0.3),
+          around(-0.875, -0.625, 0.3, 0.2),
+          around(-0.25, -1.5, 0.25, 0.3),
+          around(0.125, 0.5, 0.2, 0.375)};
 }
 
 Boxes cluster(const Vec3& middle) {
@@ -37,6 +45,12 @@ Boxes cluster(const Vec3& middle) {
                          Vec2(0.625, -0.5), Vec2(1.25, 0)})
     boxes.push_back(around(middle.x() + at.x(), middle.y() + at.y(), 0.25, 0.1875));
   return boxes;
+}
+
+Boxes boxes_of(const Parameters& values) {
+  const std::string& walk = std::get<std::string>(values.at("walk"));
+  const bool sized = walk == "build" || walk == "ray";
+  return scattered(std::get<Vec3>(values.at("p")), sized ? std::get<double>(values.at("size")) : 1);
 }
 
 TreePlace place_beside(const Boxes& boxes) {

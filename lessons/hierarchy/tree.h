@@ -12,8 +12,10 @@ namespace isect::lessons::hierarchy_lesson {
 
 using Boxes = std::vector<Aabb<double, 2>>;
 
-Boxes scattered(const viz::Vec3& p);     ///< twelve; the middle of box 0 is p
-Boxes cluster(const viz::Vec3& middle);  ///< six, for a second object
+Boxes scattered(const viz::Vec3& p, double size = 1);  ///< twelve; the middle of box 0 is p; `size` scales it alone
+Boxes cluster(const viz::Vec3& middle);                ///< six, for a second object
+/// The twelve of a setting.
+Boxes boxes_of(const viz::Parameters&);
 
 /// Leaves hold up to three boxes, as a node's test costs twice a box's here: small trees that are clear when drawn.
 inline constexpr BvhOptions options = {.largest_leaf = 3, .visit = 2};
@@ -70,11 +72,11 @@ const viz::Closing& closing();
 
 // The walks.
 
-viz::Walk build(const viz::Vec3& p);
-/// The walk to the closest hit of the ray from o along d.
-viz::Walk ray(const viz::Vec3& p, const viz::Vec3& o, const viz::Vec3& d);
-/// The same walks over any two or more boxes that are not all one point.
+/// Over any two or more boxes that are not all one point; with the lesson's own place for the tree, or beside them.
+viz::Walk build(const Boxes&, const TreePlace&);
 viz::Walk build(const Boxes&);
+/// The walk to the closest hit of a ray.
+viz::Walk ray(const Boxes&, const Ray<double, 2>&, const TreePlace&);
 viz::Walk ray(const Boxes&, const Ray<double, 2>&);
 /// The walk to all pairs between the boxes and a second object's.
 viz::Walk pairs(const viz::Vec3& p, const viz::Vec3& q);

@@ -17,7 +17,8 @@ const std::string& opening() {
   static const std::string text =
       "Do two intervals have a number in common? Boxes, slabs and separating axes all need this, once for each axis.\n"
       "It is easier to say when they have none: one begins after the other has ended. So does the lecture note "
-      "*Intersection Detection*.";
+      "*Intersection Detection*.\n"
+      "The interval a runs from *a*_{min} to *a*_{max}, and b from *b*_{min} to *b*_{max}.";
   return text;
 }
 

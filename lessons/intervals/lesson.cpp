@@ -51,6 +51,7 @@ const Lesson& lesson() {
       .after = {"relations", "points"},
       .ideas = {"closed set", "slab", "separating axis"},
       .shared = shared_ideas,
+      .query = R"({"kind": "interval_interval", "a": [0, 1], "b": [1, 2]})",
   };
   return lesson;
 }

@@ -128,6 +128,10 @@ const Lesson& lesson() {
       .after = {"aabb-aabb"},
       .ideas = {"separating axis", "Minkowski sum", "projection", "tolerance"},
       .shared = shared_ideas,
+      .query = R"({"kind": "obb_obb", "a": {"c": [0, 0, 0],
+ "u": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "e": [1, 1, 1]},
+ "b": {"c": [2.5, 0, 0], "e": [1, 1, 1],
+ "u": [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]]}})",
   };
   return lesson;
 }

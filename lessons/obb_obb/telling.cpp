@@ -50,8 +50,9 @@ Walk Teller::tell() {
   Step& first =
       script_.add("axes", "Which axes can separate?", 0,
                   "For boxes 15 axes suffice: 3 normals of a, 3 of b, and 9 cross products of an edge of each.\n"
-                  "On **n**, box b reaches *r*_b to either side: each half side adds the length of its "
-                  "projection.",
+                  "Box b has the half-lengths *h*_u, *h*_v, *h*_w along its unit axes **b**_u, **b**_v, **b**_w. On "
+                  "**n** it reaches *r*_b to either side: each half side adds the length of its projection.\n"
+                  "A gap is left where |**n** · **l**| > *r*_a + *r*_b, with **l** from centre to centre.",
                   "*r*_b = *h*_u |**b**_u · **n**| + *h*_v |**b**_v · **n**| + *h*_w |**b**_w · **n**|");
   first.scene = picture(s_, Focus::centers);
   CountingRecord<std::variant<Compared>> record;

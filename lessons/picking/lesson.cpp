@@ -40,6 +40,9 @@ const Lesson& lesson() {
       .after = {"rays", "ray-sphere", "bounding-volumes", "ray-tracing"},
       .ideas = {"closest hit", "trivial reject"},
       .shared = shared_ideas,
+      .query = R"({"kind": "ray_obb", "origin": [-3, 0, 0], "dir": [1, 0, 0],
+ "c": [0, 0, 0], "e": [1, 1, 1], "tmin": 0, "tmax": 10,
+ "u": [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]]})",
   };
   return lesson;
 }

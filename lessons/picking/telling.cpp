@@ -40,14 +40,17 @@ class Teller {
     known_.ray = true;
     const Vec2 at = s_.eye.pixel(s_.pointer);
     const double half = s_.eye.rows / 2.0, right = tidy(at.x() - s_.eye.columns / 2.0), up = tidy(half - at.y());
-    step("viewing-ray", "The pointer's pick ray", 0,
-         fmt::format("The pointer is {} pixels {} of the image's centre and {} {} it. Half the field of view, *φ*/2, "
-                     "spans half the image's height: {} pixels.\n"
-                     "Everything seen at this point lies on the ray from the eye **o** through the pointer.",
-                     shown(std::abs(right)), right < 0 ? "left" : "right", shown(std::abs(up)),
-                     up < 0 ? "below" : "above", shown(half)),
-         fmt::format("**d** ∥ **forward** + tan(*φ*/2) (({}/{}) **right** + ({}/{}) **up**)", shown(right), shown(half),
-                     shown(up), shown(half)));
+    step(
+        "viewing-ray", "The pointer's pick ray", 0,
+        fmt::format(
+            "The pointer is {} pixels {} of the image's centre and {} {} it. Half the field of view, *φ*/2, spans half "
+            "the image's height: {} pixels.\n"
+            "Everything seen at this point lies on the ray from the eye **o** along **d**, through the pointer.\n"
+            "**forward** is the way the eye looks; **right** and **up** are the image's axes. All three have length 1.",
+            shown(std::abs(right)), right < 0 ? "left" : "right", shown(std::abs(up)), up < 0 ? "below" : "above",
+            shown(half)),
+        fmt::format("**d** ∥ **forward** + tan(*φ*/2) (({}/{}) **right** + ({}/{}) **up**)", shown(right), shown(half),
+                    shown(up), shown(half)));
     volumes();
     for (int i = 0; i < s_.size(); ++i)
       if (s_.met(i)) object(i);

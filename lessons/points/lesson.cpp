@@ -90,8 +90,10 @@ const Lesson& lesson() {
       .opening = points_lesson::opening(),
       .closing = &points_lesson::closing(),
       .after = {"relations"},
-      .ideas = {"tolerance", "squared distance"},
+      .ideas = {"tolerance", "squared distance", "exact predicate"},
       .shared = shared_ideas,
+      .query = R"({"kind": "point_point", "a": [0.1, 0.2], "b": [0.1, 0.3],
+ "tol": 0.1})",
   };
   return lesson;
 }

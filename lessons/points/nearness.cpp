@@ -43,7 +43,7 @@ class Nearness {
     script_.value("tolerance", s_.tested_within, "", Role::first);
     add("tolerance", "How near is near?", 3,
         "**q** is near **p** if it lies in the ball around **p** whose radius is the tolerance.\n"
-        "The caller chooses the tolerance.",
+        "The caller chooses the tolerance. *d* is the distance of the two points.",
         {});
     const Point<C, 3> p = s_.tp.cast<C>(), q = s_.tq.cast<C>();
     const C t(s_.tested_within);
@@ -175,7 +175,8 @@ class Nearness {
                                    : " **q** equals **p**, and with tolerance 0 near means equal.";
     text += s_.is_nan ? "\nThe exact test takes the sign of |**p** − **q**|^2 − tolerance^2. Here that is not a number "
                         "and has no sign."
-                      : "\nThe exact test takes the sign of |**p** − **q**|^2 − tolerance^2, without rounding.";
+                      : "\nThe exact test takes the sign of |**p** − **q**|^2 − tolerance^2, without rounding: it is "
+                        "an exact predicate.";
     Step& step = add("verdict", "The exact answer", 4, text, {});
     step.decides = true;
   }

@@ -102,6 +102,8 @@ const Lesson& lesson() {
       .after = {"rays", "crossings"},
       .ideas = {"half-open rule", "projection"},
       .shared = shared_ideas,
+      .query = R"({"kind": "ray_polygon", "origin": [1, 1, 5], "dir": [0, 0, -1],
+ "polygon": [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]]})",
   };
   return lesson;
 }

@@ -63,10 +63,11 @@ class Teller {
       script_.value(std::string("*n*_") + "xyz"[i], normal_[i], "area");
     }
     known_.normal = true;
-    Step& step = script_.add("normal", "The polygon's plane", 0,
-                             "All vertices lie in one plane. The cross products of vectors from **p**_0 sum to "
-                             "its normal **n**.\n"
-                             "A single corner would do, unless its three points lie on one line: then **n** = 0.");
+    Step& step = script_.add(
+        "normal", "The polygon's plane", 0,
+        "All vertices lie in one plane. The cross products of vectors from **p**_0 sum to its normal **n**.\n"
+        "A single corner would do, unless its three points lie on one line: then **n** = 0.\n"
+        "The ray is **o** + *t* **d**.");
     step.scene = picture(s_, known_, normal_);
     known_.normal = false;
   }
@@ -122,7 +123,7 @@ class Teller {
     const auto count = std::count_if(passing_.begin(), passing_.end(), [](const Passing& p) { return p.counted; });
     Step& step = script_.add(
         "crossings", "Inside the outline?", 5,
-        fmt::format("What is left is a point and a polygon in the plane.\n"
+        fmt::format("What is left is a point **r**′ and a polygon in the plane.\n"
                     "Its ray to the right crosses {}: an {} number, so {}.",
                     plural(count, "edge"), count % 2 == 1 ? "odd" : "even", count % 2 == 1 ? "inside" : "outside"));
     const Flat flat = flattened(s_, point_, chosen_);

@@ -40,7 +40,7 @@ const Closing& closing() {
           "(*r*^2 − *m*^2). Near the surface neither is better than *C*: there take the exact test.",
       .used =
           "Primary and shadow rays, picking, line of sight, sphere trees. A moving ball against a ball is a ray "
-          "against their Minkowski sum, an expanded ball.",
+          "against their Minkowski sum.",
       .bug = "Taking any real root for a hit, even one behind the origin.",
       .bug_preset = "behind-quadratic",
       .reading = {"Eric Haines, in: Andrew Glassner (ed.), *An Introduction to Ray Tracing*, 1989, chapter 2.",

@@ -47,7 +47,7 @@ class HainesTeller : Teller {
   void say(const ToCenter<C, 3>&) {
     known_.center_line = true;
     add("to-center", "From the origin to the centre", 0,
-        "Let **l** be the vector from the ray's origin to the centre of the ball.\n"
+        "Let **l** be the vector from the ray's origin **o** to the centre **c** of the ball.\n"
         "The method needs a direction of length 1, so **d** has been normalised. Now *t* is a length" +
             std::string(setup_.segment() ? ", and so is *t*_{max}." : "."),
         Focus::center_line, "**l** = **c** − **o**");
@@ -70,8 +70,8 @@ class HainesTeller : Teller {
     const double r = setup_.sphere.radius;
     script_.value("*r*^2", r * r, "area", Role::second);
     add("distance", "Inside or outside?", 2,
-        "The squared distance to the centre, compared with *r*^2, shows on which side of the surface the origin "
-        "lies.",
+        "The square of *l*, the distance to the centre, is compared with *r*^2. That shows on which side of the "
+        "surface the origin lies.",
         Focus::center_line, "*l*^2 = **l** · **l** = " + shown(e.l2.value));
   }
 
@@ -145,7 +145,7 @@ class HainesTeller : Teller {
         e.q.value > 0
             ? "Inside the ball the line runs equally far before and after the foot of the perpendicular.\n"
               "That distance, half the chord, is *q*. Its square root is the only one once **d** has length 1."
-            : "The foot of the perpendicular is the only common point, so half the chord is 0.",
+            : "The foot of the perpendicular is the only common point, so *q*, half the chord, is 0.",
         Focus::half_chord, "*q* = √(*r*^2 − *m*^2) = " + shown(e.q.value));
   }
 

@@ -99,6 +99,8 @@ const Lesson& lesson() {
       .after = {"rays", "sphere-sphere"},
       .ideas = {"Minkowski sum", "stable roots", "closest hit"},
       .shared = shared_ideas,
+      .query = R"({"kind": "ray_sphere", "origin": [0, 0, -5], "dir": [0, 0, 1],
+ "center": [1, 0, 0], "radius": 1})",
   };
   return lesson;
 }

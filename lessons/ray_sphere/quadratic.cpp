@@ -112,14 +112,12 @@ class QuadraticTeller : Teller {
     script_.value("*Δ*", e.d.value);
     const double square = b_ * b_, product = a_ * c_;
     add("discriminant", "The discriminant", 4,
-        half_ ? "It equals *A* (*r*^2 − *m*^2): the line passes the centre at a distance *m*, with *m*^2 = **f** · "
-                "**f** − "
-                "(**f** · **d**)^2 / *A*.\n"
+        half_ ? "*Δ* equals *A* (*r*^2 − *m*^2): the line passes the centre at a distance *m*, with *m*^2 = **f** · "
+                "**f** − (**f** · **d**)^2 / *A*.\n"
                 "Half of *B* saves three products. That paid when floating point was slow; with the full *B* this line "
                 "is wrong."
-              : "It equals 4 *A* (*r*^2 − *m*^2): the line passes the centre at a distance *m*, with *m*^2 = **f** · "
-                "**f** − "
-                "(**f** · **d**)^2 / *A*.\n"
+              : "*Δ* equals 4 *A* (*r*^2 − *m*^2): the line passes the centre at a distance *m*, with *m*^2 = **f** · "
+                "**f** − (**f** · **d**)^2 / *A*.\n"
                 "So its sign gives the number of real roots.",
         Focus::passing, (half_ ? "*Δ* = *B*^2 − *A* *C* = " : "*Δ* = *B*^2 − 4 *A* *C* = ") + shown(e.d.value))
         // the two forms are mixed; a sign is lost; the discriminant is taken for its root

@@ -56,6 +56,8 @@ const Lesson& lesson() {
       .after = {"rays", "ray-sphere", "hierarchy", "ray-polygon"},
       .ideas = {"closest hit", "bounding volume hierarchy"},
       .shared = shared_ideas,
+      .query = R"({"kind": "ray_sphere", "origin": [0, 0, 5], "dir": [0.1, 0, -1],
+ "center": [0, 0, 0], "radius": 1})",
   };
   return lesson;
 }

@@ -175,14 +175,16 @@ class Teller {
     const bool naive = s_.start == ShadowRay::naive;
     if (s_.acne)
       return "After rounding, the point lies on or in its own object, which then seems to shadow it: *shadow acne*.\n"
+             "The brightness *I* falls to the ambient light *I*_a alone.\n"
              "Remedies: leave the object out if it is convex, or start the ray a little off the surface.";
     if (s_.traced.blocker)
-      return "Something blocks the light: only ambient light *I*_a is left. Which object it is does not matter.\n"
+      return "Something blocks the light: the brightness *I* is ambient light *I*_a alone. Which object it is does not "
+             "matter.\n"
              "So the search ends with any hit.";
     return naive
-               ? "Nothing lies between the point and the light source. Here rounding did no harm: look at the "
-                 "picture."
-               : "Nothing lies between the point and the light source, so its light arrives.\n"
+               ? "Nothing lies between the point and the light source, so its light adds to the brightness *I*. Here "
+                 "rounding did no harm: look at the picture."
+               : "Nothing lies between the point and the light source, so its light adds to the brightness *I*.\n"
                  "The object itself is left out, as rounding may put the point inside. It is convex, so that is right.";
   }
 

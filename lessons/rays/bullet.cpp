@@ -114,7 +114,7 @@ class Flight {
   void segment() {
     segment_ = true;
     add("segment", "The path in between", 2,
-        "From one frame to the next the bullet covers a segment: a ray with a finite range.\n"
+        "From one frame to the next, in the time Δ*t*, the bullet covers a segment: a ray with a finite range.\n"
         "So one intersection test with a ray covers all the times in between.",
         "0 ≤ *t* ≤ Δ*t* = " + shown(frame));
   }

@@ -98,6 +98,8 @@ const Lesson& lesson() {
       .after = {"intervals"},
       .ideas = {"closed set", "Minkowski sum", "continuous collision detection"},
       .shared = shared_ideas,
+      .query = R"({"kind": "ray_plane", "origin": [0, 0, 1], "dir": [0, 1, -3],
+ "normal": [0, 0, 1], "d": 0})",
   };
   return lesson;
 }

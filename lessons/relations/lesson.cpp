@@ -77,6 +77,8 @@ const Lesson& lesson() {
         .closing = &closing(),
         .ideas = {"closed set", "containment"},
         .shared = shared_ideas,
+        .query = R"({"kind": "convex_polygons", "a": [[0, 0], [4, 0], [4, 4], [0, 4]],
+ "b": [[4, 2], [6, 1], [6, 3]]})",
     };
   }();
   return lesson;

@@ -1,7 +1,5 @@
 // What a reader takes along from the microscope, and what there is to do.
 
-#include <cmath>
-
 #include "lessons/robustness/settings.h"
 
 namespace isect::lessons::robustness_lesson {
@@ -24,8 +22,7 @@ bool never_wrong(const Parameters& p) {
 
 bool ringed_is_right(const Parameters& p) {
   const Setting s = setting_of(p);
-  const auto cells = [&](const char* name) { return static_cast<int>(std::round(std::get<double>(p.at(name)))); };
-  const int i = cells("right"), j = cells("up");
+  const auto [i, j] = microscope::selected_of(p);
   return s.truth(i, j) == 1 && fault(s, s.truth(i, j), s.answer(i, j)) == Fault::none;
 }
 

@@ -3,8 +3,6 @@
 //
 // The steps stand in robustness/telling, the tests under the microscope in robustness/settings.
 
-#include <cmath>
-
 #include "lessons/course.h"
 #include "lessons/robustness/settings.h"
 #include "lessons/shared/parameters.h"
@@ -16,9 +14,8 @@ using namespace viz;
 
 Walk walk(const Parameters& values) {
   const std::string& scalar = std::get<std::string>(values.at("scalar"));
-  const auto cells = [&](const char* name) { return static_cast<int>(std::round(std::get<double>(values.at(name)))); };
   return tell(scalar, setting(std::get<std::string>(values.at("test")), scalar, std::get<Vec3>(values.at("p"))),
-              {cells("right"), cells("up")});
+              microscope::selected_of(values));
 }
 
 /// A neighbour that the naive test has wrong, for each test and scalar.
@@ -55,11 +52,7 @@ const Lesson& lesson() {
                        vector("p", "**p**",
                               "The point in the middle, in world units; its third coordinate is not used.",
                               standard_point(tests().front())),
-                       {"right", "right",
-                        "Which neighbour is ringed: steps to the right, -32 to 32, rounded to an integer.", 0.0, -half,
-                        half, -half, half},
-                       {"up", "up", "Which neighbour is ringed: steps up, -32 to 32, rounded to an integer.", 0.0,
-                        -half, half, -half, half}},
+                       microscope::steps_towards("right"), microscope::steps_towards("up")},
         .group_by = {},
         .presets = presets,
         .camera = {.azimuth = 0, .elevation = 0},
@@ -70,6 +63,8 @@ const Lesson& lesson() {
         .after = {"points", "sphere-sphere", "ray-sphere", "crossings", "rules-of-thumb"},
         .ideas = {"exact predicate", "tolerance", "orientation"},
         .shared = shared_ideas,
+        .query = R"({"kind": "orient2d", "a": [0.5000000000000001, 0.5],
+ "b": [12, 12], "c": [24, 24]})",
     };
   }();
   return lesson;

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
 #include <isect/methods/orient.h>
 #include <isect/methods/point_polygon.h>
 #include <isect/methods/ray_sphere.h>
@@ -21,18 +19,9 @@ namespace {
 
 int sign(double x) { return (x > 0) - (x < 0); }
 
-/// The representable number of S that lies `steps` beyond x.
-template <class S>
-S neighbour(double x, int steps) {
-  S y = static_cast<S>(x);
-  const S end = steps < 0 ? -std::numeric_limits<S>::infinity() : std::numeric_limits<S>::infinity();
-  for (int k = 0; k < std::abs(steps); ++k) y = std::nextafter(y, end);
-  return y;
-}
-
 template <class S>
 Point<S, 2> neighbour(const Vec3& p, int i, int j) {
-  return {neighbour<S>(p.x(), i), neighbour<S>(p.y(), j)};
+  return {microscope::neighbour<S>(p.x(), i), microscope::neighbour<S>(p.y(), j)};
 }
 
 /// "(0.1, 0.2)", as it is shown.
@@ -54,7 +43,7 @@ Setting orientation(const Vec3& p) {
   s.measured = "orient2d", s.has_on = true;
   s.verdicts = {"right", "on the line", "left"};
   const Point<S, 2> b = {S(1.5), S(1.5)}, c = {S(3), S(3)};
-  s.given = fmt::format("The line runs through **b** = {} and **c** = {}.", written(b), written(c));
+  s.given = fmt::format("The line runs through **b** = {} and **c** = {}; the point is **a**.", written(b), written(c));
   s.answer = [=](int i, int j) {
     return sign(static_cast<double>(orient::pivoted<orient::Corner::a, S>(neighbour<S>(p, i, j), b, c)));
   };
@@ -83,8 +72,8 @@ Setting crossings(const Vec3& p) {
   s.measured = "point-polygon";
   s.verdicts = {"outside", "on the edge", "inside"};
   const Ring<S, 2> ring = {{S(-1.1), S(-0.9)}, {S(1.3), S(0.7)}, {S(-0.7), S(1.3)}};
-  s.given =
-      fmt::format("The polygon's vertices are {}, {} and {}.", written(ring[0]), written(ring[1]), written(ring[2]));
+  s.given = fmt::format("The polygon's vertices are {}, {} and {}. An edge reaches the height of **p** at *x*.",
+                        written(ring[0]), written(ring[1]), written(ring[2]));
   s.answer = [=](int i, int j) { return point_polygon::crossings_naive(neighbour<S>(p, i, j), ring) ? 1 : -1; };
   s.truth = [=](int i, int j) {
     const Location l = locate(neighbour<S>(p, i, j), ring);
@@ -111,8 +100,10 @@ Setting tangent(const Vec3& p) {
   s.verdicts = {"miss", "tangent", "hit"};
   const Sphere<S, 2> circle = {{S(0.1), S(0.2)}, S(1)};
   const Vector<S, 2> d = {S(2), S(1)};
-  s.given = fmt::format("The ray's direction is {}. The circle's centre is {}, its radius {}.", written(d),
-                        written(circle.center), shown(circle.radius));
+  s.given = fmt::format(
+      "The ray's direction is {}. The circle's centre is {}, its radius {}.\n"
+      "*A*, *B* and *C* are the coefficients of the quadratic whose roots are the hits.",
+      written(d), written(circle.center), shown(circle.radius));
   s.answer = [=](int i, int j) { return ray_sphere::quadratic(Ray<S, 2>{neighbour<S>(p, i, j), d}, circle) ? 1 : -1; };
   s.truth = [=](int i, int j) {
     const RaySphere<S> exact = intersect(Ray<S, 2>{neighbour<S>(p, i, j), d}, circle);
@@ -136,8 +127,9 @@ Setting spheres(const Vec3& p) {
   s.verdicts = {"disjoint", "touching", "overlapping"};
   const Sphere<S, 2> a = {{S(0), S(0)}, S(0.7)};
   const S r = S(0.3);
-  s.given = fmt::format("The fixed circle's centre is {}, its radius {}. The other circle has the radius {}.",
-                        written(a.center), shown(a.radius), shown(r));
+  s.given =
+      fmt::format("The fixed circle's centre is {}, its radius {}, *r*_a. The other circle has the radius {}, *r*_b.",
+                  written(a.center), shown(a.radius), shown(r));
   s.answer = [=](int i, int j) {
     return sphere_sphere::squared_distance_naive(a, Sphere<S, 2>{neighbour<S>(p, i, j), r}) ? 1 : -1;
   };

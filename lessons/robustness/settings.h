@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lessons/shared/microscope.h"
 #include "viz/lesson.h"
 
 namespace isect::lessons::robustness_lesson {
@@ -33,7 +34,7 @@ struct Setting {
   }
 };
 
-inline constexpr int half = 32;  ///< cells on either side of the middle one
+inline constexpr int half = microscope::half;
 
 /// `test` is one of tests(); `scalar` float or double; the point may be moved.
 Setting setting(const std::string& test, const std::string& scalar, const viz::Vec3& p);

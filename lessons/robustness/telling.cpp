@@ -18,8 +18,7 @@ namespace {
 using Cells = std::vector<std::pair<int, int>>;
 Cells asked(const Setting& s) {
   Cells cells;
-  for (int j = half; j >= -half; --j)
-    for (int i = -half; i <= half; ++i) cells.emplace_back(s.truth(i, j), s.answer(i, j));
+  microscope::for_each_neighbour([&](int i, int j) { cells.emplace_back(s.truth(i, j), s.answer(i, j)); });
   return cells;
 }
 
@@ -145,24 +144,15 @@ class Teller {
   Step& raster(const std::string& slug, const std::string& title, int line, const std::string& caption,
                const Choose& choose) {
     Step& step = add(slug, title, line, caption);
-    Raster picture = {{left, bottom + side, 0}, {side, 0, 0}, {0, -side, 0}, 2 * half + 1, {}, true};
-    for (const auto& [truth, answer] : cells_) picture.cells.push_back({choose(truth, answer), {}});
-    step.scene.items.emplace_back(picture);
-    crosshair(step);
-    axes(step);
-    double y = bottom + side - 0.4;
-    // Keys in the cells' own colours, with the number of cells in the step that says what is wrong.
+    std::vector<Cell> cells;
+    for (const auto& [truth, answer] : cells_) cells.push_back({choose(truth, answer), {}});
+    microscope::add_cells(step.scene, cells, look_);
+    step.formula = ringed(step.line);
+
+    // Keys have the number of cells in the step that says what is wrong.
+    microscope::Keys keys(step.scene);
     const auto key = [&](Role ink, const std::string& text) {
-      const auto cells = std::ranges::count(picture.cells, ink, &Cell::role);
-      const Vec3 corner = {left + side + 0.45, y + 0.16, 0};
-      step.scene.items.emplace_back(Raster{corner, {0.32, 0, 0}, {0, -0.32, 0}, 1, {{ink, {}}}, true});
-      step.scene.items.emplace_back(viz::Heading{{left + side + 0.95, y, 0},
-                                                 slug == "wrong" ? fmt::format("{}: {}", text, cells) : text,
-                                                 ink == Role::highlight ? Role::text : ink,
-                                                 3.1,
-                                                 false,
-                                                 0});
-      y -= 0.6;
+      keys.add(ink, slug == "wrong" ? fmt::format("{}: {}", text, std::ranges::count(cells, ink, &Cell::role)) : text);
     };
     key(Role::first, s_.verdicts[2]);
     key(Role::highlight, s_.verdicts[1]);
@@ -172,38 +162,13 @@ class Teller {
     return step;
   }
 
-  /// Adds how many steps away the border is, except where the crosshair's grips and names stand.
-  void axes(Step& step) const {
-    constexpr double cell = side / (2 * half + 1), middle = side / 2, near = 9;
-    const auto number = [&](int steps, int looked_at, const Vec3& at, double lean) {
-      if (std::abs(steps - looked_at) <= near) return;
-      step.scene.items.emplace_back(Heading{at, shown(steps), Role::muted, 0, false, lean});
-    };
-    for (const int steps : {-half, half}) {
-      const double along = middle + cell * steps;
-      number(steps, look_[0], {left + along, bottom - 0.4, 0}, 0.5);
-      number(steps, look_[1], {left - 0.14, bottom + along, 0}, 1);
-    }
-  }
-
-  /// Adds two lines that meet in the neighbour looked at, each with a grip at the rim.
-  void crosshair(Step& step) const {
-    const double cell = side / (2 * half + 1), rim = 0.6, end = 0.9;  // a grip has room for its name beside it
-    const Vec3 middle = {left + side / 2, bottom + side / 2, 0};
-    const Vec3 at = middle + cell * Vec3(look_[0], look_[1], 0);
-    const Vec3 below = {at.x(), bottom - rim, 0}, beside = {left - rim, at.y(), 0};
-    step.scene.items.emplace_back(Line{{at.x(), bottom - end, 0}, at, Role::construction, Pen::construction});
-    step.scene.items.emplace_back(Line{{left - end, at.y(), 0}, at, Role::construction, Pen::construction});
-    step.scene.items.emplace_back(Dot{at, Mark::ring, Role::text});
-    step.scene.handles = {
-        {"right", Handle::Kind::along, below, {middle.x(), below.y(), 0}, Role::text, Vec3::UnitX() / cell},
-        {"up", Handle::Kind::along, beside, {beside.x(), middle.y(), 0}, Role::text, Vec3::UnitY() / cell}};
-    const auto& [truth, answer] = cells_[(half - look_[1]) * (2 * half + 1) + half + look_[0]];
+  /// What is known of the ringed neighbour where a line of the pseudocode has run.
+  std::string ringed(int line) const {
+    const auto& [truth, answer] = cells_[microscope::place_of(look_)];
     const std::string is = s_.in_words(truth), said = "naive says " + s_.in_words(answer);
-    step.formula = "ringed: " + (step.line == 1 ? is : step.line == 2 ? said : is + ", " + said);
+    return "ringed: " + (line == 1 ? is : line == 2 ? said : is + ", " + said);
   }
 
-  static constexpr double side = 5.2, left = -2.3, bottom = -2;  ///< of the raster
   const std::string& scalar_;
   const std::array<int, 2> look_;
   const Setting s_;

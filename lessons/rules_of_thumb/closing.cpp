@@ -34,18 +34,12 @@ const Closing& closing() {
       .result =
           "Trivial rejects first, results kept, a projection for a dimension less, work prepared: each rule saves "
           "where its assumption holds.",
-      .cost =
-          "Each costs something: storage, preprocessing, or a wasted test. Counts show the promise; only the clock "
-          "shows "
-          "the gain.",
+      .cost = "Each costs something: storage, preprocessing, or a wasted test. Only the clock shows the gain.",
       .choose =
           "Make it right first, by exact predicates (rule 8), then measure (rule 7). Apply the others where the "
           "profile says that time is "
           "spent.",
-      .used =
-          "Bounding volumes, cached separating axes and sorted sweeps in physics engines; hierarchies built once in "
-          "ray "
-          "tracers.",
+      .used = "Cached separating axes and sorted sweeps in physics engines; hierarchies built once in ray tracers.",
       .bug = "Optimising by counting operations: methods with similar counts may differ tenfold in time.",
       .bug_preset = "7-measure",
       .reading = {"Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13.",

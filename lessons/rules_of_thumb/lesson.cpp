@@ -68,6 +68,8 @@ const Lesson& lesson() {
         .after = {"sphere-aabb", "ray-sphere", "obb-obb", "hierarchy", "concave-polygon"},
         .ideas = {"trivial reject", "temporal coherence", "projection", "exact predicate"},
         .shared = shared_ideas,
+        .query = R"({"kind": "sphere_box", "center": [3, 3, 0], "radius": 1,
+ "lo": [-1, -1, -1], "hi": [1, 1, 1]})",
     };
   }();
   return lesson;

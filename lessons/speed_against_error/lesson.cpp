@@ -37,9 +37,12 @@ const Lesson& lesson() {
       .flat = true,
       .opening = opening(),
       .closing = &closing(),
-      .after = {"rules-of-thumb", "robustness"},
-      .ideas = {"exact predicate", "stable roots"},
+      .after = {"rules-of-thumb", "robustness", "rounding-bound"},
+      .ideas = {"exact predicate", "filter", "stable roots"},
       .shared = shared_ideas,
+      .query = R"({"kind": "ray_sphere", "variant": "quadratic",
+ "origin": [0, 0, 6371001], "dir": [0, 0, -1],
+ "center": [0, 0, 0], "radius": 6371000})",
   };
   return lesson;
 }

@@ -128,6 +128,7 @@ Walk Teller::tell() {
   axes();
   methods();
   front();
+  typical_cases();
   for (const std::string& family : hard_) hard_family(family, family == hard_.front());
   others();
   fall();

@@ -59,6 +59,8 @@ class Teller {
   void axes();
   void methods();
   void front();
+  // typical.cpp
+  void typical_cases();
   // hard.cpp
   void hard_family(const std::string& family, bool first);
   void others();

@@ -70,6 +70,8 @@ const Lesson& lesson() {
       .after = {"relations", "aabb-aabb"},
       .ideas = {"Minkowski sum", "squared distance"},
       .shared = shared_ideas,
+      .query = R"({"kind": "sphere_box", "center": [2, 2, 0], "radius": 1.5,
+ "lo": [-1, -1, -1], "hi": [1, 1, 1]})",
   };
   return lesson;
 }

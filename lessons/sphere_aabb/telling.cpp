@@ -94,7 +94,7 @@ class Teller {
     if (number == 0)
       text =
           "The ball meets the box if and only if it contains **p**, the box's point nearest to **c**: **c** clamped to "
-          "the box.\n";
+          "the box. So their distance *d* is compared with the radius *r*.\n";
     if (line == 0)
       return text + fmt::format(
                         "The box's interval on {} contains the coordinate of **c**. **p** has the same one: the "

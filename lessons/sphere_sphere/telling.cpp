@@ -60,8 +60,9 @@ class Teller {
     const Vector<C, 3> l = s_.tested(s_.b).center.cast<C>() - s_.tested(s_.a).center.cast<C>();
     script_.count(tally());
     add("difference", "From centre to centre", 0,
-        "Only the line between the centres matters. Two balls are nearest to each other along it.", Focus::line,
-        "**l** = **b** − **a**");
+        "Only the line between the centres **a** and **b** matters; **l** is the vector along it. Two balls are "
+        "nearest to each other along it.",
+        Focus::line, "**l** = **b** − **a**");
     l.dot(l);
     script_.count(tally());
     script_.value("*d*^2", d2, "area");
@@ -72,7 +73,7 @@ class Teller {
     script_.count(tally());
     script_.value("*R*^2", s2, "area", Role::second);
     add("reach", "How far the balls reach", 2,
-        "Together the balls reach as far as the sum of their radii.\n"
+        "Together the balls reach as far as *R*, the sum of their radii *r*_a and *r*_b.\n"
         "Neither is negative, so squaring keeps their order while the squares stay in range. No root is needed.",
         Focus::radii, "*R*^2 = (*r*_a + *r*_b)^2 = " + shown(s2));
   }
@@ -111,9 +112,10 @@ class Teller {
   }
 
   std::string distance_caption(double d2) const {
-    if (std::isinf(d2)) return "The centres lie so far apart that the square overflows: it is infinite.";
-    if (d2 == 0 && same_centre()) return "The square is zero: the centres coincide.";
-    if (d2 == 0) return "The square is too small for a double: it underflows to zero.";
+    if (std::isinf(d2))
+      return "The centres lie so far apart that the square of their distance *d* overflows: it is infinite.";
+    if (d2 == 0 && same_centre()) return "The square of the distance *d* is zero: the centres coincide.";
+    if (d2 == 0) return "The square of the distance *d* is too small for a double: it underflows to zero.";
     return "The dot product of **l** with itself is the square of the distance *d*.";
   }
 

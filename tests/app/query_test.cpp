@@ -2,13 +2,16 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <vector>
 
 #include "bench/random.h"
+#include "lessons/lessons.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
+#include "viz/walk/closing.h"
 
 namespace query_test {
 using isect::test::Contains;
@@ -499,6 +502,34 @@ TEST_CASE("every kind has an example that every variant answers, in either scala
   }
   CHECK(kinds == 51);
   CHECK(examples.size() == 51);
+}
+
+TEST_CASE("every lesson names a case that isect query answers as it is pasted, wherever the lesson is told",
+          "[query]") {
+  const Shell shell;
+  std::set<std::string> cases;
+  for (const isect::viz::Lesson* lesson : isect::lessons::all_lessons()) {
+    INFO(lesson->id);
+    const auto own = isect::viz::judge(*lesson);
+    REQUIRE(own);
+    std::string command;
+    for (const std::string& line : own->command) command += line + "\n";
+    CHECK(cases.insert(lesson->query).second);
+    const Ran ran = shell(command);
+    INFO(command << ran.out << ran.err);
+    CHECK(ran.status == 0);
+    CHECK(Json::parse(ran.out).contains("result"));
+    CHECK(Json::parse(ran.out)["result"].size() > 0);
+    const Ran told = shell("isect explain " + lesson->id + " --exercises");
+    for (const std::string& line : own->command) CHECK_THAT(told.out, Contains("  " + line + "\n"));
+  }
+  const std::string& last = isect::viz::judge(*isect::lessons::all_lessons().front())->command.back();
+  CHECK_THAT(shell("isect explain relations").out, Contains("  " + last + "\n"));
+  REQUIRE(shell("isect handout relations").status == 0);
+  const auto files = isect::test::files_in(shell.work() / "handouts");
+  const auto page = std::find_if(files.begin(), files.end(), [](const auto& f) { return f.ends_with(".html"); });
+  REQUIRE(page != files.end());
+  CHECK_THAT(isect::test::contents(shell.work() / "handouts" / *page), Contains("| isect query"));
 }
 
 }  // namespace query_test

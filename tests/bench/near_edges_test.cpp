@@ -5,6 +5,7 @@
 #include <isect/methods/point_polygon.h>
 #include "bench/maps.h"
 #include "bench/point_polygon/families.h"
+#include "bench/point_polygon/oracle.h"
 #include "bench/prose.h"
 #include "tests/catch.h"
 #include "tests/viz/drawn.h"

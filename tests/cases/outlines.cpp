@@ -2,6 +2,7 @@
 
 #include "bench/line_triangle/oracle.h"
 #include "bench/point_polygon/families.h"
+#include "bench/point_polygon/oracle.h"
 #include "bench/polygon_polygon/families.h"
 #include "bench/polygon_polygon/oracle.h"
 #include "bench/ray_outline/oracle.h"

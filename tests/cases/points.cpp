@@ -2,6 +2,7 @@
 
 #include "bench/aabb_aabb/families.h"
 #include "bench/orient2d/families.h"
+#include "bench/orient2d/oracle.h"
 #include "bench/point_point/families.h"
 #include "bench/simple_shapes.h"
 #include "bench/sphere_capsule/oracle.h"

@@ -30,7 +30,6 @@ set(tested_by
   many/batch_ray_sphere=many/batch
   many/overlapping_pairs=many/all_pairs
   mesh_surface=mesh_mesh
-  methods/motion=many/motion
   methods/obb_obb=obb_obb
   methods/plane_aabb=plane_aabb
   methods/plane_cone=plane_cone

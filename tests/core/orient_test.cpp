@@ -3,6 +3,7 @@
 #include <isect/orient.h>
 
 #include "bench/orient2d/families.h"
+#include "bench/orient2d/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 

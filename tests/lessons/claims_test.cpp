@@ -73,6 +73,7 @@ const std::vector<Claims>& claims() {
       {"robustness",
        {{"in fewer than a tenth", "a choice of a question"},
         {"The exact test is never wrong", "its verdict is exact; speed_against_error_test counts"}}},
+      {"rounding-bound", {{"rounded to the nearest double", "what IEEE 754 asks for"}}},
       {"rules-of-thumb",
        {{"Fewer operations promise less time", "a promise, which the lesson's clock breaks"},
         {"Which is the fastest, measured", "rules_of_thumb_test, over all methods"},

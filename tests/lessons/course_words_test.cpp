@@ -28,6 +28,12 @@ const std::string& taught_in(const std::string& term) {
   return found->lesson;
 }
 
+/// Whether a lesson builds on another, directly or through others.
+bool builds_on(const Lesson& l, const std::string& other) {
+  return std::ranges::any_of(l.after,
+                             [&](const std::string& id) { return id == other || builds_on(lesson(id), other); });
+}
+
 bool needs_orientations(const Lesson& l) {
   return std::ranges::any_of(texts(l), [](const std::string& told) {
     return says(told, "orient2d") || says(told, "orientation") || says(told, "sign of an area");
@@ -52,6 +58,7 @@ TEST_CASE("orientations are taught before any lesson needs them", "[words]") {
     ++needing;
     INFO(l->id);
     CHECK(place(l->id) >= place(teacher));
+    CHECK((l->id == teacher || builds_on(*l, teacher)));
   }
   CHECK(needing >= 5);
   const Lesson& capsules = lesson("capsule-capsule");

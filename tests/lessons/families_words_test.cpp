@@ -76,6 +76,28 @@ TEST_CASE("a family that is the same as another but for its place is told with t
   CHECK(told > 0);
 }
 
+TEST_CASE("every hard family has a picture of one of its cases, under its name", "[words]") {
+  for (const Preset& p : speed().presets) {
+    const Walk walk = speed().walk(p.parameters);
+    const Step* const step = find(walk, "typical");
+    REQUIRE(step);
+    std::vector<std::string> named;
+    int drawn = 0;
+    for (const Item& item : step->scene.items) {
+      const auto* heading = std::get_if<Heading>(&item);
+      if (heading && heading->bold) named.push_back(plain(heading->text));
+      drawn += heading == nullptr;
+    }
+    const std::vector<std::string> families = hard_families(p.id);
+    CHECK(named.size() == families.size());
+    CHECK(drawn >= static_cast<int>(families.size()));
+    for (const std::string& family : families) {
+      INFO(p.id << ", " << family);
+      CHECK(std::ranges::count(named, bench::sentence(bench::words(family))) == 1);
+    }
+  }
+}
+
 TEST_CASE("a strict comparison leaves out touching by convention, and the lesson says so", "[words]") {
   for (const char* test : {"sphere-sphere", "sphere-aabb"}) {
     const Walk walk = speed().walk(preset(speed(), test).parameters);

@@ -134,7 +134,7 @@ TEST_CASE("the split that is called cheapest is so among the cuts that are said 
   on_all_settings("hierarchy", 300, [&](const Parameters& p, const Walk& walk) {
     if (text(p, "walk") != "build" || !find(walk, "cut-1")) return;
     ++looked_at;
-    said_of_splits(walk, tree::scattered(std::get<Vec3>(p.at("p"))), untried);
+    said_of_splits(walk, tree::boxes_of(p), untried);
   });
   CHECK(looked_at > untried);
   CHECK(untried > 2);

@@ -93,7 +93,7 @@ TEST_CASE("every line of the reading is reached, and each step says it shortly",
       reached.insert(s.line);
       CHECK(slugs.insert(s.slug).second);
       CHECK(s.source.find(results().machine.flags) != std::string::npos);
-      CHECK(bool(s.scene.chart));
+      CHECK(bool(s.scene.chart) == (s.slug != "typical"));
       CHECK(s.caption.find("nan") == std::string::npos);
       int words = 0;
       std::istringstream text(plain(s.caption));
@@ -199,6 +199,7 @@ TEST_CASE("no label of the lesson's charts meets another or leaves the picture",
     for (const ThemeName name : {ThemeName::screen, ThemeName::print, ThemeName::grey, ThemeName::dark})
       for (const auto& [w, h] : {std::pair{227, 142}, {480, 360}, {960, 600}})
         for (const Step& s : walk.steps) {
+          if (!s.scene.chart) continue;
           const Figure f = figure(s, lesson().camera, name, w, h);
           for (std::size_t i = 0; i < f.labels.size(); ++i) {
             const TextBox& b = f.labels[i].box;

@@ -63,9 +63,10 @@ TEST_CASE("a part is kept where segment or polygon and box share a point, and no
     CAPTURE(last.verdict.text, last.caption, at(p, "p").transpose(), at(p, "q").transpose(), at(p, "r").transpose(),
             at(p, "s").transpose());
     CHECK(holds(last.verdict.text, "nothing is kept") == (last.verdict.kind == Verdict::Kind::no));
-    if (text_of(p, "shape") == "segment") {
+    if (text_of(p, "shape") != "polygon") {
       const bool meet = meets_box(at(p, "p"), at(p, "q"));
       CHECK((last.verdict.kind != Verdict::Kind::no) == meet);
+      if (text_of(p, "shape") == "slabs") return;
       kept += meet;
       const bool beyond = tests::own_step(walk, 0).line == 2;
       trivial += beyond;

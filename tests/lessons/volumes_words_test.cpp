@@ -151,7 +151,7 @@ TEST_CASE("a ray among boxes and two objects end with what brute force finds", "
   int hits = 0, misses = 0, pairs = 0, apart = 0;
   over_settings(lesson("hierarchy"), tests::cases(600, 6000), [&](Parameters p) {
     if (text_of(p, "walk") == "growth") p["walk"] = std::string("ray");
-    const own::Boxes boxes = own::scattered(vector(p, "p"));
+    const own::Boxes boxes = own::boxes_of(p);
     const Walk walk = lesson("hierarchy").walk(p);
     const Step& last = walk.steps[outcome(walk)];
     CAPTURE(last.verdict.text, last.caption);

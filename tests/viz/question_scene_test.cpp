@@ -228,6 +228,12 @@ const std::vector<std::pair<std::string, double (*)(const OnShow&)>>& ways() {
       {"At which t does the line meet the wall", [](const OnShow& o) { return (o.told[4] - o.told[0]) / o.told[2]; }},
       {"do they first meet?", [](const OnShow& o) { return o.told[0] / o.told[2]; }},
       {"How long may one step be", [](const OnShow& o) { return o.told[0] + o.told[1]; }},
+      {"When do these extents meet",
+       [](const OnShow& o) {
+         return std::min((o.told[0] - o.told[3]) / o.told[4], (o.told[1] - o.told[2]) / o.told[4]);
+       }},
+      {"For how long do they share points", [](const OnShow& o) { return (o.told[0] + o.told[1]) / o.told[2]; }},
+      {"What is the longest step that surely passes no contact", [](const OnShow& o) { return o.told[0] / o.told[1]; }},
   };
   return all;
 }
@@ -399,6 +405,16 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
          if (n.size() == 8 && cross(n, 4, 6, 0) < 0) return 2;
          return cross(n, 2, 4, 0) >= 0 ? 1 : 0;
        }},
+      {"tests to each update on does",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         double update = 0, test = 0;
+         for (const auto& [name, x] : o.values) {
+           if (name.ends_with("-DOP: update")) update = x;
+           if (name.ends_with("-DOP: test")) test = x;
+         }
+         const double more = (update - o("OBB: update")) / (o("OBB: test") - test);
+         return choice(q, std::to_string(1 + static_cast<int>(std::max(0.0, more))));
+       }},
       {"how many points leave the chain",
        [](const Question& q, const std::string&, const OnShow& o) {
          Numbers chain = o.told;
@@ -419,6 +435,19 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
        }},
       {"what does the pixel show", [](const Question& q, const std::string&,
                                       const OnShow& o) { return choice(q, nearest(o, plain_choices(q), "the sky")); }},
+      {"with what velocity does b move",
+       [](const Question& q, const std::string& prompt, const OnShow&) {
+         std::string words = prompt;  // 500 000 is one number
+         for (std::size_t at; (at = words.find("\u2009")) != words.npos;) words.erase(at, 3);
+         const Numbers n = numbers_in(words);
+         return choice(q, "(" + shown(n[2] - n[0]) + ", " + shown(n[3] - n[1]) + ")");
+       }},
+      {"when do the boxes first meet",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         const Numbers& n = o.told;  // the times on x, those on y, and those of the motion
+         const double begin = std::max({n[0], n[2], n[4]}), end = std::min({n[1], n[3], n[5]});
+         return choice(q, begin <= end ? shown(begin) : "not within the motion");
+       }},
       {"what does n · l tell",
        [](const Question&, const std::string&, const OnShow& o) {
          const Numbers& n = o.told;
@@ -435,6 +464,7 @@ const std::vector<std::string>& from_what_is_given() {
                                                "one pose, four kinds",
                                                "coordinates on",
                                                "how many say near",
+                                               "of the four differences",
                                                "is compared with",
                                                "how are the intervals related",
                                                "which t belong",
@@ -492,8 +522,12 @@ const std::vector<std::string>& from_what_is_known() {
                                                "single out one wedge",
                                                "which boxes cost",
                                                "of the count is left",
+                                               "of c++ return",
+                                               "becomes of the expected cost",
                                                "which is the fastest",
                                                "naive test",
+                                               "how many roundings",
+                                               "let a wrong sign through",
                                                "errs most",
                                                "does the exact call take",
                                                "dominated"};

@@ -1,8 +1,10 @@
 #include "viz/walk/closing.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "viz/chart/case_map.h"
+#include "viz/text/rich_text.h"
 #include "viz/walk/question_scene.h"
 
 namespace isect::viz {
@@ -53,6 +55,21 @@ std::vector<SharedIdea> shared_ideas(const Lesson& lesson) {
 }
 
 std::string short_title(const Lesson& lesson) { return lesson.title.substr(0, lesson.title.find(':')); }
+
+std::optional<Judge> judge(const Lesson& lesson) {
+  if (lesson.query.empty()) return {};
+  Judge own = {
+      "Write this test yourself, in any language. The command “isect query” reads one case a line, as JSON, and "
+      "answers "
+      "each exactly: so it can judge your program. For instance:",
+      {}};
+  std::istringstream lines(lesson.query);
+  for (std::string line; std::getline(lines, line);)  // several words of echo are one line
+    own.command.push_back((own.command.empty() ? "echo '" : "     '") + unindented(line) + "' \\");
+  own.command.back().pop_back();
+  own.command.back() += "| isect query";
+  return own;
+}
 
 Step closing_step(const Lesson& lesson, const Step& before) {
   const Closing& closing = *lesson.closing;

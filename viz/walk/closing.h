@@ -1,6 +1,10 @@
 #pragma once
 // What follows a lesson's own steps: its map of cases, then the card with the lesson's summary.
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "viz/chart/chart.h"
 #include "viz/lesson.h"
 
@@ -32,6 +36,13 @@ std::vector<SharedIdea> shared_ideas(const Lesson&);
 std::string heading(const SharedIdea&);
 /// Returns a lesson's title up to its colon, as markup: for lists of several lessons.
 std::string short_title(const Lesson&);
+/// Who judges a reader's own program, and the command that asks, line by line as it is typed.
+struct Judge {
+  std::string told;  ///< markup
+  std::vector<std::string> command;
+};
+/// Returns the judge of a lesson that has a case for it.
+std::optional<Judge> judge(const Lesson&);
 /// Returns the step that shows the card of a lesson that has one; what `before` has told stays.
 Step closing_step(const Lesson&, const Step& before);
 

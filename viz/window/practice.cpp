@@ -93,6 +93,11 @@ void exercises(Column& c, Player& player, std::set<const Exercise*>& shown, Toas
     c.y += button_height + 4;
     if (open) c.paragraph(e.solution, ink.muted);
   }
+  if (const std::optional<Judge> own = judge(player.lesson())) {
+    c.y += 10;
+    c.paragraph(own->told, ink.text);
+    for (const std::string& line : own->command) c.paragraph(as_markup(line), ink.muted);
+  }
 }
 
 void same_ideas(Column& c, Player& player, Toast& toast) {

@@ -248,23 +248,16 @@ inline void order_rounds(std::vector<int>& order, const std::vector<PolygonPiece
 
 }  // namespace trapezoid_map
 
-/// The map of a boundary; another seed draws another order, and gives the same answers.
+/// The map of a boundary, its pieces added in this order, each once. A bad order, such as from left to right, makes
+/// paths of O(n) steps: it is for lessons and comparison.
 template <class Trace = NoTrace>
-TrapezoidMap make_trapezoid_map(PolygonPieces boundary, std::uint64_t seed = 1, Trace&& trace = {}) {
+TrapezoidMap make_trapezoid_map_in_order(PolygonPieces boundary, const std::vector<int>& order, Trace&& trace = {}) {
   TrapezoidMap map;
   map.boundary = std::move(boundary);
-  const std::vector<PolygonPieces::Piece>& pieces = map.boundary.pieces;
-
   std::vector<bool> used(map.boundary.vertices.size());
-  for (const PolygonPieces::Piece& s : pieces) used[s.low] = used[s.high] = true;
+  for (const PolygonPieces::Piece& s : map.boundary.pieces) used[s.low] = used[s.high] = true;
   for (std::size_t v = 0; v < used.size(); ++v)
     if (!used[v]) map.lonely.push_back(static_cast<int>(v));
-
-  std::vector<int> order(pieces.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::mt19937_64 random(seed);
-  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
-  trapezoid_map::detail::order_rounds(order, pieces);
 
   trapezoid_map::Builder builder(map);
   for (const int piece : order) {
@@ -272,6 +265,37 @@ TrapezoidMap make_trapezoid_map(PolygonPieces boundary, std::uint64_t seed = 1, 
     trace(trapezoid_map::Inserted{piece, cut});
   }
   return map;
+}
+
+/// The map of a boundary; another seed draws another order, and gives the same answers.
+template <class Trace = NoTrace>
+TrapezoidMap make_trapezoid_map(PolygonPieces boundary, std::uint64_t seed = 1, Trace&& trace = {}) {
+  std::vector<int> order(boundary.pieces.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::mt19937_64 random(seed);
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+  trapezoid_map::detail::order_rounds(order, boundary.pieces);
+  return make_trapezoid_map_in_order(std::move(boundary), order, trace);
+}
+
+/// How many questions the longest path of a search asks.
+inline int depth(const TrapezoidMap& map) {
+  std::vector<int> below(map.nodes.size(), -1);  // the longest path from each node that was seen
+  std::vector<int> open;
+  if (!map.nodes.empty()) open.push_back(0);
+  while (!open.empty()) {
+    const int i = open.back();
+    const TrapezoidMap::Node& node = map.nodes[i];
+    const bool asks = node.ask != TrapezoidMap::Ask::nothing;
+    if (asks && (below[node.first] < 0 || below[node.second] < 0)) {
+      for (const int next : {node.first, node.second})
+        if (below[next] < 0) open.push_back(next);
+      continue;
+    }
+    below[i] = asks ? 1 + std::max(below[node.first], below[node.second]) : 0;
+    open.pop_back();
+  }
+  return below.empty() ? 0 : below[0];
 }
 /// The map of a polygon. Throws std::invalid_argument that names two edges that cross where there is no vertex (a
 /// bow-tie): see make_polygon_pieces. Any other polygon will do: several rings, of any orientation, with repeated

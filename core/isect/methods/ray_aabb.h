@@ -55,8 +55,14 @@ struct Reciprocal {
   int axis;
   S value;
 };
+/// t at the two planes of a slab, as computed: at its lower end and at its upper one.
 template <class S>
-using MethodEvent = std::variant<Reciprocal<S>, Crossing<S>, Remains<S>>;
+struct Planes {
+  int axis;
+  S lo, hi;
+};
+template <class S>
+using MethodEvent = std::variant<Reciprocal<S>, Planes<S>, Crossing<S>, Remains<S>>;
 
 namespace detail {
 
@@ -71,6 +77,8 @@ std::optional<Interval<S>> by_slabs(const Ray<S, N>& ray, const Aabb<S, N>& box,
     trace(Reciprocal<S>{i, inverse});
 
     const S t1 = (box.lo[i] - ray.origin[i]) * inverse, t2 = (box.hi[i] - ray.origin[i]) * inverse;
+    trace(Planes<S>{i, t1, t2});
+
     const Interval<S> crossing = sort(i, t1, t2);
     trace(Crossing<S>{i, crossing.lo, crossing.hi});
 
@@ -90,6 +98,17 @@ std::optional<Interval<S>> by_min_max(const Ray<S, N>& ray, const Aabb<S, N>& bo
   const auto sort = [](int, S t1, S t2) -> Interval<S> { return {std::min(t1, t2), std::max(t1, t2)}; };
   const auto later = [](S in, S entry) { return std::max(in, entry); };
   const auto earlier = [](S out, S exit) { return std::min(out, exit); };
+  return detail::by_slabs(ray, box, sort, later, earlier, trace);
+}
+
+/// The same with the arguments of the last two exchanged: what is new comes first, and the range after it. So a NaN at
+/// a lower plane becomes the range, where by_min_max passes over the slab. On the last axis the hit is lost; else the
+/// next axis replaces the NaN, and what was found before it is forgotten, the ray's own range too.
+template <class S, int N, class Trace = NoTrace>
+std::optional<Interval<S>> by_min_max_exchanged(const Ray<S, N>& ray, const Aabb<S, N>& box, Trace&& trace = {}) {
+  const auto sort = [](int, S t1, S t2) -> Interval<S> { return {std::min(t1, t2), std::max(t1, t2)}; };
+  const auto later = [](S in, S entry) { return std::max(entry, in); };
+  const auto earlier = [](S out, S exit) { return std::min(exit, out); };
   return detail::by_slabs(ray, box, sort, later, earlier, trace);
 }
 

@@ -22,7 +22,9 @@
 #include <isect/numbers/components.h>
 #include <isect/numbers/exact.h>
 #include <isect/numbers/grid.h>
+#include <isect/numbers/operations.h>
 #include <isect/numbers/recorded.h>
+#include <isect/numbers/stages.h>
 #include <isect/trace.h>
 
 namespace isect {
@@ -35,13 +37,21 @@ template <class Text>
 NotRecorded(Text) -> NotRecorded<Text>;
 
 namespace detail {
-template <class W, class Text>
-[[gnu::noinline]] std::optional<int> sign_in(const Text& text) {
-  return text.template operator()<W>().sign();
+// Each of these functions tells what it found to a listener that hears stages; to none, if there is none.
+
+template <class W, class Text, class... Listeners>
+[[gnu::noinline]] std::optional<int> sign_in(const Text& text, Listeners&... listeners) {
+  const W x = text.template operator()<W>();
+  (listeners(Stage{std::is_same_v<W, ShortExact> ? Stage::Kind::short_exact : Stage::Kind::medium_exact, x.rounded(), 0,
+                   0, x.sign()}),
+   ...);
+  return x.sign();
 }
-template <class Text>
-[[gnu::noinline, gnu::cold]] int exact_sign(const Text& text) {
-  return text.template operator()<Exact>().sign();
+template <class Text, class... Listeners>
+[[gnu::noinline, gnu::cold]] int exact_sign(const Text& text, Listeners&... listeners) {
+  const Exact x = text.template operator()<Exact>();
+  (listeners(Stage{Stage::Kind::exact, x.rounded(), 0, 0, x.sign()}), ...);
+  return x.sign();
 }
 /// The sign of x, a whole multiple of `step`: 1, 0, -1, or nothing where the error could turn it.
 template <class T>
@@ -51,6 +61,10 @@ std::optional<int> sign_on_grid(const Bounded<T>& x, double step) {
   if (size + error < step) return 0;
   return {};
 }
+/// The sign of a whole multiple of `step` that is `most` in size at most: 0, or nothing.
+inline Stage on_grid(double most, double step) {
+  return {Stage::Kind::grid, 0, most, step, most < step ? std::optional(0) : std::nullopt};
+}
 /// Whether a text is recorded before it runs in the arithmetics after doubles: where code is to be small, and where
 /// somebody listens, which takes longer anyway.
 template <class Text, class Trace>
@@ -58,32 +72,38 @@ inline constexpr bool recorded_for = small_code || heard<Trace>;
 template <class Text, class Trace>
 inline constexpr bool recorded_for<NotRecorded<Text>, Trace> = false;
 /// The sign in W, TripleDouble, by the size and the count of roundings that doubles found.
-template <class W, class Text>
-ISECT_INLINE std::optional<int> sign_in_finer(const Text& text, const Bounded<double>& quick, double step) {
-  return sign_on_grid(Bounded<W>(text.template operator()<W>(), quick.size(), quick.roundings()), step);
+template <class W, class Text, class... Listeners>
+ISECT_INLINE std::optional<int> sign_in_finer(const Text& text, const Bounded<double>& quick, double step,
+                                              Listeners&... listeners) {
+  const Bounded<W> x(text.template operator()<W>(), quick.size(), quick.roundings());
+  const std::optional<int> s = sign_on_grid(x, step);
+  (listeners(Stage{Stage::Kind::triple_double, leading(x.value()), x.error(), step, s}), ...);
+  return s;
 }
 ISECT_INLINE bool in_range(const Bounded<double>& x) { return 0x1p-800 < x.size() && x.size() < 0x1p900; }
 
 /// Returns the sign of a text whose size is out of range.
-template <class Text>
-[[gnu::noinline]] int sign_out_of_range(const Text& text) {
-  if (const std::optional<int> s = sign_in<ShortExact>(text)) return *s;
-  return exact_sign(text);
+template <class Text, class... Listeners>
+[[gnu::noinline]] int sign_out_of_range(const Text& text, Listeners&... listeners) {
+  if (const std::optional<int> s = sign_in<ShortExact>(text, listeners...)) return *s;
+  return exact_sign(text, listeners...);
 }
 /// Returns the sign where Compensated leaves it open as well.
-template <class Text>
-[[gnu::noinline]] int sign_after_compensated(const Text& text, const Bounded<double>& quick, double step) {
+template <class Text, class... Listeners>
+[[gnu::noinline]] int sign_after_compensated(const Text& text, const Bounded<double>& quick, double step,
+                                             Listeners&... listeners) {
   if (step > 0)  // nothing underflows
     if (const std::optional<int> s =
-            compensated([&]<class W>() { return sign_in_finer<finer_than_t<W>>(text, quick, step); }))
+            compensated([&]<class W>() { return sign_in_finer<finer_than_t<W>>(text, quick, step, listeners...); }))
       return *s;
   if (quick.size() < 0x1p248 * step)
-    if (const std::optional<int> s = sign_in<MediumExact>(text)) return *s;
-  return exact_sign(text);
+    if (const std::optional<int> s = sign_in<MediumExact>(text, listeners...)) return *s;
+  return exact_sign(text, listeners...);
 }
 /// Returns the sign where doubles and their grid leave it open; `step` is the grid's, or 0 if it was not asked for yet.
-template <class Text>
-[[gnu::noinline]] int sign_in_compensated(const Text& text, const Bounded<double>& quick, double step) {
+template <class Text, class... Listeners>
+[[gnu::noinline]] int sign_in_compensated(const Text& text, const Bounded<double>& quick, double step,
+                                          Listeners&... listeners) {
   struct Fine {
     double value, error;
   };
@@ -91,22 +111,35 @@ template <class Text>
     const Bounded<W> x(text.template operator()<W>(), quick.size(), quick.roundings());
     return {leading(x.value()), x.error()};
   });
+  (listeners(Stage{Stage::Kind::compensated, value, error, 0,
+                   std::abs(value) - error > 0 ? std::optional(value > 0 ? 1 : -1) : std::nullopt}),
+   ...);
   if (std::abs(value) - error > 0) return value > 0 ? 1 : -1;
   if (step == 0) step = text.template operator()<Grid>().step();
   const double most = std::min(std::abs(quick.value()) + quick.error(), std::abs(value) + error);
-  return most < step ? 0 : sign_after_compensated(text, quick, step);
+  (listeners(on_grid(most, step)), ...);
+  return most < step ? 0 : sign_after_compensated(text, quick, step, listeners...);
 }
 /// Returns the sign where doubles leave it open. Not inlined: the slow path's machine code stays out of the fast one's
 /// way. `quick` is what doubles found; the stages that follow use its size and its roundings, too. The grid is asked
 /// first where doubles found 0, as for shapes that touch on integers, and after two doubles otherwise.
-template <class Text>
-[[gnu::noinline]] int sign_after_doubles(const Text& text, const Bounded<double>& quick) {
+template <class Text, class... Listeners>
+[[gnu::noinline]] int sign_after_doubles(const Text& text, const Bounded<double>& quick, Listeners&... listeners) {
   double step = 0;
   if (quick.value() == 0) {
     step = text.template operator()<Grid>().step();
+    (listeners(on_grid(quick.error(), step)), ...);
     if (quick.error() < step) return 0;
   }
-  return in_range(quick) ? sign_in_compensated(text, quick, step) : sign_out_of_range(text);
+  return in_range(quick) ? sign_in_compensated(text, quick, step, listeners...) : sign_out_of_range(text, listeners...);
+}
+/// Returns the sign where doubles leave it open, and tells the stages to a listener that hears them.
+template <class Text, class Trace>
+ISECT_INLINE int sign_after_doubles_heard(const Text& text, const Bounded<double>& quick, Trace& trace) {
+  if constexpr (hears_stages<Trace>)
+    return sign_after_doubles(text, quick, trace);
+  else
+    return sign_after_doubles(text, quick);
 }
 }  // namespace detail
 
@@ -168,20 +201,24 @@ inline auto in_doubles_first(const Algorithm& algorithm, Trace& trace) {
 /// where doubles leave the sign open.
 inline constexpr bool long_text = true;
 
-/// The true sign of the polynomial: 1, 0 or -1. Reports Fallback when doubles do not settle it.
+/// The true sign of the polynomial: 1, 0 or -1. Reports Fallback when doubles do not settle it; its operations and
+/// stages to a listener that hears them, the operations only of texts that may be recorded.
 template <bool is_long = false, class Text, class Trace = NoTrace>
 int sign_of(const Text& text, Trace&& trace = {}) {
+  if constexpr (hears_operations<Trace> && detail::recorded_for<Text, Trace>) detail::tell_operations(text, trace);
   const Bounded<double> quick = text.template operator()<Bounded<double>>();
   if constexpr (doubles_only<Trace> && !is_long) {
     trace.open |= !quick.certain();
     return quick.apparent_sign();
   } else {
+    if constexpr (hears_stages<Trace>)
+      trace(Stage{Stage::Kind::doubles, quick.value(), quick.error(), 0, quick.sign()});
     if (quick.certain()) return quick.apparent_sign();
     trace(Fallback{});
     if constexpr (is_long || detail::recorded_for<Text, Trace>)
-      return detail::sign_after_doubles(RecordedSum(text), quick);
+      return detail::sign_after_doubles_heard(RecordedSum(text), quick, trace);
     else
-      return detail::sign_after_doubles(text, quick);
+      return detail::sign_after_doubles_heard(text, quick, trace);
   }
 }
 

@@ -80,6 +80,9 @@ class Recording {
 
   /// How many numbers are kept at a time.
   std::size_t places() const { return places_; }
+  const std::vector<detail::Step>& steps() const { return steps_; }
+  /// The steps that find the numbers.
+  const std::vector<int>& results() const { return results_; }
 
  private:
   using Kind = detail::Step::Kind;

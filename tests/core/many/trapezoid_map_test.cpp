@@ -149,6 +149,27 @@ TEST_CASE("a query asks O(log n) questions, and the map takes O(n) space", "[tra
     }
 }
 
+TEST_CASE("a map whose pieces are added in any order answers alike; from left to right a path may ask n questions",
+          "[trapezoid_map]") {
+  bench::Random random(tests::seed());
+  const R ring = tests::around(random, 200, true);
+  PolygonPieces pieces = make_polygon_pieces(std::span<const R>(&ring, 1));
+  std::vector<int> order(pieces.pieces.size());
+  std::iota(order.begin(), order.end(), 0);
+  const TrapezoidMap sorted = make_trapezoid_map_in_order(pieces, order);
+  std::reverse(order.begin(), order.end());
+  const TrapezoidMap reversed = make_trapezoid_map_in_order(pieces, order), any = make_trapezoid_map(ring);
+  for (int i = 0; i < 2000; ++i) {
+    const P p = random.in_box<2>(1);
+    const Location l = locate(p, ring);
+    if (l != locate(p, sorted) || l != locate(p, reversed) || l != locate(p, any)) REQUIRE(l == locate(p, sorted));
+  }
+  CHECK(depth(sorted) > 2 * depth(any));
+  CHECK(depth(any) < 8 * std::log2(order.size()));
+  CHECK(depth(make_trapezoid_map(R{{0, 0}, {4, 1}, {0, 2}})) >= 3);
+  CHECK(depth(TrapezoidMap{}) == 0);
+}
+
 TEST_CASE("the events of trapezoids tell the questions", "[trapezoid_map]") {
   const TrapezoidMap map = make_trapezoid_map(R{{0, 0}, {4, 1}, {0, 2}});
   Record<trapezoid_map::Event> record;

@@ -7,6 +7,7 @@
 
 #include <isect/counted.h>
 #include "bench/orient2d/families.h"
+#include "bench/orient2d/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 

@@ -4,6 +4,7 @@
 
 #include <isect/counted.h>
 #include "bench/point_polygon/families.h"
+#include "bench/point_polygon/oracle.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 

@@ -1,0 +1,55 @@
+#pragma once
+// A small drawing in the plane of points, lines and circles of any size, scaled to the room of an inset.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "viz/scene.h"
+
+namespace isect::lessons::speed_against_error_lesson {
+
+class Sketch {
+ public:
+  void ring(std::vector<viz::Vec2> corners, viz::Role role, bool dotted = false);
+  void line(const viz::Vec2& from, const viz::Vec2& to, viz::Role role, viz::Pen pen = viz::Pen::solid);
+  void arrow(const viz::Vec2& from, const viz::Vec2& to, viz::Role role);
+  void circle(const viz::Vec2& center, double radius, viz::Role role);
+  void dot(const viz::Vec2& at, viz::Role role);
+  /// Lengths across and up are scaled apart: for what is too thin to be seen. Not with circles.
+  void stretch() { stretched_ = true; }
+
+  /// All of it as large as an inset may be, in coordinates that are the same on every machine.
+  std::vector<viz::Item> items() const;
+
+ private:
+  struct Piece {
+    enum class Kind { ring, line, arrow, circle, dot } kind;
+    std::vector<viz::Vec2> points;
+    viz::Role role;
+    viz::Pen pen = viz::Pen::solid;
+    double radius = 0;
+    bool dotted = false;
+  };
+
+  std::vector<Piece> pieces_;
+  bool stretched_ = false;
+};
+
+/// The outline of a convex body, and its edges, as they are seen from one direction.
+struct Shadow {
+  std::vector<viz::Vec2> outline;
+  std::vector<std::array<viz::Vec2, 2>> edges;
+
+  void draw(Sketch&, viz::Role) const;
+};
+/// Of a box with these eight corners, numbered so that the ends of an edge differ in one bit.
+Shadow shadow(const std::array<viz::Vec2, 8>& corners);
+
+/// One case, as it is drawn, and what the drawing can't show, as markup.
+struct Drawing {
+  Sketch sketch;
+  std::string note = {};
+};
+
+}  // namespace isect::lessons::speed_against_error_lesson
