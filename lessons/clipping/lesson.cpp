@@ -109,7 +109,7 @@ const Lesson& lesson() {
                             {"segment", "slabs", "polygon"}),
                      where(
                          "shape", {"slabs"},
-                         choice("first", "first argument",
+                         choice("first", "first",
                                 "What min and max have as their first argument: the range so far, or the new slab's t.",
                                 {"range", "slab"})),
                      vertex("p", "First end or vertex, in world units; its third coordinate is not used.", 0),

@@ -49,7 +49,7 @@ const Situation situations[] = {
     {"balls-touching", "touching, moving apart", "balls", {-0.5, -0.5}, {0.25, 0.5}, {-1, -0.25}, {0.5, 0.25}},
     {"balls-apart", "moving apart", "balls", {-1, -0.5}, {1, 0.5}, {-0.5, 0}, {0.5, 0.25}},
     {"balls-late", "too late", "balls", {-2.25, -0.25}, {2, 0.25}, {1, 0}, {-1, 0}, 1.25},
-    {"balls-fast", "fast, rounded", "balls", {-2.1, 0}, {1.2549, 1.25}, {769616.6, 0}, {-777559.2, 0}, 4e-6},
+    {"balls-fast", "fast, rounded", "balls", {-2.1, 0}, {1.2549, -1.25}, {769616.6, 0}, {-777559.2, 0}, 4e-6},
 
     {"tunnels", "tunnelling", "discrete", {-2.75, -0.25}, {2.5, 0}, {4, 0}, {-4, 0}, 1, 0.25, 0.25},
     {"seen", "slow enough", "discrete", {-2.25, -0.25}, {1, 0}, {2, 0}, {-2, 0}, 1, 0.25, 0.25},

@@ -30,14 +30,11 @@ const Closing& closing() {
           "The closest hit is the smallest root of |**o** + *t* **d** − **c**|^2 = *r*^2 in the ray's closed range.",
       .cost =
           "Haines, given a unit direction: one square root, no division; neither for a ball behind. The quadratic: one "
-          "square root, two "
-          "divisions.",
+          "square root, two divisions.",
       .choose =
-          "Haines for unit directions. Stable roots for others, with the full *B* or half of it: the root whose terms "
-          "have equal signs, "
-          "then the other by *t*_1 *t*_2 = *C* / *A* (see the quadratic presets). Far away also a robust discriminant, "
-          "*A* "
-          "(*r*^2 − *m*^2). Near the surface neither is better than *C*: there take the exact test.",
+          "Haines for unit directions. Stable roots for others: the root whose terms have equal signs, then the other "
+          "by *t*_1 *t*_2 = *C* / *A* (see the quadratic presets). Far away also a robust discriminant, *A* (*r*^2 − "
+          "*m*^2). Near the surface neither is better than *C*: there take the exact test.",
       .used =
           "Primary and shadow rays, picking, line of sight, sphere trees. A moving ball against a ball is a ray "
           "against their Minkowski sum.",

@@ -65,8 +65,7 @@ Drawn drawing(const std::string& family, const Obb3& a, const Obb3& b) {
     shadow(corners).draw(d.sketch, box == &a ? viz::Role::first : viz::Role::second);
   }
   if (slender) d.sketch.stretch();
-  d.note = slender ? viz::shown(2 * a.half.maxCoeff()) + " long, " + viz::shown(2 * a.half.minCoeff()) + " thick"
-                   : "gap " + viz::shown(gap);
+  d.note = slender ? about(2 * a.half.minCoeff()) + " thick" : "gap " + about(gap);
   return d;
 }
 
@@ -94,9 +93,9 @@ Drawn drawing(const std::string& family, const Ray<double, 3>& ray, const Triang
   if (in_plane) d.sketch.arrow({0, 0}, {end, 0}, viz::Role::first);
   d.sketch.dot({0, 0}, viz::Role::first);
   if (needle) d.sketch.stretch();
-  if (needle) d.note = viz::shown(twice / longest) + " high";
-  if (in_plane) d.note = viz::shown(std::abs(n.dot(ray.origin - p))) + " off the plane";
-  if (family == "far") d.note = "at " + viz::shown(p.norm());
+  if (needle) d.note = about(twice / longest) + " high";
+  if (in_plane) d.note = about(std::abs(n.dot(ray.origin - p))) + " off it";
+  if (family == "far") d.note = "at " + about(p.norm());
   return d;
 }
 
@@ -114,9 +113,8 @@ Drawn drawing(const std::string& family, const std::array<Point<double, 2>, 3>& 
   d.sketch.line(at[first] - 0.15 * across, at[last] + 0.15 * across, viz::Role::construction);
   const std::size_t asked = family.starts_with("Kettner") ? 0 : 2;
   for (std::size_t i = 0; i < 3; ++i) d.sketch.dot(at[i], i == asked ? viz::Role::first : viz::Role::second);
-  if (family == "range") d.note = "coordinates to " + viz::shown(unit);
-  if (family == "small beside large")
-    d.note = "sizes " + viz::shown(points[0].norm()) + " and " + viz::shown(points[2].norm());
+  if (family == "range") d.note = "up to " + about(unit);
+  if (family == "small beside large") d.note = about(points[0].norm()) + " and " + about(points[2].norm());
   return d;
 }
 
@@ -132,7 +130,7 @@ Drawn drawing(const std::string& family, const Point<double, 2>& p, const Ring<d
   Drawing d;
   d.sketch.ring(corners, viz::Role::second, true);
   d.sketch.dot(p - ring[0], viz::Role::first);
-  if (family.starts_with("far")) d.note = "at " + viz::shown(ring[0].x());
+  if (family.starts_with("far")) d.note = "at " + about(ring[0].x());
   return d;
 }
 

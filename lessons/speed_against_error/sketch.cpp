@@ -1,7 +1,10 @@
 #include "lessons/speed_against_error/sketch.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include <isect/convex_hull.h>
@@ -74,6 +77,11 @@ std::vector<viz::Item> Sketch::items() const {
     }
   }
   return all;
+}
+
+std::string about(double x) {
+  const double rounded = std::stod(fmt::format("{:.1e}", x));
+  return (rounded == x ? "= " : "≈ ") + viz::shown(rounded);
 }
 
 void Shadow::draw(Sketch& sketch, viz::Role role) const {

@@ -43,8 +43,11 @@ struct Shadow {
 
   void draw(Sketch&, viz::Role) const;
 };
-/// Of a box with these eight corners, numbered so that the ends of an edge differ in one bit.
+/// Returns the shadow of a box with these eight corners, numbered so that the ends of an edge differ in one bit.
 Shadow shadow(const std::array<viz::Vec2, 8>& corners);
+
+/// "≈ 3.6" or "= 2": the number with two digits, as a note below a drawing has room for.
+std::string about(double);
 
 /// One case, as it is drawn, and what the drawing can't show, as markup.
 struct Drawing {

@@ -57,8 +57,8 @@ const Lesson& lesson() {
       .after = {"relations", "intervals"},
       .ideas = {"Minkowski sum", "squared distance"},
       .shared = shared_ideas,
-      .query = R"({"kind": "sphere_sphere", "c1": [0, 0, 0], "r1": 2,
- "c2": [1, 0, 0], "r2": 1})",
+      .query = R"({"kind": "sphere_sphere", "c1": [0, 0, 0],
+ "r1": 2, "c2": [1, 0, 0], "r2": 1})",
   };
   return lesson;
 }

@@ -523,7 +523,7 @@ TEST_CASE("every lesson names a case that isect query answers as it is pasted, w
     const Ran told = shell("isect explain " + lesson->id + " --exercises");
     for (const std::string& line : own->command) CHECK_THAT(told.out, Contains("  " + line + "\n"));
   }
-  const std::string& last = isect::viz::judge(*isect::lessons::all_lessons().front())->command.back();
+  const std::string last = isect::viz::judge(*isect::lessons::all_lessons().front())->command.back();
   CHECK_THAT(shell("isect explain relations").out, Contains("  " + last + "\n"));
   REQUIRE(shell("isect handout relations").status == 0);
   const auto files = isect::test::files_in(shell.work() / "handouts");

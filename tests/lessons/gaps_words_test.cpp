@@ -111,7 +111,7 @@ TEST_CASE("the longest path of a bad order is what it is said to be, and grows a
 
 namespace {
 
-/// As C++ defines them.
+/// std::min and std::max, as C++ defines them.
 double least(double a, double b) { return b < a ? b : a; }
 double most(double a, double b) { return a < b ? b : a; }
 

@@ -80,7 +80,7 @@ bool loses_digits(double x, double y) {
 
 TEST_CASE("the filter lets through as many signs as rationals count, wrong ones among them", "[words]") {
   int weak = 0, harmless = 0;
-  on_random_settings(id, 40, [&](const Parameters& p, const Walk& walk) {
+  const auto check = [&](const Parameters& p, const Walk& walk) {
     const double factor = number(p, "factor");
     const Point2 b = tested(p, "b"), c = tested(p, "c"), middle = tested(p, "a");
     int passing = 0, wrong = 0, beside = 0, cells = 0;
@@ -109,7 +109,12 @@ TEST_CASE("the filter lets through as many signs as rationals count, wrong ones 
           (factor > 0.6 + 1e-9 && factor < 1 && passing > 0 && text(p, "unit") == "one"));
     CHECK(says(last.caption, "That is proved") == (factor == 1 && passing > 0));
     (wrong > 0 ? weak : harmless) += 1;
-  });
+  };
+  on_random_settings(id, 40, check);
+  for (const Preset& preset : lesson(id).presets) {
+    INFO(preset.id);
+    check(preset.parameters, walk_of(id, preset.id));
+  }
   CHECK((weak > 0 && harmless > 5));
 }
 

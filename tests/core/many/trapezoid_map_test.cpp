@@ -149,8 +149,10 @@ TEST_CASE("a query asks O(log n) questions, and the map takes O(n) space", "[tra
     }
 }
 
-TEST_CASE("a map whose pieces are added in any order answers alike; from left to right a path may ask n questions",
-          "[trapezoid_map]") {
+TEST_CASE(
+    "a map whose pieces are added in any order answers alike, and a path of one added from left to right may ask n "
+    "questions",
+    "[trapezoid_map]") {
   bench::Random random(tests::seed());
   const R ring = tests::around(random, 200, true);
   PolygonPieces pieces = make_polygon_pieces(std::span<const R>(&ring, 1));
