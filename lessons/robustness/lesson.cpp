@@ -63,9 +63,8 @@ const Lesson& lesson() {
         .after = {"points", "sphere-sphere", "ray-sphere", "crossings", "rules-of-thumb"},
         .ideas = {"exact predicate", "tolerance", "orientation"},
         .shared = shared_ideas,
-        .query = R"({"kind": "orient2d",
- "a": [0.5000000000000001, 0.5],
- "b": [12, 12], "c": [24, 24]})",
+        .query = R"({"kind": "orient2d", "a": [0.1, 0.3],
+ "b": [0.2, 0.6], "c": [0.3, 0.9]})",
     };
   }();
   return lesson;

@@ -95,7 +95,7 @@ Drawn drawing(const std::string& family, const Ray<double, 3>& ray, const Triang
   if (needle) d.sketch.stretch();
   if (needle) d.note = about(twice / longest) + " high";
   if (in_plane) d.note = about(std::abs(n.dot(ray.origin - p))) + " off it";
-  if (family == "far") d.note = "at " + about(p.norm());
+  if (family == "far") d.note = about(p.norm()) + " away";
   return d;
 }
 
@@ -130,7 +130,7 @@ Drawn drawing(const std::string& family, const Point<double, 2>& p, const Ring<d
   Drawing d;
   d.sketch.ring(corners, viz::Role::second, true);
   d.sketch.dot(p - ring[0], viz::Role::first);
-  if (family.starts_with("far")) d.note = "at " + about(ring[0].x());
+  if (family.starts_with("far")) d.note = about(ring[0].x()) + " away";
   return d;
 }
 

@@ -138,7 +138,7 @@ Drawn drawing(const std::string& family, const Ray<double, 3>& ray, const Sphere
   if (!(r > 0.2 && s > 0.3)) return {};
   d.sketch.circle({s, m}, r, viz::Role::second);
   d.sketch.arrow({0, 0}, {s + 1.3 * r, 0}, viz::Role::first);
-  if (family == "near-tangent") d.note = "*m* − *r* " + about((m - r) / r);
+  if (family == "near-tangent") d.note = "*m* / *r* − 1 " + about((m - r) / r);
   if (family == "direction-length") d.note = "|**d**| " + about(ray.direction.stableNorm());
   return d;
 }

@@ -96,7 +96,7 @@ void Teller::typical_cases() {
     if (const bench::Row* r = bench::standard_of(of(family)); r != nullptr && r->hard) families.push_back(family);
   const std::vector<viz::Inset> pictures = typical(test_, families);
   if (pictures.empty()) return;
-  const int count = static_cast<int>(pictures.size()), columns = std::min(count, 3);
+  const int count = static_cast<int>(pictures.size()), columns = std::min(count, 4);
   const std::string from = seen_from(test_);
   viz::Step& step = script_.add("typical", "What the hard families are made of", hard_line,
                                 "One case of each hard family, drawn at random as for the measurements." +

@@ -293,9 +293,9 @@ TEST_CASE("a question of a deck stands beside the picture and the numbers of its
   const std::string ray = contents(shell.work() / "decks/ray-sphere/two-roots/deck.tex");
   CHECK_THAT(slide_of(ray, "Question 2"), Contains("= 4.472") && Contains("= 21.146") && !Contains("= 1.1465"));
   CHECK_THAT(slide_of(ray, "What is given"), Contains("1.5234375"));
-  REQUIRE(shell("isect deck speed-against-error --step 4-6").status == 0);
+  REQUIRE(shell("isect deck speed-against-error --step 9-10").status == 0);
   const std::string chart = contents(shell.work() / "decks/speed-against-error/ray-sphere/deck.tex");
-  CHECK_THAT(slide_of(chart, "Question 1"), !Contains("input{"));
+  CHECK_THAT(slide_of(chart, "Question 2"), !Contains("input{"));
 }
 
 }  // namespace several_steps_test

@@ -2,6 +2,8 @@
 # it does not compile, and one sentence says why.
 #   cmake -D COMPILER=... -D EIGEN=... -D ROOT=... -D WORK=... -P scalars.cmake
 cmake_minimum_required(VERSION 3.22)
+# Each header, and a question that it answers.
+set(headers ray_sphere sphere_sphere aabb_aabb interval_interval point_point point_polygon convex_hull fit)
 set(questions
   "intersect(Ray<S, 3>{{S(0), S(0), S(-5)}, {S(0), S(0), S(1)}}, Sphere<S, 3>{{S(0), S(0), S(0)}, S(2)})"
   "intersects(Sphere<S, 3>{Point<S, 3>::Zero(), S(1)}, Sphere<S, 3>{Point<S, 3>::Ones(), S(1)})"
@@ -13,19 +15,10 @@ set(questions
   "fit_aabb(std::vector<Point<S, 3>>{Point<S, 3>::Zero()})")
 list(TRANSFORM EIGEN PREPEND -isystem)
 file(MAKE_DIRECTORY ${WORK})
-set(includes "")
-foreach(header aabb_aabb convex_hull fit interval_interval point_point point_polygon ray_sphere sphere_sphere)
-  string(APPEND includes "#include <isect/${header}.h>\n")
-endforeach()
-# compiled(SCALAR QUESTION...)   sets `failed`, and `said`: what the compiler says
-function(compiled scalar)
-  set(text "${includes}using namespace isect;\nusing S = ${scalar};\n")
-  set(number 0)
-  foreach(question IN LISTS ARGN)
-    string(APPEND text "auto asked_${number}() { return ${question}; }\n")
-    math(EXPR number "${number} + 1")
-  endforeach()
-  file(WRITE ${WORK}/asked.cpp "${text}")
+# compiled(SCALAR HEADER QUESTION)   sets `failed`, and `said`: what the compiler says
+function(compiled scalar header question)
+  file(WRITE ${WORK}/asked.cpp
+    "#include <isect/${header}.h>\nusing namespace isect;\nusing S = ${scalar};\nauto asked() { return ${question}; }\n")
   execute_process(
     COMMAND ${COMPILER} -std=c++20 -ffp-contract=off -fsyntax-only -I${ROOT}/core ${EIGEN} ${WORK}/asked.cpp
     RESULT_VARIABLE failed ERROR_VARIABLE said)
@@ -33,15 +26,13 @@ function(compiled scalar)
   set(said "${said}" PARENT_SCOPE)
 endfunction()
 
-foreach(scalar float double)
-  compiled(${scalar} ${questions})
+foreach(header question IN ZIP_LISTS headers questions)
+  compiled(double ${header} "${question}")
   if(failed)
-    message(FATAL_ERROR "${scalar} does not compile:\n${said}")
+    message(FATAL_ERROR "with double it does not compile: ${question}\n${said}")
   endif()
-endforeach()
-foreach(scalar int "long double")
-  foreach(question IN LISTS questions)
-    compiled(${scalar} ${question})
+  foreach(scalar int "long double")
+    compiled(${scalar} ${header} "${question}")
     if(NOT failed OR NOT said MATCHES "isect: a scalar is float or double; no error bound is proved for any other")
       message(FATAL_ERROR "${scalar} compiles, or is refused without a reason: ${question}\n${said}")
     endif()
