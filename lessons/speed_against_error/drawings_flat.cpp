@@ -65,7 +65,7 @@ Drawn drawing(const std::string& family, const Obb3& a, const Obb3& b) {
     shadow(corners).draw(d.sketch, box == &a ? viz::Role::first : viz::Role::second);
   }
   if (slender) d.sketch.stretch();
-  d.note = slender ? about(2 * a.half.minCoeff()) + " thick" : "gap " + about(gap);
+  d.note = slender ? about(2 * a.half.minCoeff()) + " thick" : is_about("gap", gap);
   return d;
 }
 
@@ -113,8 +113,8 @@ Drawn drawing(const std::string& family, const std::array<Point<double, 2>, 3>& 
   d.sketch.line(at[first] - 0.15 * across, at[last] + 0.15 * across, viz::Role::construction);
   const std::size_t asked = family.starts_with("Kettner") ? 0 : 2;
   for (std::size_t i = 0; i < 3; ++i) d.sketch.dot(at[i], i == asked ? viz::Role::first : viz::Role::second);
-  if (family == "range") d.note = "up to " + about(unit);
-  if (family == "small beside large") d.note = about(points[0].norm()) + " and " + about(points[2].norm());
+  if (family == "range") d.note = is_about("size", unit);
+  if (family == "small beside large") d.note = is_about("sizes", points[0].norm(), points[2].norm());
   return d;
 }
 

@@ -54,7 +54,7 @@ Drawn drawing(const std::string&, const Sphere3& a, const Sphere3& b) {
   Drawing d;
   d.sketch.circle({0, 0}, r, viz::Role::first);
   d.sketch.circle({(apart / unit).norm(), 0}, s, viz::Role::second);
-  d.note = "*r* " + about(a.radius) + (about(a.radius) == about(b.radius) ? ", both" : " and " + about(b.radius));
+  d.note = is_about("*r*", a.radius, b.radius);
   return d;
 }
 
@@ -90,7 +90,7 @@ Drawn drawing(const std::string&, const Sphere3& ball, const Aabb<double, 3>& bo
   } else {
     d.sketch.circle({way.norm(), 0}, r, viz::Role::first);
   }
-  d.note = "*r* " + about(ball.radius);
+  d.note = is_about("*r*", ball.radius);
   return d;
 }
 
@@ -105,7 +105,7 @@ Drawn above_ground(const Vec3& to_center, double radius, const Vec3& direction) 
   d.sketch.ring({{-1, -1}, {3, -1}, {3, -1.5}, {-1, -1.5}}, viz::Role::second);
   d.sketch.arrow({0, 0}, 1.8 * Vec2((direction - rise * up).norm(), rise), viz::Role::first);
   d.sketch.dot({0, 0}, viz::Role::first);
-  d.note = "*r* " + about(radius / height) + " heights";
+  d.note = is_about("*r*", radius / height) + " heights";
   return d;
 }
 
@@ -138,8 +138,8 @@ Drawn drawing(const std::string& family, const Ray<double, 3>& ray, const Sphere
   if (!(r > 0.2 && s > 0.3)) return {};
   d.sketch.circle({s, m}, r, viz::Role::second);
   d.sketch.arrow({0, 0}, {s + 1.3 * r, 0}, viz::Role::first);
-  if (family == "near-tangent") d.note = "*m* / *r* − 1 " + about((m - r) / r);
-  if (family == "direction-length") d.note = "|**d**| " + about(ray.direction.stableNorm());
+  if (family == "near-tangent") d.note = is_about("*m* / *r* − 1", (m - r) / r);
+  if (family == "direction-length") d.note = is_about("|**d**|", ray.direction.stableNorm());
   return d;
 }
 

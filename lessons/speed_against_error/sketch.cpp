@@ -79,9 +79,20 @@ std::vector<viz::Item> Sketch::items() const {
   return all;
 }
 
+namespace {
+
+double of_two_digits(double x) { return std::stod(fmt::format("{:.1e}", x)); }
+
+}  // namespace
+
 std::string about(double x) {
-  const double rounded = std::stod(fmt::format("{:.1e}", x));
-  return (rounded == x ? "= " : "≈ ") + viz::shown(rounded);
+  const double rounded = of_two_digits(x);
+  return (rounded == x ? "" : "≈ ") + viz::shown(rounded);
+}
+
+std::string is_about(const std::string& name, double x, double y) {
+  const double a = of_two_digits(x), b = of_two_digits(y);
+  return name + (a == x && b == y ? " = " : " ≈ ") + viz::shown(a) + (x == y ? "" : " and " + viz::shown(b));
 }
 
 void Shadow::draw(Sketch& sketch, viz::Role role) const {

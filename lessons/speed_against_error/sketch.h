@@ -46,8 +46,11 @@ struct Shadow {
 /// Returns the shadow of a box with these eight corners, numbered so that the ends of an edge differ in one bit.
 Shadow shadow(const std::array<viz::Vec2, 8>& corners);
 
-/// "≈ 3.6" or "= 2": the number with two digits, as a note below a drawing has room for.
+/// "≈ 3.6" or "2": the number with two digits, as a note below a drawing has room for.
 std::string about(double);
+/// "*r* ≈ 3.6 and 0.2", or "*r* = 2" if both are.
+std::string is_about(const std::string& name, double x, double y);
+inline std::string is_about(const std::string& name, double x) { return is_about(name, x, x); }
 
 /// One case, as it is drawn, and what the drawing can't show, as markup.
 struct Drawing {

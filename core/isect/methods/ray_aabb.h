@@ -101,9 +101,9 @@ std::optional<Interval<S>> by_min_max(const Ray<S, N>& ray, const Aabb<S, N>& bo
   return detail::by_slabs(ray, box, sort, later, earlier, trace);
 }
 
-/// by_min_max with the arguments of the last two exchanged: what is new comes first, and the range after it. So a NaN at
-/// a lower plane becomes the range, where by_min_max passes over the slab. On the last axis the hit is lost; else the
-/// next axis replaces the NaN, and what was found before it is forgotten, the ray's own range too.
+/// by_min_max with the arguments of the last two exchanged: what is new comes first, and the range after it. So a NaN
+/// at a lower plane becomes the range, where by_min_max passes over the slab. On the last axis the hit is lost; else
+/// the next axis replaces the NaN, and what was found before it is forgotten, the ray's own range too.
 template <class S, int N, class Trace = NoTrace>
 std::optional<Interval<S>> by_min_max_exchanged(const Ray<S, N>& ray, const Aabb<S, N>& box, Trace&& trace = {}) {
   const auto sort = [](int, S t1, S t2) -> Interval<S> { return {std::min(t1, t2), std::max(t1, t2)}; };
