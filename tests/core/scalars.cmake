@@ -18,7 +18,8 @@ file(MAKE_DIRECTORY ${WORK})
 # compiled(SCALAR HEADER QUESTION)   sets `failed`, and `said`: what the compiler says
 function(compiled scalar header question)
   file(WRITE ${WORK}/asked.cpp
-    "#include <isect/${header}.h>\nusing namespace isect;\nusing S = ${scalar};\nauto asked() { return ${question}; }\n")
+    "#include <isect/${header}.h>\nusing namespace isect;\nusing S = ${scalar};\n"
+    "auto asked() { return ${question}; }\n")
   execute_process(
     COMMAND ${COMPILER} -std=c++20 -ffp-contract=off -fsyntax-only -I${ROOT}/core ${EIGEN} ${WORK}/asked.cpp
     RESULT_VARIABLE failed ERROR_VARIABLE said)
