@@ -122,7 +122,8 @@ TEST_CASE("a title to come is told where no question stands before it", "[player
 
 TEST_CASE("a number is typed in any form, and what is none leaves the question open", "[player]") {
   const Lesson lesson = sample::asking_for_a_number();
-  const auto answered = [&](const std::string& text) {
+  const auto answer = [&](const std::string& text, const auto& check) {
+    INFO(text);
     Player player({&lesson});
     player.go_to(1);
     player.next();
@@ -130,17 +131,19 @@ TEST_CASE("a number is typed in any form, and what is none leaves the question o
     player.answer_typed(text);
     CHECK(player.index() == 2);
     REQUIRE(player.quiz().answered());
-    return *player.quiz().answered();
+    check(*player.quiz().answered());
   };
-  for (const char* right : {"3/4", "0.75", "0,75", ".750", "75e-2", "7.5·10^-1"}) {
-    INFO(right);
-    CHECK((answered(right).right() && answered(right).reply().empty()));
-  }
-  CHECK(answered("4/3").choice == 2);
-  CHECK(answered("4/3").reply() == "You divided the other way round.");
-  CHECK(answered("17").choice == -1);
-  CHECK((!answered("17").right() && answered("17").reply().empty()));
-  CHECK(answered("-3/4").reply() == "The sign is the opposite.");
+  for (const char* right : {"3/4", "0.75", "0,75", ".750", "75e-2", "7.5·10^-1"})
+    answer(right, [](const Answered& given) { CHECK((given.right() && given.reply().empty())); });
+  answer("4/3", [](const Answered& given) {
+    CHECK(given.choice == 2);
+    CHECK(given.reply() == "You divided the other way round.");
+  });
+  answer("17", [](const Answered& given) {
+    CHECK(given.choice == -1);
+    CHECK((!given.right() && given.reply().empty()));
+  });
+  answer("-3/4", [](const Answered& given) { CHECK(given.reply() == "The sign is the opposite."); });
 
   Player player({&lesson});
   player.go_to(1);
