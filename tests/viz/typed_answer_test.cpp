@@ -46,6 +46,8 @@ TEST_CASE("a count is met exactly, in whatever form", "[typed_answer]") {
   }
   for (const double wrong : {5.0, 7.0, 6.001, -6.0, 0.0}) CHECK_FALSE(is_right(six, wrong));
   CHECK(exactness(six) == "a whole number");
+  CHECK(what_to_type(six) == "Type a whole number.");
+  CHECK(what_to_type(third) == "Type a number to three digits; 1/3 and √2 will do.");
 }
 
 TEST_CASE("nothing but nothing is zero", "[typed_answer]") {

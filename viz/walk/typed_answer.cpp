@@ -40,6 +40,11 @@ std::string exactness(const Numeric& number) {
   return number.digits == 0 ? "a whole number" : "to " + digits_in_words(number.digits) + " digits";
 }
 
+std::string what_to_type(const Numeric& number) {
+  return number.digits == 0 ? "Type a whole number."
+                            : fmt::format("Type a number {}; 1/3 and √2 will do.", exactness(number));
+}
+
 std::vector<Reply> replies(const Numeric& number) {
   std::vector<Reply> all;
   for (const WrongNumber& wrong : number.wrong)

@@ -17,6 +17,9 @@ inline bool is_right(const Numeric& number, double typed) { return agree(number,
 /// Returns how exact the number has to be: "a whole number", "to three digits".
 std::string exactness(const Numeric&);
 
+/// Returns what a reader is told to do: "Type a whole number."
+std::string what_to_type(const Numeric&);
+
 /// What is said to numbers that are this value, up to the tolerance.
 struct Reply {
   double value = 0, tolerance = 0;

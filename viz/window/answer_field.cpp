@@ -103,9 +103,7 @@ void answer_field(Column& c, Player& player, AnswerField& field) {
   const Rect beside{r.right + gap, r.top, r.right + gap + button, r.bottom};
   const bool pressed = chip(c.ui, "give answer", beside, "Answer", false);
   c.y = r.bottom + 6;
-  c.paragraph(number.digits == 0 ? "Type a whole number, then Enter."
-                                 : "Type a number " + exactness(number) + ", then Enter. 1/3 and √2 will do.",
-              ink.muted, 13, 19);
+  c.paragraph(what_to_type(number), ink.muted, 13, 19);
   if (!field.refused.empty()) {
     const float top = c.y;
     c.paragraph(as_markup("That is not read: " + field.refused + "."), ink.miss, 13, 19);
