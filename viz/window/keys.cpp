@@ -207,8 +207,13 @@ void keys(WindowSession& s) {
   if (io.WantTextInput || in_popup) return;
   if (io.KeyCtrl) return with_control(s);
   moving_keys(s);
-  for (const ImWchar c : io.InputQueueCharacters)
-    if (!typed_into_answer(s.player, s.step_words.answer, c) && c < 128) character(s, static_cast<char>(c));
+  bool answered = false;
+  for (const ImWchar c : io.InputQueueCharacters) {
+    const bool of_answer = typed_into_answer(s.player, s.step_words.answer, c);
+    answered = answered || of_answer;
+    if (!of_answer && c < 128) character(s, static_cast<char>(c));
+  }
+  if (answered) ImGui::GetIO().InputQueueCharacters.resize(0);  // the field that opens would take them once more
 }
 
 }  // namespace isect::viz
