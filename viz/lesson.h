@@ -71,14 +71,29 @@ struct Counters {
   bool early_out = false;
 };
 
+/// A wrong number that is usually given, and the mistake behind it.
+struct WrongNumber {
+  double value = 0;
+  std::string reply = {};  ///< markup, one or two short sentences: "That is *s*, not *s*^2."
+};
+
+/// The number that a question asks for. A reader types it; the question's choices are for paper, and a hint.
+/// viz/walk/typed_answer.h judges it.
+struct Numeric {
+  double truth = 0;
+  int digits = 3;  ///< how many digits count; 0: it is a count, and only itself is right
+  std::vector<WrongNumber> wrong = {};
+};
+
 /// A question for the reader: predict, then reveal. The answer comes from the predicate itself.
 struct Question {
-  std::string prompt;                ///< markup
-  std::vector<std::string> choices;  ///< markup
-  int answer = 0;                    ///< index into choices
-  std::string because;               ///< markup, shown with the answer
-  std::optional<Scene> over = {};    ///< the scene while it is open; none: see viz/walk/question_scene.h
-  std::vector<Value> given = {};     ///< the numbers it needs, as before its step: shown while it is open
+  std::string prompt;                  ///< markup
+  std::vector<std::string> choices;    ///< markup
+  int answer = 0;                      ///< index into choices
+  std::string because;                 ///< markup, shown with the answer
+  std::optional<Scene> over = {};      ///< the scene while it is open; none: see viz/walk/question_scene.h
+  std::vector<Value> given = {};       ///< the numbers it needs, as before its step: shown while it is open
+  std::optional<Numeric> number = {};  ///< it asks for this number, which then is the right choice, too
 };
 
 /// What is known at this step.

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "app/book/lit_text.h"
 #include "app/pages/html.h"
@@ -11,6 +12,7 @@
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
 #include "viz/walk/question_scene.h"
+#include "viz/walk/typed_answer.h"
 
 namespace isect::program::book {
 
@@ -113,11 +115,32 @@ std::string WalkSection::below(const Station& at) const {
 /// Returns the question and all that is known before it is answered.
 std::string WalkSection::question(const viz::QuestionText& q) const {
   std::string choices;
-  for (std::size_t i = 0; i < q.choices.size(); ++i)
-    choices += fmt::format("<li{}>{}</li>\n", i == q.right ? " data-right" : "", text(q.choices[i]));
-  return fmt::format("<h3>Question {}</h3>\n<div class=\"words\">\n{}<ol class=\"choices\">\n{}</ol>\n{}</div>\n{}",
-                     q.number, prose(q.prompt), choices, folded("Answer", prose(q.answer + " " + q.because)),
-                     in_numbers(values(q.known)));
+  for (std::size_t i = 0; i < q.choices.size(); ++i) {
+    const std::string reply = viz::reply_to_choice(*q.asked, static_cast<int>(i));
+    choices += fmt::format("<li{}{}>{}</li>\n", i == q.right ? " data-right" : "",
+                           reply.empty() ? "" : fmt::format(" data-reply=\"{}\"", xml_escaped(text(reply))),
+                           text(q.choices[i]));
+  }
+  return fmt::format("<h3>Question {}</h3>\n<div class=\"words\">\n{}<ol class=\"choices\"{}>\n{}</ol>\n{}</div>\n{}",
+                     q.number, prose(q.prompt), number_to_type(*q.asked), choices,
+                     folded("Answer", prose(q.answer + " " + q.because)), in_numbers(values(q.known)));
+}
+
+/// Returns what book.js needs to judge a number that is typed; empty where a question asks for none.
+std::string WalkSection::number_to_type(const viz::Question& q) const {
+  if (!q.number) return {};
+  const viz::Numeric& number = *q.number;
+  nlohmann::json wrong = nlohmann::json::array();
+  for (const viz::Reply& reply : viz::replies(number)) {
+    const bool right = viz::is_right(number, reply.value);  // it has too few digits
+    const int choice = right ? -1 : viz::choice_of(q, reply.value).value_or(-1);
+    wrong.push_back({reply.value, reply.tolerance, text(reply.text), choice});
+  }
+  const nlohmann::json all = {{"right", {number.truth, viz::tolerance(number, number.truth)}},
+                              {"choice", q.answer},
+                              {"asks", viz::what_to_type(number)},
+                              {"wrong", wrong}};
+  return fmt::format(" data-number=\"{}\"", xml_escaped(all.dump()));
 }
 
 std::string WalkSection::words(const viz::StepText& told, int step) const {

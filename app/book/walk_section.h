@@ -61,6 +61,7 @@ class WalkSection {
   std::string words(const viz::StepText&, int step) const;
   std::string numbers(const viz::StepText&) const;
   std::string question(const viz::QuestionText&) const;
+  std::string number_to_type(const viz::Question&) const;
   std::string verdict(const viz::Verdict&) const;
   std::string source(int step) const;
   std::string code(const std::string&) const;

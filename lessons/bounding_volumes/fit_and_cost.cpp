@@ -126,9 +126,11 @@ class Fit {
                 "right-handed) and a half-length *h_i* along each.\n"
                 "It rotates with the object: its axes are rotated. Finding the tightest axes takes a search.",
                 axes(fitted_.obb), "|(**x** − **b**_c) · **b***_i*| ≤ *h_i* for *i* = u, v, w")
-        // one axis follows from the other two; a corner instead of axes; an AABB's
-        .question = which_value("An OBB keeps a centre, three axes and three half-lengths. How many numbers are that?",
-                                static_cast<double>(all_[2].numbers), {6, 9, 12},
+        .question = which_count("An OBB keeps a centre, three axes and three half-lengths. How many numbers are that?",
+                                static_cast<double>(all_[2].numbers),
+                                {{6, "An AABB keeps that many: it needs no axes."},
+                                 {9, "That counts three numbers for all axes. Each axis takes three."},
+                                 {12, "That leaves out one axis. It follows from the other two, but is kept."}},
                                 "Three for the centre, nine for the axes and three half-lengths.");
   }
 

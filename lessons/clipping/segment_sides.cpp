@@ -60,11 +60,13 @@ void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
     const double p = known_.segment.p[e.axis], d = known_.segment.q[e.axis] - p;
     const double at = e.upper ? box_.hi[e.axis] : box_.lo[e.axis];
     const char* const axis = axis_names[e.axis];
-    // not divided by d; the wrong way round; from q
     step.question =
         which_value(fmt::format("From {} = {}, **d** advances by {}. At which *t* is {} = {}?", axis, shown(p),
                                 shown(d), axis, shown(at)),
-                    t, {at - p, (p - at) / d, 1 - t},
+                    t,
+                    {{at - p, "That is the way to go, not divided by what **d** advances."},
+                     {(p - at) / d, "That goes the wrong way round: the sign is the opposite."},
+                     {1 - t, "That counts from the other end."}},
                     fmt::format("*t* = ({} − {}) / {}.", shown(at), p < 0 ? "(" + shown(p) + ")" : shown(p), shown(d)));
     step.question->over = over;
     give_before(script_.walk(), {"*t*_{in}", "*t*_{out}"});

@@ -79,10 +79,13 @@ class Sweep : Teller {
                                  active == 1 ? "it is" : "they are", gone.empty() ? "" : " It has left " + gone + "."));
     if (gone.empty() || asked_) return;
     asked_ = true;
-    // none is ever removed; the new one is not counted; those removed are counted too
-    step.question = which_value(fmt::format("Next is box {}. How many boxes are active then, with it?", box), active,
-                                {static_cast<double>(entered_), active > 1 ? active - 1 : active + 2, active + 1},
-                                "Boxes that have begun and not yet ended meet the plane.");
+    step.question =
+        which_count(fmt::format("Next is box {}. How many boxes are active then, with it?", box), active,
+                    {{static_cast<double>(entered_), "That counts every box that has begun, but some have ended."},
+                     {active > 1 ? active - 1 : active + 2,
+                      active > 1 ? "That leaves out the new box." : "That counts boxes that have ended."},
+                     {active + 1, "That counts a box that has ended."}},
+                    "Boxes that have begun and not yet ended meet the plane.");
     keep_picture(script_.walk());
     give_before(script_.walk(), {"active", "tests", "pairs"});
     for (Item& item : step.question->over->items)  // the plane has gone on

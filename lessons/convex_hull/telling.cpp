@@ -93,13 +93,15 @@ class Teller {
                      caption() + (turns && !turned_ ? what_a_turn_is : ""));
     turned_ = turned_ || turns;
     step.decides = !none;
-    // 0: every new point is kept; 1: `if` is read for `while`; all: the chain begins anew
     if (!none && asked_ < removed_.size()) {
       asked_ = removed_.size();
       const auto all = static_cast<double>(drawn_.chain.size() + removed_.size() - 1);
       step.question =
-          which_value(fmt::format("{} Next is **q** = {}. How many points leave the chain?", chain, coordinates(e.p)),
-                      static_cast<double>(removed_.size()), {0, 1, all},
+          which_count(fmt::format("{} Next is **q** = {}. How many points leave the chain?", chain, coordinates(e.p)),
+                      static_cast<double>(removed_.size()),
+                      {{0, "That keeps every point. The last one makes no left turn towards **q**."},
+                       {1, "That drops one point and stops. The one before it makes no left turn either."},
+                       {all, "That drops the whole chain."}},
                       "Each point at which the chain makes no left turn towards **q** is dropped.");
       step.question->over = pointing_at(e.p);
       give_before(script_.walk(), {"chain"});

@@ -72,9 +72,9 @@ class Fan {
                      left_ ? "**p** lies outside one of the two edges at **v**_0, so outside the polygon."
                            : "**p** lies beyond neither edge at **v**_0: if the polygon contains it, some wedge does.");
     step.decides = true;
-    // misconceptions: every wedge is looked at; half of them are, on average
-    step.question = which_value("How many bisections can it take at most to find the wedge?", bisections(s_.size()),
-                                {s_.size() - 2.0, std::floor(s_.size() / 2.0)},
+    step.question = which_count("How many bisections can it take at most to find the wedge?", bisections(s_.size()),
+                                {{s_.size() - 2.0, "That looks at every wedge, one by one."},
+                                 {std::floor(s_.size() / 2.0), "That looks at half of the wedges, one by one."}},
                                 "Each halves the wedges, *n* − 2 at first: lg (*n* − 2), rounded up.");
     if (left_) script_.leave_early();
     if (!left_) script_.refuse(1, {2});

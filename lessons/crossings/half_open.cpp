@@ -174,9 +174,11 @@ class HalfOpen : Teller {
             std::string(odd ? "The count is odd: **p** lies inside." : "The count is even: **p** lies outside.") +
                 "\nThe winding number adds 1 for an edge upwards and −1 for one downwards." + rules());
     step.decides = true;
-    // misconceptions: it is the count; every crossing adds 1 with the same sign; it is 1 inside and 0 outside
-    step.question = which_value("How many times does the boundary wind around **p**, counter-clockwise?", truth.winding,
-                                {1.0 * count_, -1.0 * truth.winding, odd ? 1.0 : 0.0, 2},
+    step.question = which_count("How many times does the boundary wind around **p**, counter-clockwise?", truth.winding,
+                                {{1.0 * count_, "That counts each crossing as 1, upwards or downwards."},
+                                 {-1.0 * truth.winding, "That counts the turns clockwise."},
+                                 {odd ? 1.0 : 0.0, "That tells only whether the count is odd."},
+                                 {2, "The crossings upwards and downwards do not differ by 2."}},
                                 "Edges that cross upwards count 1, those downwards −1.");
     step.question->over = with_directions();
   }

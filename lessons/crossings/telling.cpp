@@ -60,16 +60,18 @@ void Teller::first_step() {
           special(setup_));
 }
 
-/// Misconceptions: a vertex counts as often as in the other rule; edges on the left count, too; all edges count.
 Question Teller::how_many(const std::string& rule, int counted) const {
   int closed = 0, edges = 0;
   for (const Ring<double, 2>& ring : setup_.polygon.rings) {
     closed += point_polygon::crossings_closed(setup_.p, ring);
     edges += static_cast<int>(ring.size());
   }
-  return which_value(
+  return which_count(
       rule + " How many edges count?", counted,
-      {1.0 * closed, 1.0 * setup_.truth.crossings, 1.0 * crossings_of_line(setup_), 1.0 * edges},
+      {{1.0 * closed, "That counts each edge with both its ends."},
+       {1.0 * setup_.truth.crossings, "That counts a vertex on the ray as below it."},
+       {1.0 * crossings_of_line(setup_), "That counts edges on the left of **p**, too."},
+       {1.0 * edges, "That counts all edges."}},
       "An edge counts if it is neither wholly above nor wholly below, and crosses the height of **p** on the right.");
 }
 

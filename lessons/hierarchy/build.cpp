@@ -170,9 +170,11 @@ class Building {
                         ? "Each leaf holds " + plural(s.largest_leaf, "box")
                         : fmt::format("Leaves hold {} to {}", s.least_leaf, plural(s.largest_leaf, "box"))),
         nullptr)
-        // the leaves alone; a node for each pair of boxes
-        .question = which_value(fmt::format("How many nodes can a tree over {} boxes have at most?", n), 2 * n - 1,
-                                {n, 2 * n, n * (n - 1) / 2}, "A binary tree with *n* leaves has *n* − 1 inner nodes.");
+        .question = which_count(fmt::format("How many nodes can a tree over {} boxes have at most?", n), 2 * n - 1,
+                                {{n, "That counts the leaves alone."},
+                                 {2 * n, "That counts as many inner nodes as leaves."},
+                                 {n * (n - 1) / 2, "That counts the pairs of boxes."}},
+                                "A binary tree with *n* leaves has *n* − 1 inner nodes.");
   }
 
   const Tree tree_;

@@ -120,11 +120,13 @@ class ConservativeTeller : Teller {
         add(fmt::format("advance-{}", advances_), fmt::format("Advance {}", advances_), 8, caption,
             fmt::format("*t* = {} + {} / {} = {}", shown(before), shown(distance_), shown(speed_), shown(time_)));
     if (advances_ > 1) return;
-    // multiplied; not divided; half of it, to be safe
     step.question = which_value(fmt::format("The distance is {}, and it falls by at most {} a second. What is the "
                                             "longest step that surely passes no contact?",
                                             shown(distance_), shown(speed_)),
-                                time_, {distance_ * speed_, distance_, time_ / 2},
+                                time_,
+                                {{distance_ * speed_, "That multiplies. Divide the distance by the speed."},
+                                 {distance_, "That is the distance, not divided by the speed."},
+                                 {time_ / 2, "That is safe, but half of the longest step."}},
                                 "Before distance / speed has passed, the distance cannot close.");
   }
 

@@ -114,10 +114,12 @@ class HainesTeller : Teller {
         std::string("By Pythagoras, *l*^2 and *s*^2 give *m*, the distance of the line from the centre.") +
             (e.m2.value < 0 ? " Rounding has made the square negative." : ""),
         Focus::passing, "*m*^2 = *l*^2 − *s*^2 = " + shown(e.m2.value))
-        // s is not squared; r is taken for s; the sign of Pythagoras
-        .question = which_value("What is *m*^2?", e.m2.value,
-                                {l2_ - s_, l2_ - setup_.sphere.radius * setup_.sphere.radius, l2_ + s_ * s_},
-                                "*m* and *s* are the legs of a right triangle, and *l* is its hypotenuse.");
+        .question =
+        which_value("What is *m*^2?", e.m2.value,
+                    {{l2_ - s_, "That subtracts *s*, and not *s*^2."},
+                     {l2_ - setup_.sphere.radius * setup_.sphere.radius, "That subtracts *r*^2, and not *s*^2."},
+                     {l2_ + s_ * s_, "That adds *s*^2. The hypotenuse is *l*, so it is subtracted."}},
+                    "*m* and *s* are the legs of a right triangle, and *l* is its hypotenuse.");
   }
 
   void say(const PassesBy<C>& e) {

@@ -157,8 +157,11 @@ class Teller {
     known_.wall = known_.hit = true;
     script_.value("*t*", t);
     const double length = s_.made == Made::unit ? s_.d.head<2>().norm() : s_.ray.direction.norm();
-    std::vector<double> misconceived = {t * length, s_.plane.normal.dot(s_.ray.origin) + s_.plane.d};
-    if (t != 0) misconceived.push_back(-t);  // the sign forgotten; before: a distance, and the numerator alone
+    std::vector<WrongNumber> wrong = {
+        {t * length, s_.made == Made::unit ? "The direction is a unit vector: no length comes in."
+                                           : "That is a distance. *t* counts in lengths of the direction."},
+        {s_.plane.normal.dot(s_.ray.origin) + s_.plane.d, "That is **n** · **o** + *D*, neither negated nor divided."}};
+    if (t != 0) wrong.push_back({-t, "The minus sign before **n** · **o** + *D* is lost."});
     Step& step = add("wall", "Where the line meets the wall", 4,
                      fmt::format("The wall is the plane **n** · **x** + *D* = 0 with **n** = (1, 0) and *D* = {}. The "
                                  "line meets it at one *t*{}. The range decides whether it counts.",
@@ -168,7 +171,7 @@ class Teller {
         fmt::format("**o** = ({}, {}) and **{}** = ({}, {}). At which *t* does the line meet the wall *x* = {}?",
                     shown(s_.ray.origin.x()), shown(s_.ray.origin.y()), letter(s_), shown(s_.ray.direction.x()),
                     shown(s_.ray.direction.y()), shown(s_.wall)),
-        t, misconceived,
+        t, wrong,
         fmt::format("**n** = (1, 0) and *D* = {}: substitute **r**(*t*) into **n** · **x** + *D* = 0 and "
                     "solve for *t*.",
                     shown(-s_.wall)));

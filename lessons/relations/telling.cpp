@@ -111,9 +111,12 @@ class Teller {
                        "The note calls it exclusion.",
         Focus::none, pair_.meet ? "a ∩ b ≠ ∅" : "a ∩ b = ∅");
     step.decides = true;
-    // 1 after a yes: that "they meet" means "they overlap"; 2: the note's partial intersection and containment.
-    step.question = which_value(
-        "A test decides whether they have a common point. How many of the six relations remain?", alike(), {1, 2, 5},
+    step.question = which_count(
+        "A test decides whether they have a common point. How many of the six relations remain?", alike(),
+        {{1, "A common point does not mean that they overlap. They may touch, or one may contain the other."},
+         {2, pair_.meet ? "Those are partial intersection and containment. Touching and equality remain, too."
+                        : "Of the six relations only disjoint has no common point."},
+         {5, "Those five have a common point."}},
         pair_.meet ? "They share a point, which rules out only disjoint."
                    : "They share no point, so they are disjoint.");
     if (!pair_.meet) script_.leave_early();

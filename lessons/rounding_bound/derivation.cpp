@@ -135,8 +135,9 @@ class Derivation {
                                  (run_.tiny() ? "\nHere *size* counts each product as 2^{−960} at least." : ""),
                              has_sign ? "*det* = " + shown(run_.det.value) : "");
     step.scene = bounds({bounded(run_.det, "*det*")}, "*bound*");
-    // 3: without the last difference; 7: that every rounding touches every product.
-    step.question = which_value("How many roundings touch each of the two products, once *det* is found?", 4, {3, 7},
+    step.question = which_count("How many roundings touch each of the two products, once *det* is found?", 4,
+                                {{3, "That leaves out the last difference."},
+                                 {7, "That counts all 7 operations. Three of them touch the other product alone."}},
                                 "Two differences, the product itself, the last difference: 4 of the 7 operations.");
   }
 

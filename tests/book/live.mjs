@@ -58,7 +58,7 @@ async function compare_native(lesson, how) {
 }
 
 const ready = {};
-let compared = 0;
+let compared = 0, typed = 0;
 try {
   await browser.look({ width: 1280, height: 900 });
   for (const page of pages) {
@@ -78,7 +78,13 @@ try {
       check(now.hash !== last || i === 0, `${page} ${now.hash}: the address stays`);
       if (now.asks) {
         check(now.right >= 0, `${page} ${now.hash}: no choice is right`);
-        await browser.press("abcdefgh"[now.right]);
+        if (now.typing) {
+          await site.type("not a number");
+          check((await look()).asks && !(await look()).told && (await look()).help.includes("not a number"), `${page} ${now.hash}: words are a number`);
+          ++typed;
+          await site.type(typed % 2 && now.number.wrong.length ? String(now.number.wrong[0][0]) : String(now.number.right[0]));
+          check((await look()).typed.includes("You typed"), `${page} ${now.hash}: what was typed is not told`);
+        } else await browser.press("abcdefgh"[now.right]);
         check((await look()).told, `${page} ${now.hash}: the answer is not told`);
       }
       if (now.end) break;

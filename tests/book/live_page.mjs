@@ -19,6 +19,9 @@ const shown = `(() => {
     asks: document.querySelector(".live article").classList.contains("ask"),
     told: document.querySelector(".live article").classList.contains("told"),
     right: [...document.querySelectorAll(".live .choices li")].findIndex(li => "right" in li.dataset),
+    typing: document.querySelector(".live article").classList.contains("typing"),
+    number: JSON.parse(document.querySelector(".live .choices")?.dataset.number ?? "null"),
+    typed: text(".reply"), help: text(".typed .help"),
     picture: document.querySelector(".live .picture").outerHTML.length, wide: document.documentElement.scrollWidth - document.documentElement.clientWidth,
     message: text(".message"), scene: document.querySelector(".live .own-scene textarea").value, grips, values,
     end: document.querySelector(".transport .next").disabled };
@@ -45,6 +48,16 @@ export class LivePages {
     })`);
   }
   look() { return this.browser.ask(shown); }
+  /// Presses a choice's letter; where a number is asked for, a letter shows the choices first.
+  async choose(letter) {
+    if ((await this.look()).typing) await this.browser.press(letter);
+    await this.browser.press(letter);
+  }
+  /// Types a number into the field for it, and enters it.
+  type(text) {
+    return this.browser.ask(`(() => { const form = document.querySelector(".live .typed");
+      form.querySelector("input").value = ${JSON.stringify(text)}, form.requestSubmit(); })()`);
+  }
   click(text) {
     return this.browser.ask(`[...document.querySelectorAll(".live button")].find(b => b.textContent === ${JSON.stringify(text)}).click()`);
   }

@@ -116,6 +116,10 @@ try {
           check(now.line === 0, `${at}: a line of code is lit beside a question`);
           check(!told.named && told.marked === 0, `${at}: the setting's name is told beside a question`);
           const right = await browser.ask(`[...document.querySelectorAll(".walk.shown .steps > .shown .choices li")].findIndex(li => "right" in li.dataset)`);
+          const typing = await browser.ask(`document.querySelector(".walk.shown .steps > .shown").classList.contains("typing")`);
+          const open = await browser.ask(`document.querySelector(".walk.shown .steps > .shown .choices").getBoundingClientRect().height > 0`);
+          check(typing !== open, `${at}: choices and a field for a number are ${open ? "both" : "neither"} shown`);
+          if (typing) await browser.press("a");  // the choices
           await browser.press("abcdefgh"[w % 2 ? right : 0]);
           const answer = await browser.ask(`({ told: document.querySelector(".walk.shown .steps > .shown").classList.contains("told"),
             wrong: document.querySelectorAll(".walk.shown .steps > .shown .wrong").length, answer: document.querySelector(".walk.shown .steps > .shown details").open })`);

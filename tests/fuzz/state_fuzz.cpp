@@ -15,7 +15,7 @@
 #include "viz/formats/files.h"
 #include "viz/formats/metadata_text.h"
 #include "viz/player/reader_state.h"
-#include "viz/window/number_text.h"
+#include "viz/text/number_text.h"
 #include "viz/window/window_session.h"
 
 namespace {

@@ -38,6 +38,8 @@ inline std::vector<std::string> texts(const viz::Lesson& lesson) {
       if (!s.question) continue;
       all.insert(all.end(), {s.question->prompt, s.question->because});
       all.insert(all.end(), s.question->choices.begin(), s.question->choices.end());
+      if (!s.question->number) continue;
+      for (const viz::WrongNumber& wrong : s.question->number->wrong) all.push_back(wrong.reply);
     }
   }
   return all;

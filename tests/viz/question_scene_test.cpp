@@ -660,6 +660,7 @@ TEST_CASE("a digit answers where it is an answer, and loads no preset while a qu
   window.player().first();
   window.key(key::right);
   REQUIRE(window.player().quiz().asked());
+  window.player().show_choices();
   const Question question = *window.player().quiz().asked();
   const std::string preset = window.player().played().preset_id();
   REQUIRE(window.player().played().group().size() > 1);
@@ -692,7 +693,7 @@ TEST_CASE("with the panels hidden a question stands with the numbers it needs", 
   REQUIRE(window.player().quiz().asked());
   REQUIRE(window.has("known values"));
   const Rect card = window.rect("question over scene"), known = window.rect("known values");
-  CHECK((known.top > card.top && known.bottom < window.rect("choice 0").top));
+  CHECK((known.top > card.top && known.bottom < window.rect("answer").top));
 }
 
 TEST_CASE("Right to a question about the next edge lights and names that edge", "[window]") {
@@ -738,6 +739,8 @@ TEST_CASE("with the panels hidden the question stands over the scene, and is ans
   window.key(key::right);
   window.frames(2);
   REQUIRE(window.player().quiz().asked());
+  window.player().show_choices();
+  window.frames(2);
   REQUIRE(window.has("question over scene"));
   REQUIRE(window.has("choice 1"));
   const Rect card = window.rect("question over scene"), choice = window.rect("choice 1"), scene = window.rect("scene");

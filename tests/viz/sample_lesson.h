@@ -93,6 +93,22 @@ inline Lesson lesson() {
   return l;
 }
 
+/// The same lesson, whose question asks for a number: 3/4.
+inline Lesson asking_for_a_number() {
+  Lesson l = lesson();
+  l.id = "point-number";
+  l.steps = [](const Parameters& values) {
+    Walk w = walk(values);
+    Question& question = *w.steps[2].question;
+    question.prompt = "What is *t*?";
+    question.choices = {"−0.75", "0.75", "1.3333", "3"};
+    question.answer = 1;
+    question.number = Numeric{0.75, 3, {{4.0 / 3, "You divided the other way round."}, {3, "You did not divide."}}};
+    return w;
+  };
+  return l;
+}
+
 /// The same lesson under another name: a second one to go to.
 inline Lesson other_lesson() {
   Lesson l = lesson();

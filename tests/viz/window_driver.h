@@ -133,6 +133,12 @@ class WindowDriver {
     frames(2);
   }
 
+  /// Answers the open question by its choice's letter. Where a number is asked for, a letter shows the choices first.
+  void answer(int choice) {
+    if (player().quiz().wants_number()) type("a");
+    type(std::string(1, static_cast<char>('a' + choice)));
+  }
+
   /// What the window looks like now.
   Picture picture() {
     const ImGuiIO& io = ImGui::GetIO();

@@ -66,6 +66,11 @@ Rect visible(const WindowDriver& window, const std::string& full_name, Rect r) {
   const std::string name = within_pane(full_name), pane = full_name.substr(0, full_name.size() - name.size());
   static const std::pair<const char*, const char*> areas[] = {{"line ", "code lines"},
                                                               {"choice ", "lesson words"},
+                                                              {"answer", "lesson words"},
+                                                              {"give answer", "lesson words"},
+                                                              {"show choices", "lesson words"},
+                                                              {"what was typed", "lesson words"},
+                                                              {"reply", "lesson words"},
                                                               {"save preset", "lesson words"},
                                                               {"again ", "lesson words"},
                                                               {"try ", "lesson words"},
@@ -557,8 +562,20 @@ TEST_CASE("with the panels hidden a question has room for all its answers, in th
     ++asked;
     window.frames(3);
     INFO(window.ui.title());
-    const Rect card = window.rect("question over scene"), scene = window.rect("scene");
+    Rect card = window.rect("question over scene");
+    const Rect scene = window.rect("scene");
     CHECK((card.top >= scene.top && card.bottom <= window.rect("transport").top));
+    if (question.number) {
+      for (const char* name : {"answer", "give answer", "show choices"}) {
+        const Rect part = window.rect(name);
+        CHECK((part.top >= card.top && part.bottom <= card.bottom));
+        CHECK((part.left >= card.left && part.right <= card.right));
+      }
+      window.player().show_choices();
+      window.frames(3);
+      card = window.rect("question over scene");
+      CHECK((card.top >= scene.top && card.bottom <= window.rect("transport").top));
+    }
     for (std::size_t k = 0; k < question.choices.size(); ++k) {
       const Rect choice = window.rect("choice " + std::to_string(k));
       CHECK((choice.top >= card.top && choice.bottom <= card.bottom));

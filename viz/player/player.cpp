@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "viz/text/number_text.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/typed_answer.h"
 
 namespace isect::viz {
 
@@ -44,7 +46,7 @@ void Player::choose(int step) {
 /// Changes the lesson or its parameters; nothing else does.
 void Player::show(Chosen next, bool same_lesson) {
   const Lesson& lesson = *lessons_[next.lesson];
-  const bool asks = quiz_.asked();
+  const bool asks = quiz_.asked(), chooses = asks && !quiz_.wants_number();
   quiz_ = {};
   played_ = std::make_shared<PlayedWalk>(lesson, next.parameters, same_lesson ? played_->overview() : nullptr);
   ++walks_;
@@ -52,6 +54,7 @@ void Player::show(Chosen next, bool same_lesson) {
   chosen_ = std::move(next);
   show_step(step_in(walk(), chosen_));
   ask(asks);
+  if (chooses) quiz_.show_choices();
   motion_.end();
   ++revision_;
   if (!same_lesson) camera_.jump(opening_view(), false);
@@ -129,9 +132,23 @@ bool Player::tells_title(int step) const { return step <= index() || (!quiz_.ask
 void Player::answer(int choice) {
   const Question* asked = quiz_.asked();
   if (!asked || choice < 0 || choice >= static_cast<int>(asked->choices.size())) return;
-  quiz_.keep(index() + 1, choice);
+  quiz_.keep(index() + 1, GivenAnswer{choice});
   go_to(index() + 1);
   clock_.begin_answered_step();
+}
+
+void Player::answer_typed(const std::string& text) {
+  if (!quiz_.wants_number()) return;
+  const double number = number_from(text);
+  quiz_.keep(index() + 1, GivenAnswer{choice_of(*quiz_.asked(), number).value_or(-1), text, number});
+  go_to(index() + 1);
+  clock_.begin_answered_step();
+}
+
+void Player::show_choices() {
+  if (!quiz_.wants_number()) return;
+  quiz_.show_choices();
+  ++revision_;
 }
 
 void Player::ask_again(int step) {

@@ -68,6 +68,10 @@ class Player {
   /// Whether a step's title gives no answer away: its question, if any, has been passed.
   bool tells_title(int step) const;
   void answer(int choice);
+  /// Answers with a number, as typed. Throws BadInput if it is none: then nothing has changed.
+  void answer_typed(const std::string&);
+  /// Shows the choices of a question that asks for a number, as a hint.
+  void show_choices();
   /// Goes to just before that step, which has a question, and asks it, whatever the answer was before.
   void ask_again(int step);
 

@@ -4,22 +4,38 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "viz/lesson.h"
 
 namespace isect::viz {
 
+/// An answer: a choice, or a number as typed.
+struct GivenAnswer {
+  int choice = -1;         ///< of a typed number the choice that says it; -1: none does
+  std::string typed = {};  ///< empty: the choice was pressed
+  double number = 0;       ///< that was typed
+};
+
 /// A question that was answered, and the answer that was given.
 struct Answered {
   const Question* question;
-  int choice;
+  int choice;  ///< as in GivenAnswer
+  std::string typed;
+  double number;
   bool right() const { return choice == question->answer; }
+  /// Returns what is said to a wrong answer, as markup; empty if the mistake behind it is not known.
+  std::string reply() const;
 };
 
 class Quiz {
  public:
   /// Returns the question to be answered now; null if none is open.
   const Question* asked() const { return asked_; }
+  /// Whether the open question asks for a number, and its choices have not been shown instead.
+  bool wants_number() const { return asked_ && asked_->number && !choices_shown_; }
+  void show_choices() { choices_shown_ = true; }
   /// Returns what is known of the step that the open question is about (viz/walk/question_scene.h).
   const std::shared_ptr<const Step>& asking_step() const { return asking_step_; }
   /// Returns the question of the step on show and its answer, if it was answered.
@@ -29,7 +45,7 @@ class Quiz {
   void ask(const Walk&, int step);
   void close();
   /// Keeps the answer to a step's question, or that it was skipped.
-  void keep(int step, std::optional<int> choice) { answers_[step] = choice; }
+  void keep(int step, std::optional<GivenAnswer> answer) { answers_[step] = std::move(answer); }
   void skip(int step) { answers_.try_emplace(step); }
   void forget(int step) { answers_.erase(step); }
   void forget_all() { answers_.clear(); }
@@ -39,8 +55,9 @@ class Quiz {
 
  private:
   const Question* asked_ = nullptr;
+  bool choices_shown_ = false;
   std::shared_ptr<const Step> asking_step_;
-  std::map<int, std::optional<int>> answers_;  ///< by step: the answer, or none where it was skipped
+  std::map<int, std::optional<GivenAnswer>> answers_;  ///< by step; none where it was skipped
   std::optional<Answered> answered_;
 };
 

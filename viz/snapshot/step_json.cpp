@@ -50,10 +50,17 @@ Json told(const Value& v) {
   return list;
 }
 
+Json told(const Numeric& n) {
+  Json object = {{"truth", digits(n.truth)}, {"digits", n.digits}, {"wrong", Json::array()}};
+  for (const WrongNumber& wrong : n.wrong) object["wrong"].push_back(Json::array({digits(wrong.value), wrong.reply}));
+  return object;
+}
+
 Json told(const Question& q) {
   Json object = {{"prompt", q.prompt}, {"choices", q.choices}};
   if (q.answer >= 0 && q.answer < static_cast<int>(q.choices.size())) object["answer"] = q.choices[q.answer];
   object["because"] = q.because;
+  if (q.number) object["number"] = told(*q.number);
   for (const Value& v : q.given) object["given"].push_back(told(v));
   return object;
 }

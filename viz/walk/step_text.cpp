@@ -72,6 +72,7 @@ std::optional<QuestionText> question_text(const Walk& walk, int step) {
   text.right = static_cast<std::size_t>(q.answer);
   text.answer = fmt::format("({}) {}.", choice_letter(text.right), q.choices.at(text.right));
   text.because = q.because;
+  text.asked = &q;
   return text;
 }
 

@@ -19,6 +19,7 @@ constexpr Row left_keys[] = {
     {"1 … 9, 0", "presets"},
     {"Page Up / Down", "preset before / after"},
     {"A, B, C …", "answer the question"},
+    {"1, −2.5, 3/4, Enter", "answer with a number"},
     {"[ and ]", "lesson before / after"},
     {"Ctrl+O", "all lessons, saved presets"},
     {"G", "terms"},

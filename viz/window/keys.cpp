@@ -167,9 +167,11 @@ void command(WindowSession& s, char c) {
 void character(WindowSession& s, char c) {
   if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   const Question* const asked = s.player.quiz().asked();
+  const bool letter = asked && c >= 'a' && c - 'a' < static_cast<int>(asked->choices.size());
+  if (letter && s.player.quiz().wants_number()) return s.player.show_choices();
   if (c >= '0' && c <= '9' && asked) return answer_with(s.player, c);
   if (c >= '0' && c <= '9') return load_number(s.player, s.toast, c == '0' ? 10 : static_cast<std::size_t>(c - '0'));
-  if (asked && c >= 'a' && c - 'a' < static_cast<int>(asked->choices.size())) return s.player.answer(c - 'a');
+  if (letter) return s.player.answer(c - 'a');
   command(s, c);
 }
 
@@ -205,8 +207,13 @@ void keys(WindowSession& s) {
   if (io.WantTextInput || in_popup) return;
   if (io.KeyCtrl) return with_control(s);
   moving_keys(s);
-  for (const ImWchar c : io.InputQueueCharacters)
-    if (c < 128) character(s, static_cast<char>(c));
+  bool answered = false;
+  for (const ImWchar c : io.InputQueueCharacters) {
+    const bool of_answer = typed_into_answer(s.player, s.step_words.answer, c);
+    answered = answered || of_answer;
+    if (!of_answer && c < 128) character(s, static_cast<char>(c));
+  }
+  if (answered) ImGui::GetIO().InputQueueCharacters.resize(0);  // the field that opens would take them once more
 }
 
 }  // namespace isect::viz

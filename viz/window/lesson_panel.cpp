@@ -79,7 +79,7 @@ void lesson_text(const LessonPanel& panel, const Rect& r, bool fresh, bool low) 
     }
     erratum(c, player, panel.toast);
   }
-  question(c, player, fresh, false);
+  question(c, player, panel.words.answer, fresh, false);
   if (step.slug == closing_slug) {
     missed(c, player, panel.settings);
     exercises(c, player, panel.words.solutions, panel.toast);

@@ -131,11 +131,23 @@ struct Fields {
   float height = 0;  ///< as the last frame found it
 };
 
+/// The field for a number that a question asks for.
+struct AnswerField {
+  std::pair<unsigned, int> of = {};  ///< the walk and the step whose question it is
+  std::string text = {};
+  bool typing = false;       ///< it has the keyboard, or gets it in one of the next frames
+  bool begun = false;        ///< it has had it
+  bool at_end = false;       ///< the cursor was set behind the text
+  int frames = 0;            ///< without the keyboard, so far
+  std::string refused = {};  ///< why the text is no number; empty: it was not tried
+};
+
 /// The words of a step, beside its scene or below it.
 struct StepWords {
   unsigned seen = 0;                         ///< the revision whose words are shown
   float question_height = 120;               ///< of the question over the scene, as the last frame found it
   std::set<const Exercise*> solutions = {};  ///< those that are shown
+  AnswerField answer = {};
   /// The words below the scene, as high as the fullest step of the lesson so far, so that the scene keeps its size.
   struct Lecture {
     const Lesson* lesson = nullptr;
