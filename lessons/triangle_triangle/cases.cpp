@@ -45,8 +45,7 @@ const CaseMap& cases() {
       place,
       moved,
       "Each point of the plane is a place of b, moved along *x* and *y* without rotation.\n"
-      "They meet in the Minkowski difference of the two triangles, cut by this plane of places. In one plane, only "
-      "*y* = 0 is left of it."};
+      "The places where they meet are a plane section of the Minkowski difference of a and b."};
   return map;
 }
 

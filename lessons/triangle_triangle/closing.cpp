@@ -33,12 +33,11 @@ const Closing& closing() {
       .result =
           "Two triangles are disjoint if one lies on one side of the other's plane. Else they meet if and only if "
           "their intervals on the line of both planes share a number.",
-      .cost =
-          "Six heights, then four divisions, or two more signs of volumes. Most pairs of a mesh end after three or "
-          "six heights.",
+      .cost = "Six heights, then four divisions, or two more signs of volumes. A pair beside a plane ends after three or "
+              "six heights.",
       .choose =
           "Signs of volumes, exactly, where a mesh must be free of faults. Intervals in doubles where a wrong "
-          "answer at a touch does no harm.",
+          "answer near a touch does no harm.",
       .used =
           "Collision of meshes after a broad phase, Boolean operations on solids, checks of meshes for 3D printing "
           "and simulation.",

@@ -147,7 +147,7 @@ class IntervalsTeller : Teller {
     add("line", "The line of both planes", 8,
         std::string("The two planes meet in a line (dashed), with the direction **d** = **n**_a × **n**_b.\n"
                     "Common points of a and b lie on it. Each triangle has an interval of this line.\n"
-                    "Points on it keep their order on an axis. Best is that along which **d** is longest: ") +
+                    "Its projection on an axis keeps the order of points. Here we take that along which **d** is longest: ") +
             axis_names[axis_] + ".",
         "**d** = " + coordinates(d));
   }

@@ -61,8 +61,8 @@ const Situation situations[] = {
     {"signs-touching", "a corner touches", on_face, lying, "signs"},
     {"signs-parallel", "parallel planes", parallel, lying, "signs"},
     {"signs-above", "beside a plane", above, lying, "signs"},
-    {"signs-gap", "a ends first", beyond, lying, "signs"},
-    {"signs-gap-too", "b ends first", before, lying, "signs"},
+    {"signs-gap", "b to the right", beyond, lying, "signs"},
+    {"signs-gap-too", "b to the left", before, lying, "signs"},
     {"signs-one-plane", "one plane, apart", in_plane_apart, lying, "signs"},
     {"signs-decimals", "no rounding", at_edge, tilted, "signs"},
 };
