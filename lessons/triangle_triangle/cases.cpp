@@ -35,17 +35,16 @@ Triangle<float, 3> in_floats(const Three& x) {
 }  // namespace
 
 const CaseMap& cases() {
-  static const CaseMap map = {
-      "*x* of **b**_0 − **a**_0",
-      "*y* of **b**_0 − **a**_0",
-      {-3, -4},
-      {9, 4},
-      {"one beside the other's plane", "apart", "touching", "overlapping", "one inside the other"},
-      branch,
-      place,
-      moved,
-      "Each point of the plane is a place of b, moved along *x* and *y* without rotation.\n"
-      "The places where they meet are a plane section of the Minkowski difference of a and b."};
+  static const CaseMap map = {"*x* of **b**_0 − **a**_0",
+                              "*y* of **b**_0 − **a**_0",
+                              {-3, -4},
+                              {9, 4},
+                              {"beside a plane", "apart", "touching", "overlapping", "one inside the other"},
+                              branch,
+                              place,
+                              moved,
+                              "Each point of the plane is a place of b, moved along *x* and *y* without rotation.\n"
+                              "The places where they meet are a plane section of the Minkowski difference of a and b."};
   return map;
 }
 

@@ -33,14 +33,15 @@ const Closing& closing() {
       .result =
           "Two triangles are disjoint if one lies on one side of the other's plane. Else they meet if and only if "
           "their intervals on the line of both planes share a number.",
-      .cost = "Six heights, then four divisions, or two more signs of volumes. A pair beside a plane ends after three or "
-              "six heights.",
+      .cost =
+          "Six heights, then four divisions, or two more signs of volumes. A pair beside a plane ends after three or "
+          "six heights.",
       .choose =
           "Signs of volumes, exactly, where a mesh must be free of faults. Intervals in doubles where a wrong "
           "answer near a touch does no harm.",
       .used =
-          "Collision of meshes after a broad phase, Boolean operations on solids, checks of meshes for 3D printing "
-          "and simulation.",
+          "Collision of meshes after a broad phase, Boolean operations on solids, checks of meshes for "
+          "self-intersection.",
       .bug =
           "Taking “they meet” for a fault in a mesh: it is true of all neighbours. The relation and the shared "
           "corners must be known.",
@@ -70,7 +71,8 @@ const Closing& closing() {
            "planes "
            "are equal."},
           {"Find a place of **b**_0 with decimals at which rounding misleads the intervals.",
-           "The edge from **a**_0 to **a**_1 passes very close to (−0.56, 0.26, −0.32), whose decimals are no doubles.",
+           "As decimals, (−0.56, 0.26, −0.32) lies on the edge from **a**_0 to **a**_1. But these decimals are no "
+           "doubles.",
            "decimals",
            now_misled,
            {{"b0", "-0.56,0.26,-0.32"}}},

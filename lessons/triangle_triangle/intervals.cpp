@@ -145,9 +145,10 @@ class IntervalsTeller : Teller {
     script_.forget(height_names());
     known_.plane = -1, known_.heights = false, known_.line = true;
     add("line", "The line of both planes", 8,
-        std::string("The two planes meet in a line (dashed), with the direction **d** = **n**_a × **n**_b.\n"
-                    "Common points of a and b lie on it. Each triangle has an interval of this line.\n"
-                    "Its projection on an axis keeps the order of points. Here we take that along which **d** is longest: ") +
+        std::string(
+            "The two planes meet in a line (dashed), with the direction **d** = **n**_a × **n**_b.\n"
+            "Common points of a and b lie on it. Each triangle has an interval of this line.\n"
+            "Its projection on an axis keeps the order of points. Here we take that along which **d** is longest: ") +
             axis_names[axis_] + ".",
         "**d** = " + coordinates(d));
   }
@@ -189,7 +190,7 @@ class IntervalsTeller : Teller {
     const double h = heights[static_cast<std::size_t>(i)], other = heights[static_cast<std::size_t>(j)];
     const auto handy = [](double x) { return std::abs(x) >= 0.01 && std::abs(x) < 1000; };
     if (which != 0 || !handy(h) || !handy(other) || std::abs(2 * share - 1) < 0.02) return;
-    // counted from the other corner; the quotient of the heights; half way
+    // counted from the other corner; half way
     step.question = which_value(
         fmt::format("At {} the height is {}, at {} it is {}. At which share of the edge from the first corner does it "
                     "meet the plane?",

@@ -20,13 +20,13 @@ class SignsTeller : Teller {
  public:
   explicit SignsTeller(const Setup& s)
       : Teller(s, "signs of volumes", "Guigue and Devillers, Fast and robust triangle-triangle overlap test (2003)",
-               {"s(a_i) ← the side of the plane of b on which a_i lies",           // 0
-                "if all s(a_i) are +, or all −",                                   // 1
+               {"side(a_i) ← +, − or 0: above, below or in the plane of b",        // 0
+                "if all side(a_i) are +, or all −",                                // 1
                 "    return DISJOINT",                                             // 2
-                "s(b_i) ← the side of the plane of a on which b_i lies",           // 3
-                "if all s(b_i) are +, or all −",                                   // 4
+                "side(b_i) ← +, − or 0: above, below or in the plane of a",        // 3
+                "if all side(b_i) are +, or all −",                                // 4
                 "    return DISJOINT",                                             // 5
-                "if all s(a_i) are 0",                                             // 6
+                "if all side(a_i) are 0",                                          // 6
                 "    return whether no side of a or b parts them in the plane",    // 7
                 "begin a and b with the corner that lies alone, above the other",  // 8
                 "if the volume of b₁, b₀, a₀, a₁ is positive",                     // 9
@@ -76,10 +76,10 @@ class SignsTeller : Teller {
     if (!last_side_) {
       known_.plane = -1, known_.heights = false;
       add("one-plane", "One plane?", 6,
-          s_.one_plane() ? "All signs of a are 0: one plane holds both triangles.\n"
-                           "What is left is a test in two dimensions, by signs of areas (orient2d)."
-                         : "All signs of a are 0, as b has no plane. The test takes both to lie in one plane, which is "
-                           "wrong.")
+          s_.one_plane()
+              ? "All signs of a are 0: one plane holds both triangles.\n"
+                "What is left is a test in two dimensions, by signs of areas (orient2d)."
+              : "All signs of a are 0. The test takes that for one plane of two triangles, but one has no area.")
           .decides = true;
     }
     last_side_ = e;

@@ -28,7 +28,8 @@ Step& Teller::add(const std::string& slug, const std::string& title, int line, c
 
 void Teller::two_triangles(int line) {
   add("two-triangles", "Two triangles in space", line,
-      "The triangle a has the corners **a**_0, **a**_1 and **a**_2, the triangle b **b**_0, **b**_1 and **b**_2.\n"
+      "The triangle a has the corners **a**_0, **a**_1 and **a**_2. Those of the triangle b are **b**_0, **b**_1 and "
+      "**b**_2.\n"
       "Triangles are closed sets: edges and corners belong to them. Do they have a common point?");
 }
 
@@ -74,7 +75,8 @@ void Teller::in_plane(int line, const triangle_triangle::InPlane& last) {
                ? fmt::format("The side of {} from {} to {} has all of {} beyond it: its normal is a separating "
                              "axis.",
                              own, corner_name(last.of, last.side), corner_name(last.of, (last.side + 1) % 3), other)
-               : "No side has all of the other triangle strictly beyond it: no axis separates."));
+               : std::string("No side has all of the other triangle strictly beyond it") +
+                     (s_.one_plane() ? ": no axis separates." : ". The method takes them to meet.")));
   known_.lit.clear();
 }
 
@@ -131,10 +133,12 @@ std::string Teller::in_a_mesh(bool found) const {
     return neighbours + "A triangle without area is a fault by itself: such a mesh bounds no solid.";
   if (!s_.meet()) return neighbours + "These two have no common point: no fault.";
   const int shared = s_.shared_corners();
-  const std::string corners = shared == 0 ? "no corner" : plural(shared, "corner");
+  const std::string corners = plural(shared, "corner");
   if (s_.clash())
-    return neighbours + "These two share " + corners +
-           ", and more than that: a mesh with them crosses itself.\n"
+    return neighbours +
+           (shared == 0 ? "These two share no corner, and yet they meet"
+                        : "These two share " + corners + ", and more than that") +
+           ": a mesh with them crosses itself.\n"
            "“Touching” is not enough to tell, either: the test must know which corners are shared.";
   return neighbours + "These two share " + corners + (shared == 2 ? " and the edge between them" : "") +
          ", and nothing else: no fault.";

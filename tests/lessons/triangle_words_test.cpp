@@ -14,6 +14,7 @@ using namespace isect::tests;
 using isect::test::Contains;
 using oracle::Place;
 using oracle::Rational;
+using oracle::operator-;
 
 namespace {
 
