@@ -65,7 +65,7 @@ const Closing& closing() {
            now_neighbours,
            {{"b0", "-2,0,1.5"}, {"b1", "2,0,1.5"}, {"b2", "0,1.5,2"}}},
           {"Which three signs show, without any division, that two triangles are disjoint?",
-           "The sides of the three corners of one triangle, seen from the plane of the other, if all are + or all −."},
+           "The sides of one triangle's three corners, seen from the other's plane, if all are + or all −."},
           {"Why is a point that both triangles share on the line of both planes?",
            "It lies in the plane of a and in the plane of b. All points of both planes make that line, unless the "
            "planes "

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <isect/ask.h>
 #include <isect/mesh_mesh.h>
 #include <isect/orient.h>
 #include <isect/triangle_half_spaces.h>
@@ -30,6 +29,17 @@ bool has_area(const Three& x) {
     if (orient2d(seen(0), seen(1), seen(2)) != 0) return true;
   }
   return false;
+}
+
+/// The same set as half-spaces. A triangle without area is the segment from its first corner to its last, in the order
+/// of coordinates.
+HalfSpaces as_half_spaces(const Three& x) {
+  if (has_area(x)) return half_spaces_of(x);
+  const auto [first, last] =
+      std::minmax_element(x.vertices.begin(), x.vertices.end(), [](const Vec3& p, const Vec3& q) {
+        return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+      });
+  return half_spaces_of(Segment<double, 3>{*first, *last});
 }
 
 }  // namespace
@@ -88,7 +98,8 @@ Setup setup(const Parameters& p) {
   s.triangles = {Three{{at("a0"), at("a1"), at("a2")}}, Three{{at("b0"), at("b1"), at("b2")}}};
   s.of = {sides(s.b(), s.a()), sides(s.a(), s.b())};
   s.area = {has_area(s.a()), has_area(s.b())};
-  if (!on_one_side(s.of[0]) && !on_one_side(s.of[1]) && intersects(s.a(), s.b())) s.truth = *ask(s.a(), s.b()).relation;
+  if (!on_one_side(s.of[0]) && !on_one_side(s.of[1]) && intersects(s.a(), s.b()))
+    s.truth = relate(s.a(), as_half_spaces(s.b()));
   return s;
 }
 
