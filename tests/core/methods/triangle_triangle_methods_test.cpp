@@ -27,7 +27,7 @@ Three drawn(bench::Random& random) {
     Three x;
     for (auto& v : x.vertices)
       for (int i = 0; i < 3; ++i) v[i] = random.integer(-2, 2);
-    if (!detail::normal(x).isZero(0)) return x;
+    if (!triangle_triangle::detail::normal(x).isZero(0)) return x;
   }
 }
 
@@ -46,8 +46,11 @@ TEST_CASE("triangles of small whole numbers meet as rationals say, by intervals 
     Three b = drawn(random);
     if (i % 4 == 0) {  // in the plane of a
       const auto& [p, q, r] = a.vertices;
-      for (auto& v : b.vertices) v = p + random.integer(-1, 2) * (q - p) + random.integer(-1, 2) * (r - p);
-      if (detail::normal(b).isZero(0)) continue;
+      for (auto& v : b.vertices) {
+        const double along_q = random.integer(-1, 2), along_r = random.integer(-1, 2);
+        v = p + along_q * (q - p) + along_r * (r - p);
+      }
+      if (triangle_triangle::detail::normal(b).isZero(0)) continue;
       ++flat;
     }
     const bool truth = meet(a, b);
@@ -102,7 +105,7 @@ TEST_CASE("the events tell heights, the line of both planes, both parts of it an
   Record<SignsEvent> signs;
   CHECK(by_signs(floor_tile, wall, signs));
   REQUIRE(signs.events.size() == 6);
-  CHECK(std::get<Sides>(signs.events[1]).signs == Signs{-1, 1, 1});
+  CHECK(std::get<triangle_triangle::Sides>(signs.events[1]).signs == Signs{-1, 1, 1});
   CHECK(std::get<Alone>(signs.events[3]).corner == 0);
   CHECK(std::get<Ends>(signs.events[5]).sign <= 0);
 }
@@ -110,7 +113,7 @@ TEST_CASE("the events tell heights, the line of both planes, both parts of it an
 TEST_CASE("a triangle above the other, and one beside it in its plane, end early", "[triangle_triangle_methods]") {
   Record<SignsEvent> signs;
   CHECK_FALSE(by_signs(floor_tile, triangle({0, 0, 1}, {1, 0, 2}, {0, 1, 3}), signs));
-  CHECK(std::get<Sides>(signs.events.back()).beside);
+  CHECK(std::get<triangle_triangle::Sides>(signs.events.back()).beside);
   signs.events.clear();
   CHECK_FALSE(by_signs(floor_tile, triangle({5, 0, 0}, {6, 0, 0}, {5, 1, 0}), signs));
   CHECK(std::get<InPlane>(signs.events.back()).apart);
