@@ -234,6 +234,7 @@ const std::vector<std::pair<std::string, double (*)(const OnShow&)>>& ways() {
        }},
       {"For how long do they share points", [](const OnShow& o) { return (o.told[0] + o.told[1]) / o.told[2]; }},
       {"What is the longest step that surely passes no contact", [](const OnShow& o) { return o.told[0] / o.told[1]; }},
+      {"At which share of the edge", [](const OnShow& o) { return o.told[0] / (o.told[0] - o.told[1]); }},
   };
   return all;
 }
@@ -448,6 +449,12 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
          const double begin = std::max({n[0], n[2], n[4]}), end = std::min({n[1], n[3], n[5]});
          return choice(q, begin <= end ? shown(begin) : "not within the motion");
        }},
+      {"how much do they share",
+       [](const Question&, const std::string&, const OnShow& o) {
+         const Numbers& n = o.told;  // the interval of a, and that of b
+         const double lo = std::max(n[0], n[2]), hi = std::min(n[1], n[3]);
+         return lo > hi ? 0 : lo == hi ? 1 : 2;
+       }},
       {"what does n · l tell",
        [](const Question&, const std::string&, const OnShow& o) {
          const Numbers& n = o.told;
@@ -497,6 +504,7 @@ const std::vector<std::string>& from_what_is_given() {
                                                "left after the cut",
                                                "how many does it reject",
                                                "from the point",
+                                               "may a mesh that bounds a solid",
                                                "what follows"};
   return all;
 }
@@ -527,6 +535,7 @@ const std::vector<std::string>& from_what_is_known() {
                                                "which is the fastest",
                                                "naive test",
                                                "how many roundings",
+                                               "how many further signs",
                                                "let a wrong sign through",
                                                "errs most",
                                                "does the exact call take",
