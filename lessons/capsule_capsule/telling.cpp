@@ -34,7 +34,8 @@ class Teller {
   explicit Teller(const Setup& setup)
       : s_(setup),
         script_({"Ericson, Real-Time Collision Detection (2005), sections 4.5 and 5.1.9",
-                 "Two capsules in the plane, a and b: " + words(s_.truth, "the capsules") + ".", pseudocode}) {}
+                 "Two capsules in the plane, a and b: " + relation_words(s_.truth, "the capsules") + ".", pseudocode}) {
+  }
 
   Walk tell() {
     reach();
@@ -173,7 +174,7 @@ class Teller {
   }
 
   void relation() {
-    script_.settle(verdict_kind(s_.truth), words(s_.truth, "the capsules"));
+    script_.settle(verdict_kind(s_.truth), relation_words(s_.truth, "the capsules"));
     const bool meet = s_.truth != Relation::disjoint;
     const bool inside = meet && s_.truth != Relation::touching && s_.truth != Relation::overlapping;
     if (meet) script_.refuse(4, {});

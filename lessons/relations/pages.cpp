@@ -76,7 +76,7 @@ Walk page_of_all(const Pose& pose) {
   std::string alt = "Four pairs in one pose";
   for (const Kind kind : kinds) {
     const Pair pair(kind, pose, two_by_two);
-    insets.push_back({drawn(pair, true), name(kind), words(pair.truth, "they"),
+    insets.push_back({drawn(pair, true), name(kind), relation_words(pair.truth, "they"),
                       verdict_kind(pair.truth) == Verdict::Kind::no ? Role::miss : Role::hit});
     found.insert(pair.truth);
     alt += (kind == kinds[0] ? ": " : ", ") + name(kind) + " " + relation_name(pair.truth);

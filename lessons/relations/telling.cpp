@@ -41,7 +41,7 @@ class Teller {
         pose_(pose),
         they_(they(kind)),
         script_({"Lecture note Intersection Detection, spatial relationships",
-                 fmt::format("Two {}, a and b: {}.", name(kind), words(pair_.truth, they_)), note_pseudocode,
+                 fmt::format("Two {}, a and b: {}.", name(kind), relation_words(pair_.truth, they_)), note_pseudocode,
                  name(kind)}) {}
 
   Walk tell() {
@@ -98,7 +98,7 @@ class Teller {
   }
 
   /// Sets the verdict, which the next step shows.
-  void settle() { script_.settle(verdict_kind(pair_.truth), words(pair_.truth, they_)); }
+  void settle() { script_.settle(verdict_kind(pair_.truth), relation_words(pair_.truth, they_)); }
 
   void yes_or_no() {
     Step& step = add(

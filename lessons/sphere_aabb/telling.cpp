@@ -210,7 +210,7 @@ class Teller {
 std::string in_words(Relation r) {
   if (r == Relation::a_inside_b) return "the ball lies inside the box";
   if (r == Relation::b_inside_a) return "the box lies inside the ball";
-  return words(r, "the ball and the box");
+  return relation_words(r, "the ball and the box");
 }
 
 Walk tell(const Setup& setup) { return Teller(setup).tell(); }

@@ -190,12 +190,13 @@ class IntervalsTeller : Teller {
     const double h = heights[static_cast<std::size_t>(i)], other = heights[static_cast<std::size_t>(j)];
     const auto handy = [](double x) { return std::abs(x) >= 0.01 && std::abs(x) < 1000; };
     if (which != 0 || !handy(h) || !handy(other) || std::abs(2 * share - 1) < 0.02) return;
-    // counted from the other corner; half way
     step.question = which_value(
         fmt::format("At {} the height is {}, at {} it is {}. At which share of the edge from the first corner does it "
                     "meet the plane?",
                     corner_name(which, i), shown(h), corner_name(which, j), shown(other)),
-        share, {1 - share, 0.5}, "The height falls to 0 after height / (height − other height) of the way.");
+        share,
+        {{1 - share, "That share counts from the other corner."}, {0.5, "That is half way: the heights differ."}},
+        "The height falls to 0 after height / (height − other height) of the way.");
     keep_picture(script_.walk());
   }
 

@@ -16,8 +16,8 @@ std::string corner_name(int which, int i) { return fmt::format("**{}**_{}", tria
 
 Teller::Teller(const Setup& s, const std::string& title, const std::string& source, std::vector<std::string> pseudocode)
     : s_(s),
-      script_(
-          {source, "Two triangles in space, a and b: " + words(s.truth, "they") + ".", std::move(pseudocode), title}) {}
+      script_({source, "Two triangles in space, a and b: " + relation_words(s.truth, "they") + ".",
+               std::move(pseudocode), title}) {}
 
 Step& Teller::add(const std::string& slug, const std::string& title, int line, const std::string& caption,
                   const std::string& formula) {
@@ -84,7 +84,7 @@ void Teller::end(int line, bool found) {
   known_.plane = -1, known_.heights = false, known_.settled = true;
   const bool line_is_shown = s_.part(0) && s_.part(1);
   known_.line = line_is_shown, known_.part = {line_is_shown, line_is_shown};
-  script_.settle(verdict_kind(s_.truth), words(s_.truth, "the triangles"));
+  script_.settle(verdict_kind(s_.truth), relation_words(s_.truth, "the triangles"));
   add("verdict", "The exact relation", line, reason(found));
   known_.part = {};
   Step& step = add("mesh", "In a mesh", line, in_a_mesh(found));
