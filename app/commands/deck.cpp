@@ -72,7 +72,8 @@ class Slides {
   /// Adds the card as text, then one slide per exercise.
   void close(const std::string& title) {
     Slide slide = {title, {}, {}, {}};
-    for (const auto& [head, text] : viz::card_rows(*e_.lesson)) slide.left.push_back(Prose{text, head + "."});
+    for (const auto& [head, text] : viz::card_rows(*e_.lesson, viz::named_on_card))
+      slide.left.push_back(Prose{text, head + "."});
     all_.push_back(std::move(slide));
     int number = 0;
     for (const viz::Exercise& x : e_.lesson->closing->exercises)

@@ -212,7 +212,7 @@ class IntervalsTeller : Teller {
                                            : "The intervals share one number.") +
                          (e.holds == s_.meet() ? "" : "\nSuch is the order after rounding. The exact one is another."),
                      fmt::format("larger lower end {} {} smaller upper end {}", digits(lo, hi), sign, digits(hi, lo)));
-    Script::decide(step, {"larger lower end > smaller upper end", lo, hi, !e.holds,
+    Script::decide(step, {"lower end > upper end", lo, hi, !e.holds,
                           e.holds ? "the intervals share a number" : "the intervals share no number"});
     if (e.holds == s_.meet()) ask_common(step);
     if (e.holds)

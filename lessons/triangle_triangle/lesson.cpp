@@ -21,7 +21,7 @@ struct Situation {
 };
 
 const std::array<Vec3, 3> lying = Situation().a;
-const std::array<Vec3, 3> crossing = {Vec3(0, 1, 0), Vec3(0.5, -1, 0.5), Vec3(3, -0.75, 0.25)};
+const std::array<Vec3, 3> crossing = {Vec3(0, 1, 0), Vec3(0.5, -1, 0.5), Vec3(2, -0.25, 0.25)};
 const std::array<Vec3, 3> on_face = {Vec3(0, 0, 0.25), Vec3(-1, 1.5, 0.5), Vec3(1, 1.25, 0.75)};
 const std::array<Vec3, 3> above = {Vec3(0.25, 0.25, 0), Vec3(1.25, 1.25, 0.5), Vec3(-1, 1, 0.25)};
 const std::array<Vec3, 3> parallel = {Vec3(-1, 1, 1), Vec3(2, 1, 1), Vec3(0.5, 1, -1.5)};
@@ -118,7 +118,7 @@ const Lesson& lesson() {
       .opening = opening(),
       .closing = &closing(),
       .after = {"intervals", "obb-obb", "convex-hull", "ray-polygon"},
-      .ideas = {"separating axis", "projection", "orientation", "exact predicate"},
+      .ideas = {"orientation", "exact predicate"},
       .shared = shared_ideas,
       .query = R"({"objects": [
  {"triangle": "A", "points": [[0, 0, 0], [4, 0, 0], [0, 4, 0]]},
