@@ -45,8 +45,8 @@ class IntervalsTeller : Teller {
                 "if all heights of a are 0, or all of b",                        // 6
                 "    return whether no side of a or b parts them in the plane",  // 7
                 "d ← n_a × n_b; project on the axis of the largest |d_i|",       // 8
-                "interval of a ← where its edges meet the plane of b",           // 9
-                "interval of b ← where its edges meet the plane of a",           // 10
+                "a's interval ← where its edges meet the plane of b",            // 9
+                "b's interval ← where its edges meet the plane of a",            // 10
                 "if the larger lower end > the smaller upper end",               // 11
                 "    return DISJOINT",                                           // 12
                 "return INTERSECT"}) {}                                          // 13

@@ -47,7 +47,7 @@ const accessible = `(() => {
   }
   for (const element of document.querySelectorAll("a, button, input, summary, [tabindex='0']")) {
     const name = element.getAttribute("aria-label") || element.textContent.trim() ||
-      element.querySelector("[aria-label]")?.getAttribute("aria-label");
+      element.labels?.[0]?.textContent.trim() || element.querySelector("[aria-label]")?.getAttribute("aria-label");
     if (!name) out.push("no name: " + element.outerHTML.slice(0, 80));
     const box = element.getBoundingClientRect();
     if (seen(element) && element.matches("button, nav.settings a") && box.height < 24) out.push("small: " + name);
