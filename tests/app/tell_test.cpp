@@ -66,7 +66,7 @@ TEST_CASE("list --glossary explains the terms of the course, each with its lesso
   CHECK(r.status == 0);
   CHECK_THAT(in_one_line(r.out),
              Contains("separating axis") && Contains("(obb-obb; also intervals, aabb-aabb)") &&
-                 Contains("Bold: the direction of a ray, and so a relative velocity. Italic: a distance."));
+                 Contains("Bold: the direction of a ray or a line, and so a relative velocity. Italic: a distance."));
   CHECK(widest(r.out) <= 80);
   const auto terms = nlohmann::json::parse(shell("isect list --glossary --json").out);
   CHECK(terms.size() > 40);
