@@ -102,6 +102,7 @@ class Painter {
     if (k_.settled && hit && s_.truth.location == Location::in) dot = {p, Mark::disc, Role::hit};
     if (k_.settled && hit && s_.truth.location == Location::on) dot = {p, Mark::diamond, Role::highlight};
     if (k_.settled && !within) dot = {p, Mark::no, Role::miss};
+    if (s_.seam()) dot = {p, Mark::disc, Role::text};  // either triangle counts
     add(dot);
     if (s_.place() != Place::vertex) add(Label{p, "**r**(*t*)", Role::text});
   }

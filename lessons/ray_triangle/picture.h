@@ -11,11 +11,11 @@ namespace isect::lessons::ray_triangle_lesson {
 
 /// What a step shows.
 struct Known {
-  bool edges = false;          ///< from a to b and to c
-  std::optional<double> u, v;  ///< the lines of points that have this weight of b, of c
-  int edge = -1;               ///< the plane through the origin and the edge opposite this vertex
-  bool crossing = false;       ///< where the line meets the plane
-  bool settled = false;        ///< whether that counts
+  bool edges = false;                    ///< from a to b and to c
+  std::optional<double> u = {}, v = {};  ///< the lines of points that have this weight of b, of c
+  int edge = -1;                         ///< the plane through the origin and the edge opposite this vertex
+  bool crossing = false;                 ///< where the line meets the plane
+  bool settled = false;                  ///< whether that counts
 };
 viz::Scene picture(const Setup&, const Known&);
 

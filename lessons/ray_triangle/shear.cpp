@@ -15,19 +15,19 @@ class ShearTeller : SignsTeller {
   explicit ShearTeller(const Setup& s)
       : SignsTeller(s, "shear", "Woop, Benthin and Wald, Watertight ray/triangle intersection (2013)",
                     {
-                        "choose as axis z that of the largest |d_i|; x, y: the others",    // 0
-                        "shear ← (d_x / d_z, d_y / d_z, 1 / d_z)",                         // 1
-                        "for each vertex: subtract o, shear x and y, scale z",             // 2
-                        "w_a ← c_x b_y − c_y b_x; w_b and w_c likewise",                   // 3
-                        "if two of them have opposite signs",                              // 4
-                        "    return MISS",                                                 // 5
-                        "w ← w_a + w_b + w_c",                                             // 6
-                        "if w = 0",                                                        // 7
-                        "    return MISS",                                                 // 8
-                        "t ← (w_a a_z + w_b b_z + w_c c_z) / w",                           // 9
-                        "if t < 0 or t > t_max",                                           // 10
-                        "    return MISS",                                                 // 11
-                        "return HIT, t, u = w_b / w, v = w_c / w"                          // 12
+                        "choose as axis z that of the largest |d_i|; x, y: the others",  // 0
+                        "shear ← (d_x / d_z, d_y / d_z, 1 / d_z)",                       // 1
+                        "for each vertex: subtract o, shear x and y, scale z",           // 2
+                        "w_a ← c_x b_y − c_y b_x; w_b and w_c likewise",                 // 3
+                        "if two of them have opposite signs",                            // 4
+                        "    return MISS",                                               // 5
+                        "w ← w_a + w_b + w_c",                                           // 6
+                        "if w = 0",                                                      // 7
+                        "    return MISS",                                               // 8
+                        "t ← (w_a a_z + w_b b_z + w_c c_z) / w",                         // 9
+                        "if t < 0 or t > t_max",                                         // 10
+                        "    return MISS",                                               // 11
+                        "return HIT, t, u = w_b / w, v = w_c / w"                        // 12
                     }) {}
 
   Walk tell() {
@@ -42,7 +42,8 @@ class ShearTeller : SignsTeller {
   void say(const Sheared<C>& e) {
     const char* const axes = "xyz";
     add("axis", "Along which axis", 0,
-        fmt::format("The ray is **o** + *t* **d**. No coordinate of **d** is larger in size than that on *{}*.\nThat axis becomes *z*. If **d** points against it, *x* and *y* are swapped, so that the "
+        fmt::format("The ray is **o** + *t* **d**. No coordinate of **d** is larger in size than that on *{}*.\nThat "
+                    "axis becomes *z*. If **d** points against it, *x* and *y* are swapped, so that the "
                     "triangle keeps its winding.",
                     axes[e.z]),
         fmt::format("**d** = ({}, {}, {})", shown(s_.ray.direction.x()), shown(s_.ray.direction.y()),
@@ -56,11 +57,12 @@ class ShearTeller : SignsTeller {
   void say(const Corner<C>& e) {
     corners_[e.index] = {e.x.value, e.y.value};
     if (e.index < 2) return;
-    Step& step = script_.add("corners", "Seen along the ray", 2,
-                             "After the shear only *x* and *y* count: we look along the ray, which is the point "
-                             "(0, 0).\n"
-                             "This projection is of the vertices **a**′, **b**′ and **c**′, and each triangle of a mesh "
-                             "projects a vertex to the same place.");
+    Step& step =
+        script_.add("corners", "Seen along the ray", 2,
+                    "After the shear only *x* and *y* count: we look along the ray, which is the point "
+                    "(0, 0).\n"
+                    "In this projection **a**′, **b**′ and **c**′ are the vertices. A vertex of several triangles "
+                    "has one place for all of them.");
     step.scene = sheared(s_, corners_, false);
     step.question = {"After the shear, which point must be tested against the triangle in the plane?",
                      {"(0, 0), whatever *t* is", "the origin **o**, as given", "one that depends on *t*"},
@@ -86,7 +88,7 @@ class ShearTeller : SignsTeller {
     const double w = e.value.value;
     script_.value("*w*", w, "area");
     add("sum", "The sum of the three", 6,
-        "*w*, the sum of *w*_a, *w*_b and *w*_c, is in size twice the area of the triangle as the ray sees it.",
+        "*w* is the sum of *w*_a, *w*_b and *w*_c. In size it is twice the area that the ray sees.",
         "*w* = " + shown(w));
     parallel(7, "*w*", w);
   }

@@ -29,7 +29,7 @@ std::string verdict_text(const Setup& s) {
     return fmt::format("{} {} at *t* = {}", the,
                        s.place() == Place::edge     ? "meets an edge of the triangle"
                        : s.place() == Place::vertex ? "meets a vertex of the triangle"
-                                                      : "hits the triangle",
+                                                    : "hits the triangle",
                        shown(*s.truth.t));
   if (s.flat) return "the triangle has no area";
   if (s.truth.coplanar) return the + " lies in the triangle's plane";
@@ -56,11 +56,11 @@ std::string Teller::unless(bool as_exactly, const std::string& truth) const {
 
 void Teller::parallel(int line, const std::string& name, double value) {
   const bool zero = value == 0;
-  Step& step = add(
-      "parallel", "Parallel to the plane?", line,
-      (zero ? "It is 0. The line has no single point in common with the plane, or the triangle has no plane."
-            : "It is not 0: the line crosses the plane in one point.") +
-          unless(zero == (s_.heading == 0), s_.heading == 0 ? "it is 0" : "it is not 0"));
+  Step& step =
+      add("parallel", "Parallel to the plane?", line,
+          (zero ? "It is 0. The line has no single point in common with the plane, or the triangle has no plane."
+                : "It is not 0: the line crosses the plane in one point.") +
+              unless(zero == (s_.heading == 0), s_.heading == 0 ? "it is 0" : "it is not 0"));
   Script::decide(step, {name + " = 0", value, 0, zero, zero ? "no single point" : "one point in the plane"});
   if (!zero) script_.refuse(line, {line + 1});
 }
@@ -68,12 +68,12 @@ void Teller::parallel(int line, const std::string& name, double value) {
 void Teller::range(int line, double t, bool holds) {
   known_.crossing = true;
   const bool exactly = s_.truth.location == Location::out || s_.truth.t.has_value() == holds;
-  Step& step = add("range", fmt::format("On the {}?", s_.what()), line,
-                   (holds    ? fmt::format("*t* belongs to the range of the {}.", s_.what())
-                    : t < 0 ? std::string("*t* is negative, and the points before **o** do not belong to the ") +
-                                  s_.what() + "."
-                            : std::string("*t* is larger than *t*_{max}, where the segment ends.")) +
-                       unless(exactly, verdict_text(s_)));
+  Step& step =
+      add("range", fmt::format("On the {}?", s_.what()), line,
+          (holds   ? fmt::format("*t* belongs to the range of the {}.", s_.what())
+           : t < 0 ? std::string("*t* is negative, and the points before **o** do not belong to the ") + s_.what() + "."
+                   : std::string("*t* is larger than *t*_{max}, where the segment ends.")) +
+              unless(exactly, verdict_text(s_)));
   Comparison asked = {"*t* < 0", t, 0, t < 0, fmt::format("{} the {}", holds ? "on" : "not on", s_.what())};
   if (s_.segment()) {
     const Comparison below = {"*t* < 0", t, 0, t < 0, ""},
@@ -89,8 +89,7 @@ void Teller::end(int line) {
   known_.edge = -1;
   script_.settle(kind_of(s_), verdict_text(s_));
   const bool right = found_.has_value() == s_.truth.t.has_value();
-  const std::string told =
-      right ? reason() : "Rounding misleads this method: exactly, " + verdict_text(s_) + ".";
+  const std::string told = right ? reason() : "Rounding misleads this method: exactly, " + verdict_text(s_) + ".";
   if (!found_) {
     script_.leave_early();
     add("miss", "No hit", script_.walk().steps.back().line + 1, told);
@@ -115,17 +114,17 @@ void Teller::interpolate(int line) {
   Step& step = add("weights", "What the weights are for", line,
                    "Renderers mix whatever the vertices carry by these weights: normals, colours, texture "
                    "coordinates.\nThe value varies linearly over the triangle, and two neighbours agree on their edge. "
-                   "A mixed normal must be normalised again.\n1 − *u* − *v*, *u* and *v* are the barycentric coordinates of the point.",
+                   "A mixed normal must be normalised again.\n1 − *u* − *v*, *u* and *v* are the barycentric "
+                   "coordinates of the point.",
                    fmt::format("(1 − *u* − *v*) · {} + *u* · {} + *v* · {} = {}", shown(carried[0]), shown(carried[1]),
                                shown(carried[2]), shown(mixed)));
   if (s_.place() == Place::vertex) return;  // no weights to mix
-  step.question = which_value(
-      fmt::format("A value is {} at **a**, {} at **b** and {} at **c**. What is it at the hit?", shown(carried[0]),
-                  shown(carried[1]), shown(carried[2])),
-      mixed,
-      {(carried[0] + carried[1] + carried[2]) / 3, w * carried[0] + v * carried[1] + u * carried[2],
-       u * carried[1] + v * carried[2]},
-      "*u* is the weight of **b**, *v* that of **c**, and what is left of 1 that of **a**.");
+  step.question = which_value(fmt::format("A value is {} at **a**, {} at **b** and {} at **c**. What is it at the hit?",
+                                          shown(carried[0]), shown(carried[1]), shown(carried[2])),
+                              mixed,
+                              {(carried[0] + carried[1] + carried[2]) / 3,
+                               w * carried[0] + v * carried[1] + u * carried[2], u * carried[1] + v * carried[2]},
+                              "*u* is the weight of **b**, *v* that of **c**, and what is left of 1 that of **a**.");
 }
 
 std::string Teller::reason() const {
@@ -137,7 +136,8 @@ std::string Teller::reason() const {
            : place == Place::vertex
                ? "The point is a vertex. A triangle includes its vertices, so this is a hit; two weights are 0."
                : "No weight is negative, so the point lies in the triangle; and *t* lies in the range.";
-  if (s_.flat) return "The three vertices lie on one line. Such a triangle has no plane, and the exact test says: no hit.";
+  if (s_.flat)
+    return "The three vertices lie on one line. Such a triangle has no plane, and the exact test says: no hit.";
   if (s_.truth.coplanar)
     return "The line lies in the triangle's plane, so that no single *t* can be told.\n"
            "The exact test calls this coplanar, and no hit. Where the line crosses the triangle is a question in the "

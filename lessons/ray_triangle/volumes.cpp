@@ -80,14 +80,16 @@ class VolumesTeller : SignsTeller {
   }
 
   void neighbour() {
-    Step& step = add("neighbour", "The neighbour at this edge", 1,
-                     "A second triangle at this edge has it the other way round, from **c** to **b**. It computes "
-                     "**d** · (**c**′ × **b**′).\n"
-                     "That is −*w*_a to the last bit, as rounding treats both signs alike. At this edge the two agree.");
-    step.question = {"A neighbour **c**, **b**, **q** has the same edge, from **c** to **b**. What does it compute there?",
-                     {"*w*_a", "−*w*_a", "another number, as it rounds otherwise"},
-                     1,
-                     "Each product is the same, and each difference has the other sign. Rounding treats both alike."};
+    Step& step =
+        add("neighbour", "The neighbour at this edge", 1,
+            "A second triangle at this edge has it the other way round, from **c** to **b**. It computes "
+            "**d** · (**c**′ × **b**′).\n"
+            "That is −*w*_a to the last bit, as rounding treats both signs alike. At this edge the two agree.");
+    step.question = {
+        "A neighbour **c**, **b**, **q** has the same edge, from **c** to **b**. What does it compute there?",
+        {"*w*_a", "−*w*_a", "another number, as it rounds otherwise"},
+        1,
+        "Each product is the same, and each difference has the other sign. Rounding treats both alike."};
   }
 
   void say(const Determinant<C>& e) {
