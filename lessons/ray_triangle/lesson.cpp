@@ -54,8 +54,9 @@ std::vector<Preset> presets() {
   const Corners grazed = {{-1.3, -1.1, -0.6}, {1.2, -0.7, 0.6}, {-0.1, 1.1, -0.2}};
   const Corners sewn = {{-1.23, -1.12, -0.66}, {1.09, -0.57, 0.72}, {-0.26, 0.92, -0.28}, {1.37, 1.19, 0.89}};
   const Vec3 o(-1.49, 1.95, 1.35), d(1.905, -1.775, -1.1300000000000001);
-  const Corners usual;
-  const Vec3 half_way = (usual.b + usual.c) / 2;
+  const Corners few_bits = {on_plane(-1.25, -1.125), on_plane(1.375, -1), on_plane(-0.125, 1.25),
+                            on_plane(1.375, 0.75)};
+  const Vec3 half_way = (few_bits.b + few_bits.c) / 2, down(1, -1, -0.5);
   const char *const cramer = "moller-trumbore", *const by_volumes = "volumes", *const after_shear = "shear";
   return {aimed("face", "through the face", cramer, 0.375, 0.25),
           aimed("beside-bc", "beside bc", cramer, 0.75, 0.5),
@@ -87,7 +88,7 @@ std::vector<Preset> presets() {
 
           preset_of("seam-hole", "through a hole", "seam", o, d, sewn),
           preset_of("seam-beside", "beside the seam", "seam", o, d, sewn, 0, 12, 12),
-          preset_of("seam-watertight", "few bits: no hole", "seam", half_way - 2 * inwards, inwards, usual)};
+          preset_of("seam-watertight", "few bits: no hole", "seam", half_way - 2 * down, down, few_bits)};
 }
 
 Walk walk(const Parameters& p) {
