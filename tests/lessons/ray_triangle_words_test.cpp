@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 #include <string>
 
 #include <isect/methods/ray_triangle.h>
@@ -157,14 +158,9 @@ TEST_CASE("weights, and the answers to what follows from them, are those of rati
     }
     if (const Step* const told = find(walk, "weights"); told && told->question) {
       const double right = 1 + u + 4 * v;  // (1 - u - v) 1 + 2 u + 5 v
-      CHECK(std::abs(std::stod(shown(right)) - right) < 1e-3 * (1 + right));
-      CHECK((answer(*told) == shown(right) || shows(answer(*told), right)));
+      CHECK(shows(answer(*told), right));
       ++mixed;
     }
-    for (const char* name : {"edge-bc", "edge-ca", "edge-ab"})
-      if (const Step* const told = find(walk, name))
-        CHECK_FALSE(says(told->caption, "Rounding has changed") && truth.zeros() == 0 && truth.mild(p) &&
-                    std::abs(u) > 1e-6 && std::abs(v) > 1e-6 && std::abs(1 - u - v) > 1e-6);
   });
   CHECK((faces > 20 && followed > 10 && mixed > 10));
 }
