@@ -17,15 +17,8 @@ inline bool long_run() {
   return text && std::string(text) == "1";
 }
 
-#ifdef __SANITIZE_ADDRESS__
-inline constexpr bool sanitized = true;
-#else
-inline constexpr bool sanitized = false;
-#endif
-
-/// How many random cases to draw: few in an ordinary run, many in a long one. The sanitizers need a quarter of the few:
-/// they see what a line does in any case, not whether its answer is right.
-inline int cases(int few, int many) { return long_run() ? many : sanitized ? (few + 3) / 4 : few; }
+/// How many random cases to draw: few in an ordinary run, many in a long one.
+inline int cases(int few, int many) { return long_run() ? many : few; }
 
 }  // namespace isect::tests
 

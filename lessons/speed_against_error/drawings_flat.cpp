@@ -1,7 +1,5 @@
 // Cases that are drawn as outlines: boxes, triangles, points beside a line, polygons.
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -9,7 +7,6 @@
 #include <vector>
 
 #include "lessons/speed_against_error/drawings.h"
-#include "viz/lesson.h"
 
 namespace isect::lessons::speed_against_error_lesson {
 

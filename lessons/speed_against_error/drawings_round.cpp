@@ -2,13 +2,9 @@
 
 #include "lessons/speed_against_error/drawings.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-
-#include "viz/lesson.h"
 
 namespace isect::lessons::speed_against_error_lesson {
 

@@ -233,6 +233,11 @@ const std::vector<std::pair<std::string, double (*)(const OnShow&)>>& ways() {
          return std::min((o.told[0] - o.told[3]) / o.told[4], (o.told[1] - o.told[2]) / o.told[4]);
        }},
       {"For how long do they share points", [](const OnShow& o) { return (o.told[0] + o.told[1]) / o.told[2]; }},
+      {"What is it at the hit",
+       [](const OnShow& o) {
+         const double u = o("u"), v = o("v");
+         return (1 - u - v) * o.told[0] + u * o.told[1] + v * o.told[2];
+       }},
       {"What is the longest step that surely passes no contact", [](const OnShow& o) { return o.told[0] / o.told[1]; }},
       {"At which share of the edge", [](const OnShow& o) { return o.told[0] / (o.told[0] - o.told[1]); }},
   };
@@ -472,6 +477,7 @@ const std::vector<std::string>& from_what_is_given() {
                                                "coordinates on",
                                                "how many say near",
                                                "of the four differences",
+                                               "which face of the triangle",
                                                "is compared with",
                                                "how are the intervals related",
                                                "which t belong",
@@ -537,6 +543,9 @@ const std::vector<std::string>& from_what_is_known() {
                                                "how many roundings",
                                                "how many further signs",
                                                "let a wrong sign through",
+                                               "miss both triangles",
+                                               "what does it compute there",
+                                               "which point must be tested",
                                                "errs most",
                                                "does the exact call take",
                                                "dominated"};
@@ -643,6 +652,8 @@ TEST_CASE("a condition that joins several inequalities holds as they do, each wi
         const bool both = step.comparison->text.find(" or ") == std::string::npos;
         if (both)
           CHECK(step.comparison->holds == std::ranges::all_of(parts, &Comparison::holds));
+        else if (parts.size() == 2)
+          CHECK(step.comparison->holds == (parts[0].holds || parts[1].holds));
         else  // A or (B and C)
           CHECK(step.comparison->holds == (parts[0].holds || (parts[1].holds && parts[2].holds)));
       }

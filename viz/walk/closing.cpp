@@ -61,8 +61,7 @@ std::optional<Judge> judge(const Lesson& lesson) {
   if (lesson.query.empty()) return {};
   Judge own = {
       "Write this test yourself, in any language. The command “isect query” reads one case a line, as JSON, and "
-      "answers "
-      "each exactly: so it can judge your program. For instance:",
+      "answers each exactly: so it can judge your program. For instance:",
       {}};
   std::istringstream lines(lesson.query);
   for (std::string line; std::getline(lines, line);)  // several words of echo are one line
