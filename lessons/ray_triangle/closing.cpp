@@ -29,8 +29,7 @@ const Closing& closing() {
   static const Closing closing = {
       .result =
           "A line meets a triangle if no two of three signed volumes have opposite signs. Divided by their sum they "
-          "are "
-          "the barycentric coordinates.",
+          "are the barycentric coordinates.",
       .cost =
           "O(1): a few dozen sums and products, and no square root. Möller and Trumbore store nothing but the "
           "vertices.",
@@ -40,8 +39,7 @@ const Closing& closing() {
       .used = "Möller and Trumbore's test in many ray tracers and in picking. Watertight tests in Embree and pbrt.",
       .bug =
           "An epsilon on the weights: rays hit beside the mesh, or two triangles at once. Or *det* > 0 instead of "
-          "*det* "
-          "≠ 0: back faces vanish.",
+          "*det* ≠ 0: back faces vanish.",
       .bug_preset = "back-face",
       .reading =
           {"Tomas Möller and Ben Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, *Journal of Graphics "

@@ -15,7 +15,7 @@ namespace {
 
 class Painter {
  public:
-  Painter(const Setup& setup, const Known& known) : s_(setup), k_(known) {
+  Painter(const Setup& setup, const Known& known) : s_(setup), k_(known), neighbour_(setup.seam() || known.neighbour) {
     constexpr double farthest = 40;
     const double length = s_.ray.direction.norm();
     const double t = s_.line && std::abs(*s_.line) * length < farthest ? *s_.line : 0;
@@ -48,7 +48,7 @@ class Painter {
     else
       add(Region{.rings = {own}, .role = Role::second, .hides = true});
     const auto& [c, b, q] = s_.neighbour.vertices;
-    if (s_.seam()) add(Region{.rings = {{c, b, q}}, .role = Role::muted, .hides = true});
+    if (neighbour_) add(Region{.rings = {{c, b, q}}, .role = Role::muted, .hides = true});
   }
 
   void plane_of_edge() {
@@ -109,7 +109,7 @@ class Painter {
 
   void names() {
     for (int i = 0; i < 3; ++i) add(Label{s_.vertex(i), vertex_names[i], Role::second});
-    if (s_.seam()) add(Label{s_.neighbour.vertices[2], "**q**", Role::text});
+    if (neighbour_) add(Label{s_.neighbour.vertices[2], "**q**", Role::text});
     add(Dot{s_.ray.origin, Mark::disc, Role::first});
     add(Label{s_.ray.origin, "**o**", Role::first});
   }
@@ -133,6 +133,7 @@ class Painter {
 
   const Setup& s_;
   const Known& k_;
+  const bool neighbour_;
   bool crossing_ = false;  ///< the line meets the plane not too far away to be drawn
   double end_ = 1;         ///< t where the drawn ray ends
   Scene scene_;

@@ -14,6 +14,7 @@ struct Known {
   bool edges = false;                    ///< from a to b and to c
   std::optional<double> u = {}, v = {};  ///< the lines of points that have this weight of b, of c
   int edge = -1;                         ///< the plane through the origin and the edge opposite this vertex
+  bool neighbour = false;                ///< the triangle c, b, q
   bool crossing = false;                 ///< where the line meets the plane
   bool settled = false;                  ///< whether that counts
 };

@@ -147,8 +147,7 @@ class SeamTeller {
         (n > 0 ? fmt::format("In {} the ray misses both triangles, as if the mesh had a hole.\n", plural(n, "cell"))
                : std::string("No ray slips through here.\n")) +
             "At this edge abc asks whether *u* + *v* ≤ 1, and cbq whether *v* ≥ 0. These are different numbers, "
-            "rounded "
-            "apart.",
+            "rounded apart.",
         0);
     step.question =
         Question{"In how many of these cells does the ray miss both triangles, though in truth it meets one?",

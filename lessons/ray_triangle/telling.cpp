@@ -122,8 +122,11 @@ void Teller::interpolate(int line) {
   step.question = which_value(fmt::format("A value is {} at **a**, {} at **b** and {} at **c**. What is it at the hit?",
                                           shown(carried[0]), shown(carried[1]), shown(carried[2])),
                               mixed,
-                              {(carried[0] + carried[1] + carried[2]) / 3,
-                               w * carried[0] + v * carried[1] + u * carried[2], u * carried[1] + v * carried[2]},
+                              {{(carried[0] + carried[1] + carried[2]) / 3,
+                                "That gives all vertices one weight: it is the value at the centroid."},
+                               {w * carried[0] + v * carried[1] + u * carried[2],
+                                "That exchanges the weights: *u* belongs to **b**, and *v* to **c**."},
+                               {u * carried[1] + v * carried[2], "That leaves out **a**, of weight 1 − *u* − *v*."}},
                               "*u* is the weight of **b**, *v* that of **c**, and what is left of 1 that of **a**.");
 }
 

@@ -80,9 +80,10 @@ class VolumesTeller : SignsTeller {
   }
 
   void neighbour() {
+    known_.neighbour = true;
     Step& step =
         add("neighbour", "The neighbour at this edge", 1,
-            "A second triangle at this edge has it the other way round, from **c** to **b**. It computes "
+            "A second triangle **c**, **b**, **q** has this edge the other way round, from **c** to **b**. It computes "
             "**d** · (**c**′ × **b**′).\n"
             "That is −*w*_a to the last bit, as rounding treats both signs alike. At this edge the two agree.");
     step.question = {
@@ -90,6 +91,7 @@ class VolumesTeller : SignsTeller {
         {"*w*_a", "−*w*_a", "another number, as it rounds otherwise"},
         1,
         "Each product is the same, and each difference has the other sign. Rounding treats both alike."};
+    known_.neighbour = false;
   }
 
   void say(const Determinant<C>& e) {

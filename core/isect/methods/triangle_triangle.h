@@ -164,14 +164,14 @@ bool by_intervals(const Triangle<S, 3>& a, const Triangle<S, 3>& b, Trace&& trac
   const std::array<S, 3> of_a = detail::heights<S>(a, n_b, b.vertices[0]);
   const Signs sides_a = detail::signs(of_a);
   const bool a_beside = detail::beside(sides_a);
-  trace(Heights<S>{0, n_b, of_a, a_beside});
+  if constexpr (heard<Trace>) trace(Heights<S>{0, n_b, of_a, a_beside});
   if (a_beside) return false;
 
   const Vector<S, 3> n_a = detail::normal(a);
   const std::array<S, 3> of_b = detail::heights<S>(b, n_a, a.vertices[0]);
   const Signs sides_b = detail::signs(of_b);
   const bool b_beside = detail::beside(sides_b);
-  trace(Heights<S>{1, n_a, of_b, b_beside});
+  if constexpr (heard<Trace>) trace(Heights<S>{1, n_a, of_b, b_beside});
   if (b_beside) return false;
 
   if (detail::all_zero(sides_a) || detail::all_zero(sides_b)) {
@@ -183,7 +183,7 @@ bool by_intervals(const Triangle<S, 3>& a, const Triangle<S, 3>& b, Trace&& trac
 
   const Vector<S, 3> direction = detail::cross<S>(n_a, n_b);
   const int axis = detail::longest<S>(direction);
-  trace(LineOfPlanes<S>{direction, axis});
+  if constexpr (heard<Trace>) trace(LineOfPlanes<S>{direction, axis});
 
   const Interval<S> on_a = detail::part_of_line(0, a, of_a, sides_a, axis, trace),
                     on_b = detail::part_of_line(1, b, of_b, sides_b, axis, trace);
