@@ -77,6 +77,7 @@ Rect visible(const WindowDriver& window, const std::string& full_name, Rect r) {
                                                               {"solution ", "lesson words"},
                                                               {"see it fail", "lesson words"},
                                                               {"same idea ", "lesson words"},
+                                                              {"take review ", "lesson words"},
                                                               {"exercise", "lesson words"},
                                                               {"parameter ", "lesson fields"},
                                                               {"refused ", "lesson fields"},
