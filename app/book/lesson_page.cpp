@@ -107,9 +107,10 @@ std::string closing(const viz::Lesson& lesson, bool alone) {
 std::string review_of(const viz::Lesson& lesson, const std::vector<const viz::Lesson*>& course) {
   const int number = viz::review_after(course, lesson);
   if (number == 0) return {};
-  return fmt::format("<section class=\"next-review\" id=\"review\">\n<h2>{0}</h2>\n<p>{1} <a href=\"{2}\">{0}</a></p>\n"
-                     "</section>\n",
-                     review_title(number), review_words(), review_file(number));
+  return fmt::format(
+      "<section class=\"next-review\" id=\"review\">\n<h2>{0}</h2>\n<p>{1} <a href=\"{2}\">{0}</a></p>\n"
+      "</section>\n",
+      review_title(number), review_words(), review_file(number));
 }
 
 std::string builds_on(const viz::Lesson& lesson, const std::vector<const viz::Lesson*>& course, bool alone) {

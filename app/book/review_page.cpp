@@ -17,9 +17,7 @@ namespace isect::program::book {
 
 namespace {
 
-std::uint32_t chance(const viz::ReviewPrompt& p) {
-  return viz::shuffled(p.lesson + "/" + p.question + "/" + p.preset);
-}
+std::uint32_t chance(const viz::ReviewPrompt& p) { return viz::shuffled(p.lesson + "/" + p.question + "/" + p.preset); }
 
 /// Returns each question once, in one of the settings in which it is asked.
 std::vector<viz::ReviewPrompt> each_once(const std::vector<viz::ReviewPrompt>& all) {

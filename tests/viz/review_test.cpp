@@ -25,9 +25,7 @@ struct Drawn {
   std::vector<ReviewPrompt> asked;
 };
 
-std::string step_of(const ReviewPrompt& p) {
-  return p.lesson + "/" + p.question.substr(p.question.rfind('/') + 1);
-}
+std::string step_of(const ReviewPrompt& p) { return p.lesson + "/" + p.question.substr(p.question.rfind('/') + 1); }
 
 Drawn random_review(std::mt19937_64& random) {
   const auto up_to = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
@@ -208,7 +206,8 @@ TEST_CASE("a record survives as text, and a damaged one is refused with its plac
   CHECK(answer_record_from(text_of({})) == AnswerRecord());
 
   const std::string good = text_of(record);
-  for (std::size_t cut = 0; cut < good.size(); ++cut) CHECK_THROWS_AS(answer_record_from(good.substr(0, cut)), BadInput);
+  for (std::size_t cut = 0; cut < good.size(); ++cut)
+    CHECK_THROWS_AS(answer_record_from(good.substr(0, cut)), BadInput);
   const auto with = [&](const std::string& part, const std::string& other) {
     std::string text = good;
     REQUIRE(text.find(part) != text.npos);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
@@ -28,6 +29,11 @@ void take_first(WindowDriver& window) {
   REQUIRE(window.has("review question"));
 }
 
+std::string question_of(const Player& player, int step) {
+  return player.lesson().id + " " + question_name(player.lesson(), player.parameters(), player.walk().steps[step]);
+}
+std::string question_on_show(WindowDriver& window) { return question_of(window.player(), window.player().index() + 1); }
+
 /// Gives the right answer, or a wrong one.
 void answer(WindowDriver& window, bool right) {
   const Question* asked = window.player().quiz().asked();
@@ -44,7 +50,7 @@ TEST_CASE("a review asks eight questions of its lessons, keeps the answers, and 
   window.key(key::right);
   const ReaderState before = window.player().reader_state();
   take_first(window);
-  std::set<std::string> ids, asked;
+  std::set<std::string> ids, asked;  // of lessons; of questions
   for (const Lesson* l : lessons_of_review(lessons::all_lessons(), 1)) ids.insert(l->id);
   for (int i = 0; i < questions_a_review; ++i) {
     INFO(i);
@@ -53,7 +59,7 @@ TEST_CASE("a review asks eight questions of its lessons, keeps the answers, and 
     CHECK(window.has("scene"));
     CHECK_FALSE(window.has("scrubber"));
     CHECK(ids.contains(window.player().lesson().id));
-    asked.insert(window.player().lesson().id + window.player().quiz().asked()->prompt);
+    asked.insert(question_on_show(window));
     answer(window, i != 2);
     CHECK(window.has("what came of it"));  // as in the lesson
     CHECK(window.player().quiz().answered()->right() == (i != 2));
@@ -81,7 +87,7 @@ TEST_CASE("what was wrong in a review is asked first in the next one, and leads 
   take_first(window);
   std::string wrong;
   for (int i = 0; i < questions_a_review; ++i) {
-    if (i == 5) wrong = window.player().lesson().id + "/" + window.player().walk().steps[window.player().index() + 1].slug;
+    if (i == 5) wrong = question_on_show(window);
     answer(window, i != 5);
     window.key(key::enter);  // goes on, too
     window.frames(2);
@@ -90,14 +96,7 @@ TEST_CASE("what was wrong in a review is asked first in the next one, and leads 
   window.key(key::enter);
   window.frames(2);
   REQUIRE(window.player().quiz().asked());
-  const auto now = [&] {
-    return window.player().lesson().id + "/" + window.player().walk().steps[window.player().index() + 1].slug;
-  };
-  const auto letters = [](std::string name) {
-    std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });
-    return name;
-  };
-  CHECK(letters(now()) == letters(wrong));
+  CHECK(question_on_show(window) == wrong);
   for (int i = 0; i < questions_a_review; ++i) {  // all are skipped: none is kept
     window.key(key::right);
     window.frames(2);
@@ -108,20 +107,20 @@ TEST_CASE("what was wrong in a review is asked first in the next one, and leads 
   window.key(key::enter);
   window.frames(2);
   CHECK_FALSE(window.has("review score"));
-  CHECK(letters(window.player().lesson().id + "/" + window.player().step().slug) == letters(wrong));
+  CHECK(question_of(window.player(), window.player().index()) == wrong);
 }
 
 TEST_CASE("nothing is lost when a review is left, and no key leads out of it by chance", "[window]") {
   Settings settings;
   settings.beside = Beside{"ray-sphere", "", "miss"};
   WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("ray-sphere", "tangent"), settings, layout_only);
+  window.player().remember("radius");
   window.player().edit("radius", 1.25);
   window.key(key::right);
   const ReaderState before = window.player().reader_state();
-  const std::string kept = to_json(before);
   take_first(window);
   const std::string lesson = window.player().lesson().id;
-  for (const char* nothing : {"[", "]", "v", "w", "r", "s", "g", "t", " ", "n", "e"}) window.type(nothing);
+  for (const char* nothing : {"[", "]", "v", "w", "r", "s", "g", "t", " ", "n"}) window.type(nothing);
   for (const key::Code code : {key::left, key::home, key::end, key::page_down, key::tab, key::f12}) window.key(code);
   window.key(key::o, true);
   window.key(key::z, true);
@@ -134,7 +133,8 @@ TEST_CASE("nothing is lost when a review is left, and no key leads out of it by 
   CHECK(window.ui.settings().recent == std::vector<std::string>{"ray-sphere"});
   window.key(key::escape);
   window.frames(2);
-  CHECK(to_json(window.player().reader_state()) == kept);
+  const ReaderState after = window.player().reader_state();
+  CHECK((after.lesson == before.lesson && after.parameters == before.parameters && after.step == before.step));
   CHECK(window.ui.settings().beside == settings.beside);
   window.key(key::z, true);
   CHECK(std::get<double>(window.player().parameters().at("radius")) != 1.25);
@@ -156,7 +156,7 @@ TEST_CASE("a drag does not take a review's question away", "[window]") {
 }
 
 TEST_CASE("every fifth lesson offers its review on its card", "[window]") {
-  WindowDriver window(lessons::all_lessons(), 1280, 3000, {}, {}, layout_only);
+  WindowDriver window(lessons::all_lessons(), 1280, 4000, {}, {}, layout_only);
   const auto& all = lessons::all_lessons();
   for (const Lesson* lesson : {all[3], all[4], all.back()}) {
     INFO(lesson->id);

@@ -23,7 +23,7 @@ constexpr Row left_keys[] = {
     {"[ and ]", "lesson before / after"},
     {"Ctrl+O", "all lessons, saved presets"},
     {"G", "terms"},
-    {"T", "reviews: questions once more"},
+    {"T", "reviews"},
     {"R", "restart the preset"},
     {"E", "see the published line fail"},
     {"Ctrl+C / Ctrl+V", "copy / paste the whole state"},

@@ -49,8 +49,8 @@ void pass_questions(Player&, Settings&, Toast&);
 /// Draws the key sheet, the picker and the save sheet, over everything else. (sheets.cpp)
 void sheets(WindowSession&, const Rect& window);
 
-/// Keeps the answers that were given, and that a lesson was read to its end. (score.cpp) `answers_kept`: how many of the
-/// player's answers are in the record; it keeps the last one where that is new.
+/// Keeps the answers that were given, and that a lesson was read to its end. (score.cpp) `answers_kept`: how many of
+/// the player's answers are in the record; it keeps the last one where that is new.
 void keep_score(const Player&, Settings&, unsigned& answers_kept);
 /// Returns the steps of this walk whose questions were answered wrong when they were asked last.
 std::vector<int> missed_questions(const Player&, const Settings&);

@@ -62,8 +62,7 @@ const ReviewPrompt* not_right(Column& c, const Player& player, const Reviewing& 
     c.paragraph(review.results[i] ? "Not right. It returns first." : "Skipped.", ink.muted, 13, 19);
     c.y += 6;
     float x = c.x;
-    const std::string where =
-        title_of_lesson(player, prompt.lesson) + ", step " + std::to_string(prompt.step + 1);
+    const std::string where = title_of_lesson(player, prompt.lesson) + ", step " + std::to_string(prompt.step + 1);
     if (c.button("to step " + std::to_string(i + 1), where, x)) pressed = &prompt;
     c.y += review_button_height;
   }
