@@ -171,10 +171,28 @@
     show_picture();
   }
 
-  const prepare = isect_questions(right => {
+  const prepare = isect_questions((right, ask) => {
     place.textContent = right ? "Right." : "Not quite.";
+    offer_other(ask);
     mark();
   });
+  /// All that tells a question from the same one in another setting.
+  function numbers_of(ask) {
+    const right = [...ask.querySelectorAll(".choices li")].findIndex(choice => "right" in choice.dataset);
+    return [...ask.querySelectorAll(".words > p:not(.reply), .choices li, .values td")].map(e => e.textContent).join("|") + right;
+  }
+  /// Offers the same question with other numbers, in the next setting that asks it so and where it is still open.
+  function offer_other(ask) {
+    const from = walks.indexOf(walk), all = [...walks.slice(from + 1), ...walks.slice(0, from)], own = numbers_of(ask);
+    const other = all.map(w => articles(w).find(a => a.dataset.asked && a.dataset.asked === ask.dataset.asked))
+      .find(a => a && is_open(a) && numbers_of(a) !== own);
+    if (!other) return;
+    const again = button("Again, with other numbers", () => {
+      open_walk(other.closest(".walk"));
+      stand(articles(walk).indexOf(other));
+    });
+    again.className = "other", ask.querySelector("details").after(again);
+  }
   document.querySelectorAll(".ask").forEach(prepare);
 
   /// Of an address; as it stands there where it is none that a browser has written.

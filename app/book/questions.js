@@ -14,7 +14,7 @@ function isect_questions(told) {
       pressed.addEventListener("click", () => answer(ask, i));
       choice.append(pressed);
     });
-    ask.querySelectorAll(".typed, .reply").forEach(old => old.remove());
+    ask.querySelectorAll(".typed, .reply, .other").forEach(old => old.remove());
     const list = ask.querySelector(".choices[data-number]");
     ask.classList.toggle("typing", Boolean(list));
     if (list) list.before(field_for(ask, JSON.parse(list.dataset.number)));

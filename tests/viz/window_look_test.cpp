@@ -71,6 +71,7 @@ Rect visible(const WindowDriver& window, const std::string& full_name, Rect r) {
                                                               {"show choices", "lesson words"},
                                                               {"what was typed", "lesson words"},
                                                               {"reply", "lesson words"},
+                                                              {"numbers again", "lesson words"},
                                                               {"save preset", "lesson words"},
                                                               {"again ", "lesson words"},
                                                               {"try ", "lesson words"},

@@ -9,6 +9,7 @@
 #include "tests/scratch.h"
 #include "tests/viz/window_driver.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/other_numbers.h"
 #include "viz/walk/review.h"
 
 namespace window_review_test {
@@ -153,6 +154,25 @@ TEST_CASE("a drag does not take a review's question away", "[window]") {
     CHECK(window.player().quiz().asked());
     CHECK(window.has("review question"));
   }
+}
+
+TEST_CASE("Y asks a question that was answered once more, with other numbers", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("ray-sphere", "two-roots"), {}, layout_only);
+  window.type("y");  // nothing was answered yet
+  CHECK_FALSE(window.player().quiz().asked());
+  while (!window.player().quiz().asked()) window.key(key::right);
+  const std::string first = question_on_show(window);
+  answer(window, true);
+  const Parameters before = window.player().parameters();
+  const std::string numbers = numbers_of_question(window.player().walk(), window.player().index());
+  CHECK(window.has("numbers again"));
+  window.type("y");
+  window.frames(2);
+  REQUIRE(window.player().quiz().asked());
+  CHECK(question_on_show(window) == first);
+  CHECK(numbers_of_question(window.player().walk(), window.player().index() + 1) != numbers);
+  window.key(key::z, true);
+  CHECK(window.player().parameters() == before);
 }
 
 TEST_CASE("every fifth lesson offers its review on its card", "[window]") {

@@ -20,6 +20,7 @@ constexpr Row left_keys[] = {
     {"Page Up / Down", "preset before / after"},
     {"A, B, C …", "answer the question"},
     {"1, −2.5, 3/4, Enter", "answer with a number"},
+    {"Y", "ask it with other numbers"},
     {"[ and ]", "lesson before / after"},
     {"Ctrl+O", "all lessons, saved presets"},
     {"G", "terms"},

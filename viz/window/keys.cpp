@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "viz/player/camera_moves.h"
 #include "viz/player/practice.h"
@@ -154,6 +155,9 @@ void command(WindowSession& s, char c) {
       return show_map(player, s.settings, s.toast);
     case 'r':
       return attempt(s.toast, [&] { player.restart(); });
+    case 'y':
+      s.step_words.answer.other = player.quiz().answered().has_value();
+      return;
     case 't':
       if (review_count(player.lessons()) == 0) return s.toast.say("A review needs a course of five lessons");
       s.requests.sheet = Sheet::reviews;
@@ -222,6 +226,10 @@ bool may_leave(WindowSession& s) {
 }
 
 void keys(WindowSession& s) {
+  if (std::exchange(s.step_words.answer.other, false))
+    attempt(s.toast, [&] {
+      if (!ask_with_other_numbers(s.player)) s.toast.say("No other setting asks this with other numbers");
+    });
   const ImGuiIO& io = ImGui::GetIO();
   const bool in_popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
   focus_keys(s.ui.focus, in_popup);

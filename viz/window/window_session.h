@@ -144,6 +144,7 @@ struct AnswerField {
   bool at_end = false;       ///< the cursor was set behind the text
   int frames = 0;            ///< without the keyboard, so far
   std::string refused = {};  ///< why the text is no number; empty: it was not tried
+  bool other = false;        ///< the question that was answered is wanted once more, with other numbers
 };
 
 /// The words of a step, beside its scene or below it.
