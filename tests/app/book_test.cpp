@@ -51,6 +51,37 @@ std::string faults(const std::string& page) {
   return out;
 }
 
+/// Every fifth lesson is followed by a page that asks again what these lessons ask.
+void check_reviews(const std::filesystem::path& site) {
+  const auto page = [&](const std::string& file) { return contents(site / file); };
+  const auto& lessons = isect::lessons::all_lessons();
+  const std::string index = page("index.html");
+  for (int number = 1; number <= isect::viz::review_count(lessons); ++number) {
+    const std::string file = "review-" + std::to_string(number) + ".html", review = page(file);
+    INFO(file);
+    CHECK(count(index, "href=\"" + file + "\"") == 1);
+    const auto block = isect::viz::lessons_of_review(lessons, number);
+    CHECK_THAT(page(block.back()->id + ".html"), Contains("href=\"" + file + "\""));
+    if (block.size() > 1) CHECK_THAT(page(block.front()->id + ".html"), !Contains("href=\"" + file + "\""));
+    std::set<std::string> questions;
+    for (const isect::viz::Lesson* lesson : block)
+      for (const auto& p : isect::viz::prompts_of(*lesson)) questions.insert(p.lesson + " " + p.question);
+    const int asked = static_cast<int>(questions.size());
+    CHECK(asked >= isect::viz::questions_a_review);
+    const std::vector<std::string> names = quoted(review, "data-asked=\"");
+    CHECK(std::set<std::string>(names.begin(), names.end()) == questions);
+    CHECK(count(review, "<article class=\"ask\"") == asked);
+    CHECK(count(review, "<svg class=\"picture\"") == asked);
+    CHECK(count(review, " data-right>") == asked);
+    CHECK(count(review.substr(review.find("<div class=\"answers\">")), "<b>Question ") == asked);
+    for (const std::string& step : quoted(review, "data-step=\"")) {  // each leads to its lesson's step
+      const std::size_t hash = step.find('#');
+      CHECK_THAT(page(step.substr(0, hash)), Contains("id=\"" + step.substr(hash + 1) + "\"") &&
+                                                 Contains("id=\"" + step.substr(hash + 1) + "/question\""));
+    }
+  }
+}
+
 TEST_CASE("a book has a page for each lesson, with every preset and every step", "[book]") {
   const Shell shell;
   write(shell.work() / "live.js", "isect_module.packed = \"\";\n");
@@ -85,6 +116,7 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
                          Contains("{&quot;box&quot;: &quot;A&quot;, &quot;lo&quot;: [0, 0], &quot;hi&quot;: [4, 3]}"));
   CHECK(count(scenes, "<details class=\"written\">") == count(scenes, "<section class=\"walk"));
 
+  check_reviews(site);
   std::size_t last = 0;
   const std::string index = contents(site / "index.html");
   CHECK_THAT(index, Contains("href=\"scene.html\""));
@@ -110,38 +142,6 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
     CHECK(count(page, "role=\"img\" aria-label=\"\"") == 0);
     CHECK(count(page, " data-right>") == questions);
     CHECK(count(page, "<summary>Solution</summary>") == static_cast<int>(lesson->closing->exercises.size()));
-  }
-}
-
-TEST_CASE("every fifth lesson is followed by a page that asks again what these lessons ask", "[book]") {
-  const Shell shell;
-  REQUIRE(shell("isect book --out site").status == 0);
-  const auto page = [&](const std::string& file) { return contents(shell.work() / "site" / file); };
-  const auto& lessons = isect::lessons::all_lessons();
-  const std::string index = page("index.html");
-  for (int number = 1; number <= isect::viz::review_count(lessons); ++number) {
-    const std::string file = "review-" + std::to_string(number) + ".html", review = page(file);
-    INFO(file);
-    CHECK(count(index, "href=\"" + file + "\"") == 1);
-    const auto block = isect::viz::lessons_of_review(lessons, number);
-    CHECK_THAT(page(block.back()->id + ".html"), Contains("href=\"" + file + "\""));
-    if (block.size() > 1) CHECK_THAT(page(block.front()->id + ".html"), !Contains("href=\"" + file + "\""));
-    std::set<std::string> questions;
-    for (const isect::viz::Lesson* lesson : block)
-      for (const auto& p : isect::viz::prompts_of(*lesson)) questions.insert(p.lesson + " " + p.question);
-    const int asked = static_cast<int>(questions.size());
-    CHECK(asked >= isect::viz::questions_a_review);
-    const std::vector<std::string> names = quoted(review, "data-asked=\"");
-    CHECK(std::set<std::string>(names.begin(), names.end()) == questions);
-    CHECK(count(review, "<article class=\"ask\"") == asked);
-    CHECK(count(review, "<svg class=\"picture\"") == asked);
-    CHECK(count(review, " data-right>") == asked);
-    CHECK(count(review.substr(review.find("<div class=\"answers\">")), "<b>Question ") == asked);
-    for (const std::string& step : quoted(review, "data-step=\"")) {  // each leads to its lesson's step
-      const std::size_t hash = step.find('#');
-      CHECK_THAT(page(step.substr(0, hash)), Contains("id=\"" + step.substr(hash + 1) + "\"") &&
-                                                 Contains("id=\"" + step.substr(hash + 1) + "/question\""));
-    }
   }
 }
 
