@@ -194,7 +194,7 @@ void character(WindowSession& s, char c) {
   if (letter && s.player.quiz().wants_number()) return s.player.show_choices();
   if (c >= '0' && c <= '9' && asked) return answer_with(s.player, c);
   if (letter) return s.player.answer(c - 'a');
-  if (s.review && std::string_view("fmop+=-?").find(c) == std::string_view::npos) return;  // nothing leads away
+  if (s.review && std::string_view("fop+=-?").find(c) == std::string_view::npos) return;  // nothing leads away
   if (c >= '0' && c <= '9') return load_number(s.player, s.toast, c == '0' ? 10 : static_cast<std::size_t>(c - '0'));
   command(s, c);
 }
