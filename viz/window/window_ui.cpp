@@ -286,9 +286,9 @@ void WindowUi::frame() {
   ImGui::PushFont(w.ui.fonts.body);
   ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);  // Tab is the window's own
   keys(w.session);
+  follow_review(w.session);
   w.learn_names();
   const WindowLayout at = w.layout();
-  follow_review(w.session);
   w.show_step(at);
   if (w.session.review) {
     review_bars(w.session, at.top, at.transport);
