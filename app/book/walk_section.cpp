@@ -12,6 +12,7 @@
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
 #include "viz/walk/question_scene.h"
+#include "viz/walk/review.h"
 #include "viz/walk/typed_answer.h"
 
 namespace isect::program::book {
@@ -92,7 +93,14 @@ std::string WalkSection::attributes(const Station& at) const {
   if (!s.refused.empty()) out += fmt::format(" data-refused=\"{}\"", listed(s.refused));
   if (!s.untaken.empty()) out += fmt::format(" data-untaken=\"{}\"", listed(s.untaken));
   if (s.decides) out += " data-decides";
+  if (const std::string name = at.asks ? asked_name(at.step) : ""; !name.empty())
+    out += fmt::format(" data-asked=\"{}\"", xml_escaped(name));
   return out;
+}
+
+std::string WalkSection::asked_name(int step) const {
+  if (!lesson_.made_from.empty()) return {};
+  return lesson_.id + " " + viz::question_name(lesson_, parameters_, walk_.steps[step]);
 }
 
 std::string WalkSection::article(const Station& at, bool shown) const {
@@ -114,6 +122,10 @@ std::string WalkSection::below(const Station& at) const {
 
 /// Returns the question and all that is known before it is answered.
 std::string WalkSection::question(const viz::QuestionText& q) const {
+  return fmt::format("<h3>Question {}</h3>\n", q.number) + asked(q);
+}
+
+std::string WalkSection::asked(const viz::QuestionText& q) const {
   std::string choices;
   for (std::size_t i = 0; i < q.choices.size(); ++i) {
     const std::string reply = viz::reply_to_choice(*q.asked, static_cast<int>(i));
@@ -121,9 +133,9 @@ std::string WalkSection::question(const viz::QuestionText& q) const {
                            reply.empty() ? "" : fmt::format(" data-reply=\"{}\"", xml_escaped(text(reply))),
                            text(q.choices[i]));
   }
-  return fmt::format("<h3>Question {}</h3>\n<div class=\"words\">\n{}<ol class=\"choices\"{}>\n{}</ol>\n{}</div>\n{}",
-                     q.number, prose(q.prompt), number_to_type(*q.asked), choices,
-                     folded("Answer", prose(q.answer + " " + q.because)), in_numbers(values(q.known)));
+  return fmt::format("<div class=\"words\">\n{}<ol class=\"choices\"{}>\n{}</ol>\n{}</div>\n{}", prose(q.prompt),
+                     number_to_type(*q.asked), choices, folded("Answer", prose(q.answer + " " + q.because)),
+                     in_numbers(values(q.known)));
 }
 
 /// Returns what book.js needs to judge a number that is typed; empty where a question asks for none.

@@ -50,8 +50,13 @@ class WalkSection {
   /// Return what stands above a station's picture, and below it.
   std::string above(const Station&) const;
   std::string below(const Station&) const;
-  /// Returns the attributes of its element: which lines of code are lit.
+  /// Returns the attributes of its element: which lines of code are lit, what a question is called.
   std::string attributes(const Station&) const;
+  /// Returns the lesson, a space and the name of the question before a step (viz/walk/review.h): what review.js keeps
+  /// an answer under. Empty for scenes from files.
+  std::string asked_name(int step) const;
+  /// Returns a question without its number.
+  std::string asked(const viz::QuestionText&) const;
 
  private:
   std::string text(const std::string& markup) const;

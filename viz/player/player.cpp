@@ -133,6 +133,7 @@ void Player::answer(int choice) {
   const Question* asked = quiz_.asked();
   if (!asked || choice < 0 || choice >= static_cast<int>(asked->choices.size())) return;
   quiz_.keep(index() + 1, GivenAnswer{choice});
+  ++answers_;
   go_to(index() + 1);
   clock_.begin_answered_step();
 }
@@ -141,6 +142,7 @@ void Player::answer_typed(const std::string& text) {
   if (!quiz_.wants_number()) return;
   const double number = number_from(text);
   quiz_.keep(index() + 1, GivenAnswer{choice_of(*quiz_.asked(), number).value_or(-1), text, number});
+  ++answers_;
   go_to(index() + 1);
   clock_.begin_answered_step();
 }
@@ -286,6 +288,11 @@ void Player::go(const ReaderState& to) {
     next.go_to(to.step.value_or(0));
     if (to.camera) next.camera_.jump(*to.camera, true);
   });
+}
+
+void Player::return_as(Player kept) {
+  kept.revision_ = revision_ + 1, kept.walks_ = walks_ + 1, kept.answers_ = answers_;
+  *this = std::move(kept);
 }
 
 void Player::set_aspect(double aspect) {

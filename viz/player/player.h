@@ -74,6 +74,8 @@ class Player {
   void show_choices();
   /// Goes to just before that step, which has a question, and asks it, whatever the answer was before.
   void ask_again(int step);
+  /// Returns how many answers were given so far.
+  unsigned answers_given() const { return answers_; }
 
   void toggle_play();
   /// Whether play goes on by itself: not while a question is open, if play stops at questions.
@@ -100,6 +102,8 @@ class Player {
   /// Moves the setting to a place on the lesson's map of cases; a place beyond the map is moved to its rim.
   void go_to_case(const Vec2&);
   void go(const ReaderState&);
+  /// Becomes what it was when `kept` was copied from it, with its history; the counts above go on.
+  void return_as(Player kept);
 
   /// Returns the exercise that is tried: by its index in the lesson, until another lesson is opened
   /// (viz/player/practice.h).
@@ -160,7 +164,7 @@ class Player {
   std::shared_ptr<PlayedWalk> played_;  ///< shared with copies of this player
   int at_ = 0;                          ///< the step that is shown
   std::optional<int> exercise_;
-  unsigned revision_ = 0, walks_ = 0;
+  unsigned revision_ = 0, walks_ = 0, answers_ = 0;
 
   Quiz quiz_;
   PlayClock clock_;

@@ -34,6 +34,8 @@ void missed(Column&, Player&, const Settings&);
 void exercises(Column&, Player&, std::set<const Exercise*>& shown, Toast&);
 /// Draws the lessons in which this one's ideas occur again, each to be opened. (practice.cpp)
 void same_ideas(Column&, Player&, Toast&);
+/// Draws, on the closing card of every fifth lesson, the review of these lessons. (review.cpp)
+void review_offer(Column&, const Player&, Requests&);
 /// Draws the exercise that is being tried, and whether its setting has been found. (practice.cpp)
 void exercise_on_hand(Column&, Player&);
 

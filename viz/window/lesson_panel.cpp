@@ -84,6 +84,7 @@ void lesson_text(const LessonPanel& panel, const Rect& r, bool fresh, bool low) 
     missed(c, player, panel.settings);
     exercises(c, player, panel.words.solutions, panel.toast);
     same_ideas(c, player, panel.toast);
+    review_offer(c, player, panel.requests);
   } else {
     side_by_side(c, player, panel.requests);
   }

@@ -102,6 +102,9 @@ void question(Column& c, Player& player, AnswerField& field, bool fresh, bool va
   c.paragraph(right ? "Right" : "Not quite", colour, 15, 23, true);
   c.x -= 22, c.width += 22;
   c.ui.rects["what came of it"] = {c.x, begin, c.x + c.width, c.y};
+  const Rect again{c.x + c.width - 92, begin - 1, c.x + c.width, begin + 23};
+  if (chip(c.ui, "numbers again", again, "Again (Y)", false, c.ui.fonts.small)) field.other = true;
+  if (ImGui::IsItemHovered()) tooltip(c.ui, "The same question with other numbers");
   c.paragraph(answered->question->prompt, ink.muted);
   if (!answered->typed.empty()) {
     const float top = c.y;
