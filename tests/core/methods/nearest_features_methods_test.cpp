@@ -2,65 +2,32 @@
 
 #include <cmath>
 
-#include "bench/capsule_capsule/oracle.h"
 #include "bench/random.h"
 #include "tests/catch.h"
 #include "tests/core/common.h"
+#include "tests/nearest_pairs.h"
 #include "tests/settings.h"
 
 namespace nearest_features_methods_test {
 using namespace isect;
 using namespace isect::nearest_features;
 using oracle::Rational;
-using oracle::operator-;
 using tests::not_a_number;
+using tests::pairs_in_rationals;
+using tests::stretch;
+using tests::Stretch3;
 
 namespace {
 
 using Segment3 = Segment<double, 3>;
 using Capsule3 = Capsule<double, 3>;
 using Box3 = Aabb<double, 3>;
-using Stretch3 = oracle::Stretch<3>;
 
 /// Whole coordinates up to 3 in size: ends that coincide, parallel segments and ties are frequent.
 Point<double, 3> whole(bench::Random& random) {
   return {double(random.integer(-3, 3)), double(random.integer(-3, 3)), double(random.integer(-3, 3))};
 }
 Segment3 segment(bench::Random& random) { return {whole(random), whole(random)}; }
-
-Stretch3 stretch(const Segment3& x) { return oracle::stretch(Capsule3{x.p, x.q, 0}); }
-
-Nearest feature(const Stretch3& x, const Rational& t) {
-  const bool a_point = oracle::dot(x.d, x.d) == 0;
-  return t <= 0 || a_point ? Nearest::p : t >= 1 ? Nearest::q : Nearest::between;
-}
-Rational place(const oracle::Coordinates<3>& c, const Stretch3& x) {
-  const Rational length2 = oracle::dot(x.d, x.d);
-  return length2 == 0 ? Rational(0) : Rational(oracle::dot(c - x.p, x.d) / length2);
-}
-
-/// The pairs of features at which two segments are nearest: by the places of points, which divisions find.
-std::vector<Pair> pairs_in_rationals(const Stretch3& a, const Stretch3& b) {
-  const Rational least = oracle::distance2<3>(a, b);
-  std::vector<Pair> all;
-  const auto candidate = [&](const Rational& s, const Rational& t) {
-    const Pair pair = {feature(a, s), feature(b, t)};
-    if (oracle::distance2(a.at(s), b.at(t)) == least && std::find(all.begin(), all.end(), pair) == all.end())
-      all.push_back(pair);
-  };
-  for (const int end : {0, 1}) {
-    candidate(end, place(a.at(end), b));
-    candidate(place(b.at(end), a), end);
-  }
-  const oracle::Coordinates<3> w = b.p - a.p;
-  const Rational uu = oracle::dot(a.d, a.d), uv = oracle::dot(a.d, b.d), vv = oracle::dot(b.d, b.d);
-  const Rational determinant = uu * vv - uv * uv;
-  if (determinant == 0) return all;
-  const Rational s = (oracle::dot(a.d, w) * vv - uv * oracle::dot(b.d, w)) / determinant,
-                 t = (s * uv - oracle::dot(b.d, w)) / vv;
-  candidate(s, t);
-  return all;
-}
 
 bool same(std::vector<Pair> x, const std::vector<Pair>& y) {
   return x.size() == y.size() &&

@@ -1,0 +1,38 @@
+#pragma once
+// The four walks of distances, and what they share: the steps, the verdict, and how many pairs are nearest.
+
+#include <isect/counted.h>
+#include "lessons/distance/picture.h"
+#include "lessons/shared/script.h"
+
+namespace isect::lessons::distance_lesson {
+
+viz::Walk point(const Setup&);     ///< a point and a segment
+viz::Walk segments(const Setup&);  ///< two segments
+viz::Walk boxes(const Setup&);     ///< two axis-aligned boxes
+viz::Walk capsules(const Setup&);  ///< two capsules, compared with a bound
+
+class Teller {
+ protected:
+  Teller(const Setup&, const std::string& title, const std::string& source, std::vector<std::string> pseudocode);
+
+  viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
+                 const std::string& formula = {});
+  /// Sets the verdict: whether they meet, else how far apart they are.
+  void settle();
+  /// How many pairs of nearest points there are, as the core decides.
+  viz::Question pairs_question() const;
+
+  const Setup& s_;
+  Script script_;
+  Known known_;
+};
+
+/// How far apart they are, in words.
+std::string told_distance(const Setup&);
+/// "the end **p**_a", "the interior of b"
+std::string feature_name(int which, Nearest);
+/// Which features of two segments are nearest, and how many pairs of points; a sentence or two.
+std::string told_features(const Setup&);
+
+}  // namespace isect::lessons::distance_lesson
