@@ -110,10 +110,13 @@ class Painter {
         add(solid(Cylinder<double>{x.p, x.q, x.radius}, role));
       }
     }
-    const Vec3 out = x.p == x.q ? Vec3(-1, 0, 0) : Vec3((x.p - x.q).stableNormalized()), rim = x.p + x.radius * out;
-    if (k_.radii && x.radius > 0) {
-      add(Line{x.p, rim, role, Pen::thick});
-      add(Label{x.p, std::string("*r*_") + "ab"[which], role, rim});
+    const Vec3 d = x.q - x.p, out = x.p == x.q ? Vec3(-1, 0, 0) : Vec3(-d.stableNormalized()),
+               rim = x.p + x.radius * out;
+    if (k_.radii && x.radius > 0) {  // from the middle of the segment to its side
+      const Vec3 across(-d.y(), d.x(), 0), side = across.isZero(0) ? Vec3(0, 1, 0) : Vec3(across.stableNormalized());
+      const Vec3 from = (x.p + x.q) / 2, to = from + x.radius * side;
+      add(Line{from, to, role, Pen::thick});
+      add(Label{from, std::string("*r*_") + "ab"[which], role, to});
     }
     scene_.handles.push_back({parameter, Handle::Kind::length, rim, x.p, role});
   }

@@ -76,17 +76,14 @@ class SegmentsTeller : Teller {
     again(e.clamped.value);
   }
 
-  static std::string clamped_words(const std::string& name, double place, double clamped) {
-    if (place == clamped) return fmt::format("That lies between 0 and 1, so {} keeps it.", name);
-    return fmt::format("That lies outside the range from 0 to 1. Clamped, {} is {}.", name, shown(clamped));
-  }
-
   void on_a(double place, double clamped) {
+    script_.value("place on the line of a", place);
     script_.value("*t*_a", clamped);
     line_a_ = place, s_place_ = clamped;
     add("on-a", "Nearest to the other line", 3,
-        fmt::format("The line of a is nearest to that of b at the place {}.\n", shown(place)) +
-            clamped_words("*t*_a", place, clamped),
+        std::string("Both equations give the place on the line of a that is nearest to the line of b.\n") +
+            (place == clamped ? "It lies between 0 and 1, so *t*_a keeps it."
+                              : "It lies outside the range from 0 to 1, so *t*_a is clamped."),
         "*t*_a = " + shown(clamped));
   }
 
@@ -202,22 +199,12 @@ class SegmentsTeller : Teller {
 
   /// For nearly parallel segments: b tilted as little the other way.
   void tilted() {
-    const Vec3 u = s_.a.q - s_.a.p, v = s_.b.q - s_.b.p;
-    if (parallel_ || determinant_ > 1e-3 * u.squaredNorm() * v.squaredNorm()) return;
-    const Vec3 aside = v - v.dot(u) / u.squaredNorm() * u;
-    const Segment3 other = {s_.b.p, s_.b.q - 2 * aside};
-    Record<nearest_features::SegmentEvent<double, 3>> before, after;
-    const double d = std::sqrt(nearest_features::distance2<double, 3>(s_.a, s_.b, before)),
-                 turned = std::sqrt(nearest_features::distance2<double, 3>(s_.a, other, after));
-    using Closest = nearest_features::Closest<double, 3>;
-    const auto &here = std::get<Closest>(before.events.back()), &there = std::get<Closest>(after.events.back());
-    const double moved = (here.on_a - there.on_a).norm(), change = std::abs(d - turned),
-                 nudge = (other.q - s_.b.q).norm();
-    if (!(moved > 20 * nudge && change <= nudge)) return;
-    known_.earlier = {{here.on_a, here.on_b}}, known_.ways = {{there.on_a, there.on_b}};
-    script_.value("the end moves by", nudge, "length");
-    script_.value("the nearest point moves by", moved, "length");
-    script_.value("*d* changes by", change, "length");
+    const std::optional<Tilt> tilt = tilted_back(s_.a, s_.b);
+    if (!tilt) return;
+    known_.earlier = {tilt->before}, known_.ways = {tilt->after};
+    script_.value("the end moves by", tilt->moved, "length");
+    script_.value("the nearest point moves by", tilt->jump, "length");
+    script_.value("*d* changes by", tilt->change, "length");
     add("tilted", "Nearly parallel", 7,
         "Here b is turned to the other side of a parallel segment: **q**_b moves by little.\n"
         "The nearest point of a jumps. The distance changes no more than **q**_b has moved.\n"

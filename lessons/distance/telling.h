@@ -35,4 +35,12 @@ std::string feature_name(int which, Nearest);
 /// Which features of two segments are nearest, and how many pairs of points; a sentence or two.
 std::string told_features(const Setup&);
 
+/// Nearly parallel segments, and b tilted as little to the other side of a parallel.
+struct Tilt {
+  Way before, after;           ///< from the nearest point of a to that of b
+  double moved, jump, change;  ///< how far q of b and the nearest point of a move, and by how much the distance changes
+};
+/// Nothing unless the segments are nearly parallel, and the nearest point jumps. (nearly_parallel.cpp)
+std::optional<Tilt> tilted_back(const Segment3& a, const Segment3& b);
+
 }  // namespace isect::lessons::distance_lesson
