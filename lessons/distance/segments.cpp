@@ -57,8 +57,9 @@ class SegmentsTeller : Teller {
     script_.value("det", determinant_);
     known_.lines = true;
     add("lines", "Are they parallel?", 1,
-        "The determinant det belongs to two equations: the gap must be perpendicular to both lines (dashed).\n"
-        "It is the square of the area that **d**_a and **d**_b span. It is 0 for parallel segments, and for points.",
+        a_point() ? "One segment is a point here. So det, the square of the area that **d**_a and **d**_b span, is 0."
+                  : "det belongs to two equations: the gap must be perpendicular to both lines (dashed).\n"
+                    "It is the square of the area that **d**_a and **d**_b span. It is 0 for parallel segments.",
         "det = " + shown(determinant_));
     if (!parallel_) return script_.refuse(2, {});
     Step& step = add("parallel", "No single place", 2,
@@ -185,14 +186,25 @@ class SegmentsTeller : Teller {
     const double once = nearest_features::distance2_clamped_once<double, 3>(s_.a, s_.b, record);
     if (parallel_ || !(once > squared_ * (1 + 1e-6) + 1e-12)) return;
     const auto& closest = std::get<nearest_features::Closest<double, 3>>(record.events.back());
+    const auto place = [&](std::size_t event) {
+      const auto& found = std::get<nearest_features::Found<double>>(record.events.at(event));
+      return found.numerator / found.denominator;
+    };
+    const double on_a = place(1), on_b = place(2);
+    const auto outside = [](double x) { return x < 0 || x > 1; };
+    const std::string where =
+        outside(on_a) || outside(on_b)
+            ? fmt::format("The lines are nearest at the places {} and {}, in {} region of the nine.\n", shown(on_a),
+                          shown(on_b), outside(on_a) && outside(on_b) ? "a corner" : "a side")
+            : "";
     known_.ways = {{closest.on_a, closest.on_b}};
-    known_.earlier.clear();
     for (const Pair& pair : s_.pairs) known_.earlier.push_back(s_.points(pair));
     script_.value("*d*^2, clamped once", once, "area");
     add("once", "A usual bug", 7,
-        "The bug clamps both places of the lines' nearest points, each by itself. The result is too large.\n"
-        "Level curves of *d*^2 are ellipses in the plane of both places. "
-        "The point of the square with the least *d*^2 need not be the nearest one in that plane.",
+        where +
+            "The bug clamps both places, each by itself. The result is too large.\n"
+            "Level curves of *d*^2 are ellipses in the plane of both places. "
+            "The point of the square with the least *d*^2 need not be the nearest one in that plane.",
         fmt::format("*d*^2, clamped once = {}", shown(once)));
     known_.ways.clear(), known_.earlier.clear();
   }

@@ -170,7 +170,11 @@ TEST_CASE("clamping once is told where it returns too large a distance, and only
     }
     const Rational size = oracle::dot(a.d, a.d) * oracle::dot(b.d, b.d);
     if (near_value(lines.determinant) < 1e-3 * near_value(size)) return;
-    if (once) CHECK(value(*once, "*d*^2, clamped once") == Approx(bug).epsilon(1e-9));
+    if (once) {
+      const auto outside = [](const Rational& x) { return x < 0 || x > 1; };
+      CHECK(value(*once, "*d*^2, clamped once") == Approx(bug).epsilon(1e-9));
+      CHECK(says(once->caption, "a corner region") == (outside(lines.on_a) && outside(lines.on_b)));
+    }
     if (bug > truth + 1e-3 * (1 + truth)) CHECK(once);
   });
   CHECK(shown_bug > 5);
