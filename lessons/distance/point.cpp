@@ -58,7 +58,10 @@ class PointTeller : Teller {
     Step& start = add("first-end", "Before the first end?", 1,
                       first ? "It is not above 0. So no point of the segment is nearer than **p**_a: *t* is 0."
                             : "It is above 0: on the way from **p**_a along **d** the distance falls at first.",
-                      fmt::format("{} = {} {} 0", along_name, shown(along_), first ? along_ == 0 ? "=" : "<" : ">"));
+                      fmt::format("{} = {}{}", along_name, shown(along_),
+                                  along_ < 0   ? " < 0"
+                                  : along_ > 0 ? " > 0"
+                                               : ""));
     Script::decide(start, {std::string(along_name) + " ≤ 0", along_, 0, first,
                            first ? "**p**_a is nearest" : "**p**_a is not nearest"});
     start.question =
