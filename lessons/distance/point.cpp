@@ -55,15 +55,17 @@ class PointTeller : Teller {
     ask_for_dot(dot);
 
     const bool first = along_ <= 0, second = !first && along_ >= length2_;
+    const Nearest exact = s_.pairs.front().on_a;
+    const char* const rounded = "Rounding has changed what this comparison says. The method cannot know that.";
     Step& start = add("first-end", "Before the first end?", 1,
-                      first ? "It is not above 0. So no point of the segment is nearer than **p**_a: *t* is 0."
-                            : "It is above 0: on the way from **p**_a along **d** the distance falls at first.",
+                      first != (exact == Nearest::p) ? rounded
+                      : first ? "It is not above 0. So no point of the segment is nearer than **p**_a: *t* is 0."
+                              : "It is above 0: on the way from **p**_a along **d** the distance falls at first.",
                       fmt::format("{} = {}{}", along_name, shown(along_),
                                   along_ < 0   ? " < 0"
                                   : along_ > 0 ? " > 0"
                                                : ""));
-    Script::decide(start, {std::string(along_name) + " ≤ 0", along_, 0, first,
-                           first ? "**p**_a is nearest" : "**p**_a is not nearest"});
+    Script::decide(start, {std::string(along_name) + " ≤ 0", along_, 0, first, first ? "*t* is 0" : "*t* is above 0"});
     start.question =
         Question{fmt::format("{} = {} and {} = {}. Which point of the segment is nearest to **c**?", along_name,
                              apart(along_, length2_), length_name, apart(length2_, along_)),
@@ -77,15 +79,16 @@ class PointTeller : Teller {
 
     Step& end =
         add("second-end", "Beyond the second end?", 2,
-            second ? "It is at least **d** · **d**. So no point of the segment is nearer than **q**_a: *t* is 1."
-                   : "It is less than **d** · **d**: the nearest point lies before **q**_a.",
+            second != (exact == Nearest::q) ? rounded
+            : second ? "It is at least **d** · **d**. So no point of the segment is nearer than **q**_a: *t* is 1."
+                     : "It is less than **d** · **d**: the nearest point lies before **q**_a.",
             fmt::format("{} {} {}", apart(along_, length2_),
                         !second              ? "<"
                         : along_ == length2_ ? "="
                                              : ">",
                         apart(length2_, along_)));
     Script::decide(end, {fmt::format("{} ≥ {}", along_name, length_name), along_, length2_, second,
-                         second ? "**q**_a is nearest" : "**q**_a is not nearest"});
+                         second ? "*t* is 1" : "*t* is below 1"});
     if (!second) script_.refuse(2, {});
   }
 
