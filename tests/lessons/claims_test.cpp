@@ -59,6 +59,7 @@ const std::vector<Claims>& claims() {
       {"convex-polygon", {{"It never takes more than [0-9]+", "polygon_words_test"}}},
       {"crossings", {{"an edge along the line never counts", "edge_words_test"}}},
       {"culling", {{"what can be seen is never rejected", "culling_test"}}},
+      {"distance", {{"[Nn]earest", "distance_words_test, by rationals"}}},
       {"hierarchy",
        {{"The cheapest is taken", "rivals_test"},
         {"Where boxes overlap little, most objects are never tested", "volumes_test, on the costs as n grows"}}},

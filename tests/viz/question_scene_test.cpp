@@ -240,6 +240,28 @@ const std::vector<std::pair<std::string, double (*)(const OnShow&)>>& ways() {
        }},
       {"What is the longest step that surely passes no contact", [](const OnShow& o) { return o.told[0] / o.told[1]; }},
       {"At which share of the edge", [](const OnShow& o) { return o.told[0] / (o.told[0] - o.told[1]); }},
+      {"What is their dot product?",
+       [](const OnShow& o) { return o.told[0] * o.told[3] + o.told[1] * o.told[4] + o.told[2] * o.told[5]; }},
+      {"is the line of b nearest to it?",
+       [](const OnShow& o) {
+         double along = 0, length2 = 0;  // a point, the start of a line, its direction
+         for (std::size_t k = 0; k < 3; ++k) {
+           along += (o.told[k] - o.told[k + 3]) * o.told[k + 6];
+           length2 += o.told[k + 6] * o.told[k + 6];
+         }
+         return along / length2;
+       }},
+      {"What is the square of the gap?",
+       [](const OnShow& o) {
+         const double gap = std::max({o.told[2] - o.told[1], o.told[0] - o.told[3], 0.0});
+         return gap * gap;
+       }},
+      {"What is d² after z?",
+       [](const OnShow& o) {
+         const double gap = std::max({o.told[3] - o.told[2], o.told[1] - o.told[4], 0.0});
+         return o.told[0] + gap * gap;
+       }},
+      {"How far apart may the segments be", [](const OnShow& o) { return o.told[0] + o.told[1] + o.told[2]; }},
   };
   return all;
 }
@@ -460,6 +482,10 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
          const double lo = std::max(n[0], n[2]), hi = std::min(n[1], n[3]);
          return lo > hi ? 0 : lo == hi ? 1 : 2;
        }},
+      {"which point of the segment is nearest to c",
+       [](const Question&, const std::string&, const OnShow& o) {
+         return o.told[0] <= 0 ? 0 : o.told[0] >= o.told[1] ? 1 : 2;
+       }},
       {"what does n · l tell",
        [](const Question&, const std::string&, const OnShow& o) {
          const Numbers& n = o.told;
@@ -511,6 +537,7 @@ const std::vector<std::string>& from_what_is_given() {
                                                "how many does it reject",
                                                "from the point",
                                                "may a mesh that bounds a solid",
+                                               "how many pairs of points",
                                                "what follows"};
   return all;
 }
