@@ -94,8 +94,8 @@ struct WrongLine {
 /// The line of the pseudocode that a question asks for: a reader points at it, or types its number. The question's
 /// choices are a hint. viz/walk/pointed_line.h judges it.
 struct LineAsked {
-  int truth = 0;                   ///< the line that the question's step lights, from 0
-  std::vector<int> offered = {};   ///< by choice: its line
+  int truth = 0;                  ///< the line that the question's step lights, from 0
+  std::vector<int> offered = {};  ///< by choice: its line
   std::vector<WrongLine> wrong = {};
 };
 
@@ -115,13 +115,13 @@ struct OrderAsked {
 
 /// A question for the reader: predict, then reveal. The answer comes from the predicate itself.
 struct Question {
-  std::string prompt;                  ///< markup
-  std::vector<std::string> choices;    ///< markup
-  int answer = 0;                      ///< index into choices
-  std::string because;                 ///< markup, shown with the answer
-  std::optional<Scene> over = {};      ///< the scene while it is open; none: see viz/walk/question_scene.h
-  std::vector<Value> given = {};       ///< the numbers it needs, as before its step: shown while it is open
-  std::optional<Numeric> number = {};  ///< it asks for this number, which then is the right choice, too
+  std::string prompt;                    ///< markup
+  std::vector<std::string> choices;      ///< markup
+  int answer = 0;                        ///< index into choices
+  std::string because;                   ///< markup, shown with the answer
+  std::optional<Scene> over = {};        ///< the scene while it is open; none: see viz/walk/question_scene.h
+  std::vector<Value> given = {};         ///< the numbers it needs, as before its step: shown while it is open
+  std::optional<Numeric> number = {};    ///< it asks for this number, which then is the right choice, too
   std::optional<LineAsked> line = {};    ///< it asks for this line, which then is the right choice, too
   std::optional<OrderAsked> order = {};  ///< it asks for this order; no choice but the right one is one
 };

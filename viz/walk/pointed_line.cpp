@@ -42,9 +42,9 @@ std::vector<std::string> line_replies(const Walk& walk, int step) {
   std::vector<std::string> all;
   for (int line = 0; line < static_cast<int>(walk.pseudocode.size()); ++line) {
     const auto known = std::ranges::find(asked.wrong, line, &WrongLine::line);
-    all.push_back(line == asked.truth             ? std::string()
+    all.push_back(line == asked.truth          ? std::string()
                   : known == asked.wrong.end() ? what_it_does(walk, step, line)
-                                                 : known->reply);
+                                               : known->reply);
   }
   return all;
 }

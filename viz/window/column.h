@@ -23,8 +23,9 @@ struct Column {
 /// Draws the question before the next step, or the result of the one before this step. `fresh`: it was not there in the
 /// last frame. `values`: it names those that are known, which no panel shows. (question.cpp)
 void question(Column&, Player&, AnswerField&, bool fresh, bool values);
-/// Draws the field for the number that is asked for, and a button that shows the choices instead. (answer_field.cpp)
-void answer_field(Column&, Player&, AnswerField&);
+/// Draws the field for what is asked for besides a choice, the tiles of an order, and a button that shows the choices
+/// instead. `code`: and the lines to point at, which no panel shows. (answer_field.cpp)
+void answer_field(Column&, Player&, AnswerField&, bool code);
 /// Draws, where the current line errs as published, what it should be and a button to see it fail. (practice.cpp)
 void erratum(Column&, Player&, Toast&);
 /// Draws, on the closing card, what was answered wrong, to be answered again. (practice.cpp)

@@ -168,7 +168,7 @@ void character(WindowSession& s, char c) {
   if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   const Question* const asked = s.player.quiz().asked();
   const bool letter = asked && c >= 'a' && c - 'a' < static_cast<int>(asked->choices.size());
-  if (letter && s.player.quiz().wants_number()) return s.player.show_choices();
+  if (letter && s.player.quiz().asks_more()) return s.player.show_choices();
   if (c >= '0' && c <= '9' && asked) return answer_with(s.player, c);
   if (c >= '0' && c <= '9') return load_number(s.player, s.toast, c == '0' ? 10 : static_cast<std::size_t>(c - '0'));
   if (letter) return s.player.answer(c - 'a');

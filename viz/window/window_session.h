@@ -131,7 +131,7 @@ struct Fields {
   float height = 0;  ///< as the last frame found it
 };
 
-/// The field for a number that a question asks for.
+/// The field for what a question asks for besides a choice: a number, a line's number, the letters of an order.
 struct AnswerField {
   std::pair<unsigned, int> of = {};  ///< the walk and the step whose question it is
   std::string text = {};
@@ -139,7 +139,7 @@ struct AnswerField {
   bool begun = false;        ///< it has had it
   bool at_end = false;       ///< the cursor was set behind the text
   int frames = 0;            ///< without the keyboard, so far
-  std::string refused = {};  ///< why the text is no number; empty: it was not tried
+  std::string refused = {};  ///< why the text can't be read; empty: it was not tried
 };
 
 /// The words of a step, beside its scene or below it.
