@@ -110,6 +110,7 @@ struct WrongOrder {
 struct OrderAsked {
   std::vector<std::string> tiles = {};  ///< markup; they are called a, b, c ...
   std::vector<int> ranks = {};          ///< by tile, from 0: those of one rank may come in any order among themselves
+  std::vector<std::vector<int>> offered = {};  ///< by choice: its order
   std::vector<WrongOrder> wrong = {};
 };
 

@@ -60,8 +60,8 @@ class WalkSection {
   std::string article(const Station&, bool shown) const;
   std::string words(const viz::StepText&, int step) const;
   std::string numbers(const viz::StepText&) const;
-  std::string question(const viz::QuestionText&) const;
-  std::string number_to_type(const viz::Question&) const;
+  std::string question(const viz::QuestionText&, int step) const;
+  std::string asked_for(const viz::Question&, int step) const;
   std::string verdict(const viz::Verdict&) const;
   std::string source(int step) const;
   std::string code(const std::string&) const;

@@ -52,8 +52,11 @@ std::string reply_to(const Walk& walk, int step, const GivenAnswer& given) {
     const int line = given.line >= 0 ? given.line : question.line->offered.at(static_cast<std::size_t>(given.choice));
     return line_replies(walk, step).at(static_cast<std::size_t>(line));
   }
-  if (!given.order.empty()) return reply_to(*question.order, given.order);
-  if (question.order) return reply_to_order_choice(question, given.choice);
+  if (question.order) {
+    const std::vector<std::vector<int>>& offered = question.order->offered;
+    return reply_to(*question.order,
+                    given.order.empty() ? offered.at(static_cast<std::size_t>(given.choice)) : given.order);
+  }
   return given.typed.empty() ? reply_to_choice(question, given.choice) : reply_to(*question.number, given.number);
 }
 

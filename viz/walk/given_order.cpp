@@ -90,16 +90,9 @@ std::string right_order(const OrderAsked& asked) {
 
 int choice_of_order(const Question& question, const std::vector<int>& order) {
   if (first_wrong(*question.order, order) < 0) return question.answer;
-  const auto found = std::ranges::find(question.choices, tiles_in(*question.order, order));
-  return found == question.choices.end() ? -1 : static_cast<int>(found - question.choices.begin());
-}
-
-std::string reply_to_order_choice(const Question& question, int choice) {
-  if (choice < 0 || choice == question.answer) return {};
-  for (const WrongOrder& wrong : question.order->wrong)
-    if (tiles_in(*question.order, wrong.order) == question.choices.at(static_cast<std::size_t>(choice)))
-      return wrong.reply;
-  return {};
+  const std::vector<std::vector<int>>& offered = question.order->offered;
+  const auto found = std::ranges::find(offered, order);
+  return found == offered.end() ? -1 : static_cast<int>(found - offered.begin());
 }
 
 }  // namespace isect::viz

@@ -27,7 +27,5 @@ std::string tiles_in(const OrderAsked&, const std::vector<int>& order);
 std::string right_order(const OrderAsked&);
 /// Returns the choice that is this order, or any right one; -1: none is. The question asks for an order.
 int choice_of_order(const Question&, const std::vector<int>& order);
-/// Returns what is said to this choice of a question that asks for an order; empty: nothing.
-std::string reply_to_order_choice(const Question&, int choice);
 
 }  // namespace isect::viz
