@@ -185,7 +185,8 @@ class Fit {
     std::vector<double> numbers, as_told;
     for (std::size_t i = 0; i < 4; ++i) {
       const Measured& m = all_[k_ == 6 && i == 3 ? 1 : i];
-      volumes.push_back({all_[i].name, std::round(1e9 * m.void_volume / fitted_.object) / 1e9});  // an OBB may be the AABB
+      volumes.push_back(
+          {all_[i].name, std::round(1e9 * m.void_volume / fitted_.object) / 1e9});  // an OBB may be the AABB
       numbers.push_back(-static_cast<double>(all_[i].numbers)), as_told.push_back(static_cast<double>(i));
     }
     return which_order("Sort these four volumes by their void, from less to more.", volumes,

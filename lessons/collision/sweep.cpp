@@ -105,12 +105,12 @@ class Sweep : Teller {
       ends.push_back(boxes_[i].hi[axis_]), numbers.push_back(static_cast<double>(i));
       given.push_back({fmt::format("lower end of box {}", i), boxes_[i].lo[axis_], "length"});
     }
-    step.question = which_order(fmt::format("The plane sweeps along {}. In which order do the boxes begin?",
-                                            axis_ == 0 ? "*x*" : "*y*"),
-                                begins,
-                                {{numbers, "That is the order of their numbers."},
-                                 {ends, "That is the order in which the boxes end. They are sorted by their lower ends."}},
-                                "The plane meets a box first at its lower end, so the boxes are sorted by these.");
+    step.question = which_order(
+        fmt::format("The plane sweeps along {}. In which order do the boxes begin?", axis_ == 0 ? "*x*" : "*y*"),
+        begins,
+        {{numbers, "That is the order of their numbers."},
+         {ends, "That is the order in which the boxes end. They are sorted by their lower ends."}},
+        "The plane meets a box first at its lower end, so the boxes are sorted by these.");
     if (!step.question) return;
     step.question->given = std::move(given);
     keep_picture(script_.walk());

@@ -6,8 +6,8 @@
 #include "lessons/convex_hull/picture.h"
 #include "lessons/shared/digits.h"
 #include "lessons/shared/flat.h"
-#include "lessons/shared/plural.h"
 #include "lessons/shared/line_question.h"
+#include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
@@ -236,7 +236,7 @@ class Teller {
   double area_ = 0;
   int number_ = 0, started_ = 0;
   bool turned_ = false, line_asked_ = false;  ///< a turn was told, or asked for, already
-  std::size_t asked_ = 0;  ///< the most removed points that were asked for
+  std::size_t asked_ = 0;                     ///< the most removed points that were asked for
 };
 
 }  // namespace

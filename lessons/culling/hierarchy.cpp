@@ -110,13 +110,14 @@ class UnderHierarchy {
                                           v.node == 0 ? "the root" : fmt::format("node {}", v.node),
                                           coordinates(box.lo), coordinates(box.hi), inner_side(eye_));
     if (v.node != 0)
-      return ask_for_line(script_.walk(), given + " Which line settles what is below it?",
-                          {{1, "No plane has the whole box on its outer side."},
-                           {2, "Not all of the box lies on the inner side of every plane."},
-                           {3, culling == Culling::outside ? "The box lies beyond a plane, so nothing below it is asked."
-                                                           : "The box lies inside, so nothing below it is asked."},
-                           {4, "That line begins with the root."}},
-                          "The same six planes decide as for any box.");
+      return ask_for_line(
+          script_.walk(), given + " Which line settles what is below it?",
+          {{1, "No plane has the whole box on its outer side."},
+           {2, "Not all of the box lies on the inner side of every plane."},
+           {3, culling == Culling::outside ? "The box lies beyond a plane, so nothing below it is asked."
+                                           : "The box lies inside, so nothing below it is asked."},
+           {4, "That line begins with the root."}},
+          "The same six planes decide as for any box.");
     step.question = {given + " Where does the box lie?",
                      {"wholly outside", "wholly inside", "across the boundary"},
                      culling == Culling::outside  ? 0

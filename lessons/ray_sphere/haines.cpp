@@ -146,13 +146,13 @@ class HainesTeller : Teller {
   void say(const HalfChord<C>& e) {
     known_.half_chord = true;
     script_.value("*q*", e.q.value, "length");
-    Step& step = add(
-        "half-chord", "Half the chord", 8,
-        e.q.value > 0
-            ? "Inside the ball the line runs equally far before and after the foot of the perpendicular.\n"
-              "That distance, half the chord, is *q*. Its square root is the only one once **d** has length 1."
-            : "The foot of the perpendicular is the only common point, so *q*, half the chord, is 0.",
-        Focus::half_chord, "*q* = √(*r*^2 − *m*^2) = " + shown(e.q.value));
+    Step& step =
+        add("half-chord", "Half the chord", 8,
+            e.q.value > 0
+                ? "Inside the ball the line runs equally far before and after the foot of the perpendicular.\n"
+                  "That distance, half the chord, is *q*. Its square root is the only one once **d** has length 1."
+                : "The foot of the perpendicular is the only common point, so *q*, half the chord, is 0.",
+            Focus::half_chord, "*q* = √(*r*^2 − *m*^2) = " + shown(e.q.value));
     step.question = order_of_t(e.q.value);
   }
 

@@ -134,10 +134,10 @@ class Measuring {
       counts.push_back(sorted[i].operations);
       times += fmt::format("{}{} ns", i == 0 ? "" : i + 1 < sorted.size() ? ", " : " and ", shown(sorted[i].ns));
     }
-    return which_order("Sort these methods by the time measured on ordinary cases, from less to more. Times that differ "
-                       "by less than the noise count as equal.",
-                       things, {{counts, "That is the order of their operations."}},
-                       fmt::format("The times are {}.", times));
+    return which_order(
+        "Sort these methods by the time measured on ordinary cases, from less to more. Times that differ "
+        "by less than the noise count as equal.",
+        things, {{counts, "That is the order of their operations."}}, fmt::format("The times are {}.", times));
   }
 
   /// A sentence on the method whose time differs most from its predicted time, and on the tweak that the note warns of.

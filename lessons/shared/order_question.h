@@ -31,12 +31,13 @@ struct WrongKeys {
 inline std::vector<int> shuffled(const std::vector<InOrder>& things) {
   std::uint64_t state = 14695981039346656037u;  // FNV-1a of their names and keys
   for (const InOrder& thing : things)
-    for (const char c : thing.name + viz::shown(thing.key)) state = (state ^ static_cast<unsigned char>(c)) * 1099511628211u;
+    for (const char c : thing.name + viz::shown(thing.key))
+      state = (state ^ static_cast<unsigned char>(c)) * 1099511628211u;
   std::vector<int> order(things.size());
   std::iota(order.begin(), order.end(), 0);
   for (std::size_t i = order.size(); i > 1; --i) {
     state = state * 6364136223846793005u + 1442695040888963407u;
-    std::swap(order[i - 1], order[(state >> 33) % i]);
+    std::swap(order[i - 1], order[static_cast<std::size_t>((state >> 33) % i)]);
   }
   return order;
 }
@@ -45,9 +46,8 @@ inline std::vector<int> shuffled(const std::vector<InOrder>& things) {
 inline std::vector<int> sorted_by(const std::vector<double>& keys) {
   std::vector<int> order(keys.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return keys[static_cast<std::size_t>(a)] < keys[static_cast<std::size_t>(b)];
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return keys[static_cast<std::size_t>(a)] < keys[static_cast<std::size_t>(b)]; });
   return order;
 }
 
@@ -65,8 +65,8 @@ inline bool can_be_told(const std::vector<double>& sorted) {
 /// fewer than three things, more than eight, all keys are equal, or some differ too little.
 inline std::optional<viz::Question> which_order(const std::string& prompt, const std::vector<InOrder>& things,
                                                 const std::vector<WrongKeys>& wrong, const std::string& because) {
-  const auto unsorted = [](const InOrder& thing) { return std::isnan(thing.key); };
-  if (things.size() < 3 || things.size() > 8 || std::ranges::any_of(things, unsorted)) return {};
+  const auto has_no_key = [](const InOrder& thing) { return !std::isfinite(thing.key); };
+  if (things.size() < 3 || things.size() > 8 || std::ranges::any_of(things, has_no_key)) return {};
   std::vector<double> keys;
   for (const InOrder& thing : things) keys.push_back(thing.key);
   std::sort(keys.begin(), keys.end());

@@ -81,8 +81,7 @@ TEST_CASE("an order is right up to ties, a usual wrong one has its mistake, othe
           "[given_answer]") {
   for (const json& one : cases().at("said")) {
     const OrderAsked asked = asked_by(one);
-    const std::vector<int> order =
-        order_from(one.at("order").get<std::string>(), static_cast<int>(asked.tiles.size()));
+    const std::vector<int> order = order_from(one.at("order").get<std::string>(), static_cast<int>(asked.tiles.size()));
     INFO(letters_of(order));
     CHECK(reply_to(asked, order) == one.at("said").get<std::string>());
     CHECK((first_wrong(asked, order) < 0) == one.at("said").get<std::string>().empty());

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <regex>
 #include <string>
@@ -18,6 +20,8 @@
 #include "tests/viz/window_driver.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/branch.h"
+#include "viz/walk/given_order.h"
+#include "viz/walk/pointed_line.h"
 
 namespace question_scene_test {
 using namespace isect;
@@ -502,8 +506,8 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
          return by_key(q, [&](const std::string& side) {
            const Numbers& n = o.told;  // p, q, the sides
            const bool x = side == "the left side" || side == "the right side";
-           const double at = side == "the left side"    ? n[4]
-                             : side == "the right side" ? n[5]
+           const double at = side == "the left side"     ? n[4]
+                             : side == "the right side"  ? n[5]
                              : side == "the bottom side" ? n[6]
                                                          : n[7];
            return x ? (at - n[0]) / (n[2] - n[0]) : (at - n[1]) / (n[3] - n[1]);
