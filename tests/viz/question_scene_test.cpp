@@ -882,7 +882,7 @@ TEST_CASE("while a question is open the step before it is told no more, as the p
   REQUIRE(window.player().step().line == 4);
   CHECK(ground() != marked);
   const Rect words = window.rect("lesson words");
-  CHECK(window.rect("choice 1").top < words.top + 0.4f * words.height());  // nothing but the prompt stands above it
+  CHECK(window.rect("answer").top < words.top + 0.4f * words.height());  // nothing but the prompt stands above it
   window.player().answer(0);
   window.frames(2);
   CHECK(window.has("what came of it"));

@@ -122,7 +122,7 @@ void tiles(Column& c, const OrderAsked& asked, AnswerField& field) {
 /// Draws the pseudocode, whose panel is hidden, in rows to point at. Returns the line that was pressed; -1: none.
 int lines_to_point_at(Column& c, const Walk& walk) {
   const Palette& ink = c.ui.palette;
-  constexpr float pitch = 24, beside_number = 34;
+  constexpr float pitch = 22, beside_number = 34;
   int pressed = -1;
   for (int i = 0; i < static_cast<int>(walk.pseudocode.size()); ++i) {
     const Rect r{c.x, c.y, c.x + c.width, c.y + pitch};
