@@ -138,7 +138,7 @@ class Building {
 
   /// Asks, at the first split with few boxes, for the order of their centres.
   void ask_order(const bvh::Split<double>& split, Step& step) {
-    if (order_asked_) return;
+    if (order_asked_ || split.left + split.right > 8) return;
     const std::string axis = name_of(split.axis);
     std::vector<InOrder> boxes;
     std::vector<double> numbers, lower, across;
