@@ -56,7 +56,7 @@ void ReviewPage::ask(const Excerpt& e, const viz::ReviewPrompt& p) {
       "<article class=\"ask\" id=\"question-{0}\" data-asked=\"{1}\" data-preset=\"{2}\" data-step=\"{3}\">\n"
       "<h2><span class=\"number\">Question {0}: </span><a href=\"{3}/question\">{4}</a></h2>\n{5}{6}</article>\n",
       count_, viz::xml_escaped(section.asked_name(p.step)), p.preset, step, html_text(viz::short_title(*e.lesson)),
-      Pictures(e, pictures_).asked(p.step), section.asked(question));
+      Pictures(e, pictures_).asked(p.step), section.asked(question, p.step));
   answers_ += program::html({program::answer(question, fmt::format("Question {}.", count_))});
 }
 

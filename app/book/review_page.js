@@ -22,7 +22,7 @@
     .map(index => asks[index]);
   const results = [];  // whether each was right; null: skipped
   let result = null;   // of the one on show
-  const prepare = isect_questions(right => {
+  const { prepare, key } = isect_questions(right => {
     result = right, next.textContent = "Next";
     tell(right ? "Right." : "Not quite.");
   });
@@ -63,13 +63,11 @@
   addEventListener("keydown", event => {
     const ask = shown(), on = event.target;
     if (!ask || event.ctrlKey || event.altKey || event.metaKey || on.matches("input, textarea, select")) return;
-    const open = !ask.classList.contains("told"), typing = ask.classList.contains("typing");
-    const choice = open && /^[a-h]$/.test(event.key) ? ask.querySelectorAll(".choices button")[event.key.charCodeAt(0) - 97] : null;
-    if (open && typing && /^[0-9.,(√−-]$/.test(event.key)) return ask.querySelector(".typed input").focus();  // it goes in there
-    if (choice && typing) ask.classList.remove("typing");
-    else if (choice) choice.click();
-    else if (event.key === "ArrowRight" || (event.key === "Enter" && !open && !on.matches("a, button, summary"))) go_on();
-    else return;
+    const done = key(ask, event.key);
+    const goes_on = event.key === "ArrowRight" ||
+      (event.key === "Enter" && ask.classList.contains("told") && !on.matches("a, button, summary"));
+    if (done === "typed" || (done === "" && !goes_on)) return;
+    if (done === "") go_on();
     event.preventDefault();
   });
   if (drawn.length > 0) show(); else bar.remove();

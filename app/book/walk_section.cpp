@@ -11,6 +11,9 @@
 #include "viz/formats/svg_path.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/given_answer.h"
+#include "viz/walk/given_order.h"
+#include "viz/walk/pointed_line.h"
 #include "viz/walk/question_scene.h"
 #include "viz/walk/review.h"
 #include "viz/walk/typed_answer.h"
@@ -117,42 +120,68 @@ std::string WalkSection::above(const Station& at) const {
 
 std::string WalkSection::below(const Station& at) const {
   const viz::StepText told = viz::step_text(lesson_, walk_, at.step);
-  return at.asks ? question(*told.question) : words(told, at.step) + numbers(told);
+  return at.asks ? question(*told.question, at.step) : words(told, at.step) + numbers(told);
 }
 
 /// Returns the question and all that is known before it is answered.
-std::string WalkSection::question(const viz::QuestionText& q) const {
-  return fmt::format("<h3>Question {}</h3>\n", q.number) + asked(q);
+std::string WalkSection::question(const viz::QuestionText& q, int step) const {
+  return fmt::format("<h3>Question {}</h3>\n", q.number) + asked(q, step);
 }
 
-std::string WalkSection::asked(const viz::QuestionText& q) const {
-  std::string choices;
+std::string WalkSection::asked(const viz::QuestionText& q, int step) const {
+  std::string tiles, choices;
+  if (q.asked->order)
+    for (const std::string& tile : q.asked->order->tiles) tiles += fmt::format("<li>{}</li>\n", text(tile));
+  if (!tiles.empty()) tiles = fmt::format("<ol class=\"tiles\">\n{}</ol>\n", tiles);
   for (std::size_t i = 0; i < q.choices.size(); ++i) {
-    const std::string reply = viz::reply_to_choice(*q.asked, static_cast<int>(i));
+    const std::string reply = i == q.right ? "" : viz::reply_to(walk_, step, viz::GivenAnswer{static_cast<int>(i)});
     choices += fmt::format("<li{}{}>{}</li>\n", i == q.right ? " data-right" : "",
                            reply.empty() ? "" : fmt::format(" data-reply=\"{}\"", xml_escaped(text(reply))),
                            text(q.choices[i]));
   }
-  return fmt::format("<div class=\"words\">\n{}<ol class=\"choices\"{}>\n{}</ol>\n{}</div>\n{}", prose(q.prompt),
-                     number_to_type(*q.asked), choices, folded("Answer", prose(q.answer + " " + q.because)),
-                     in_numbers(values(q.known)));
+  return fmt::format("<div class=\"words\">\n{}{}<ol class=\"choices{}\"{}>\n{}</ol>\n{}</div>\n{}", prose(q.prompt),
+                     tiles, q.asked->line || q.asked->order ? " hint" : "", asked_for(*q.asked, step), choices,
+                     folded("Answer", prose(q.answer + " " + q.because)), in_numbers(values(q.known)));
 }
 
-/// Returns what book.js needs to judge a number that is typed; empty where a question asks for none.
-std::string WalkSection::number_to_type(const viz::Question& q) const {
-  if (!q.number) return {};
+namespace {
+
+std::string letters_of(const std::vector<int>& order) {
+  std::string letters;
+  for (const int tile : order) letters += viz::tile_letter(tile);
+  return letters;
+}
+
+}  // namespace
+
+/// Returns, as an attribute, what book.js needs to judge what is given as the answer; empty where that is a choice.
+std::string WalkSection::asked_for(const viz::Question& q, int step) const {
+  if (!viz::wants_more(q)) return {};
+  nlohmann::json all = {{"choice", q.answer}, {"asks", viz::how_to_answer(q)}, {"wrong", nlohmann::json::array()}};
+  const auto attribute = [&](const char* name) {
+    return fmt::format(" data-{}=\"{}\"", name, xml_escaped(all.dump()));
+  };
+  if (q.line) {
+    all["offered"] = q.line->offered, all["replies"] = nlohmann::json::array();
+    for (const std::string& reply : viz::line_replies(walk_, step)) all["replies"].push_back(text(reply));
+    return attribute("pointed");
+  }
+  if (q.order) {
+    all["ranks"] = q.order->ranks, all["tiles"] = all["offered"] = nlohmann::json::array();
+    for (const std::string& tile : q.order->tiles) all["tiles"].push_back(text(tile));
+    for (const std::vector<int>& order : q.order->offered) all["offered"].push_back(letters_of(order));
+    for (const viz::WrongOrder& wrong : q.order->wrong)
+      all["wrong"].push_back(nlohmann::json::array({letters_of(wrong.order), text(wrong.reply)}));
+    return attribute("order");
+  }
   const viz::Numeric& number = *q.number;
-  nlohmann::json wrong = nlohmann::json::array();
+  all["right"] = {number.truth, viz::tolerance(number, number.truth)};
   for (const viz::Reply& reply : viz::replies(number)) {
     const bool right = viz::is_right(number, reply.value);  // it has too few digits
     const int choice = right ? -1 : viz::choice_of(q, reply.value).value_or(-1);
-    wrong.push_back({reply.value, reply.tolerance, text(reply.text), choice});
+    all["wrong"].push_back({reply.value, reply.tolerance, text(reply.text), choice});
   }
-  const nlohmann::json all = {{"right", {number.truth, viz::tolerance(number, number.truth)}},
-                              {"choice", q.answer},
-                              {"asks", viz::what_to_type(number)},
-                              {"wrong", wrong}};
-  return fmt::format(" data-number=\"{}\"", xml_escaped(all.dump()));
+  return attribute("number");
 }
 
 std::string WalkSection::words(const viz::StepText& told, int step) const {

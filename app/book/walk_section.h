@@ -56,7 +56,7 @@ class WalkSection {
   /// an answer under. Empty for scenes from files.
   std::string asked_name(int step) const;
   /// Returns a question without its number.
-  std::string asked(const viz::QuestionText&) const;
+  std::string asked(const viz::QuestionText&, int step) const;
 
  private:
   std::string text(const std::string& markup) const;
@@ -65,8 +65,8 @@ class WalkSection {
   std::string article(const Station&, bool shown) const;
   std::string words(const viz::StepText&, int step) const;
   std::string numbers(const viz::StepText&) const;
-  std::string question(const viz::QuestionText&) const;
-  std::string number_to_type(const viz::Question&) const;
+  std::string question(const viz::QuestionText&, int step) const;
+  std::string asked_for(const viz::Question&, int step) const;
   std::string verdict(const viz::Verdict&) const;
   std::string source(int step) const;
   std::string code(const std::string&) const;

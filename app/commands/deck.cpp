@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "app/figures/question_figure.h"
 #include "app/pages/html.h"
@@ -59,6 +60,7 @@ class Slides {
     Blocks& text = picture ? slide.right : slide.left;
     text = question(q);
     text.insert(text.end(), {Pause{}, answer(q)});
+    if (q.asked->line) slide.below = std::exchange(text, {code(e_)});  // the lines to name one of
     all_.push_back(std::move(slide));
   }
 

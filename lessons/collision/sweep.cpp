@@ -4,6 +4,7 @@
 
 #include <isect/many/all_pairs.h>
 #include "lessons/collision/telling.h"
+#include "lessons/shared/order_question.h"
 
 namespace isect::lessons::collision_lesson {
 
@@ -77,6 +78,7 @@ class Sweep : Teller {
     Step& step = add(fmt::format("enter-{}", box), fmt::format("Box {} begins", box), gone.empty() ? 4 : 2,
                      fmt::format("The plane meets {} now: {} active.{}", plural(static_cast<long long>(active), "box"),
                                  active == 1 ? "it is" : "they are", gone.empty() ? "" : " It has left " + gone + "."));
+    if (entered_ == 1) ask_order(step);
     if (gone.empty() || asked_) return;
     asked_ = true;
     step.question =
@@ -91,6 +93,27 @@ class Sweep : Teller {
     for (Item& item : step.question->over->items)  // the plane has gone on
       if (Line* line = std::get_if<Line>(&item); line && line->pen == Pen::highlight)
         line->from[axis_] = line->to[axis_] = drawn_.sweep;
+  }
+
+  /// Asks, before the first box, for the order in which the plane meets them.
+  void ask_order(Step& step) {
+    std::vector<InOrder> begins;
+    std::vector<double> ends, numbers;
+    std::vector<Value> given;
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      begins.push_back({fmt::format("box {}", i), boxes_[i].lo[axis_]});
+      ends.push_back(boxes_[i].hi[axis_]), numbers.push_back(static_cast<double>(i));
+      given.push_back({fmt::format("lower end of box {}", i), boxes_[i].lo[axis_], "length"});
+    }
+    step.question = which_order(
+        fmt::format("The plane sweeps along {}. In which order do the boxes begin?", axis_ == 0 ? "*x*" : "*y*"),
+        begins,
+        {{numbers, "That is the order of their numbers."},
+         {ends, "That is the order in which the boxes end. They are sorted by their lower ends."}},
+        "The plane meets a box first at its lower end, so the boxes are sorted by these.");
+    if (!step.question) return;
+    step.question->given = std::move(given);
+    keep_picture(script_.walk());
   }
 
   int axis_ = 0;

@@ -92,9 +92,13 @@ class HalfOpen : Teller {
         return below(edge, a.y() == y || b.y() == y);
       case Passage::horizontal: {
         known_.along.push_back(edge);
-        Step& step = add(slug(edge), "Along the ray", 4,
-                         "Neither end lies above **p**: an edge along the line never counts. Its neighbours decide.");
-        ask(step, edge, {6, 7}, "Both ends count as below, so it has no side to cross to.");
+        add(slug(edge), "Along the ray", 4,
+            "Neither end lies above **p**: an edge along the line never counts. Its neighbours decide.");
+        ask(edge,
+            {{3, "Neither end lies above **p**."},
+             {6, "Both ends lie on one side, so it is not asked where **p** lies."},
+             {7, "Both ends count as below, so the edge does not cross."}},
+            "Both ends count as below, so it has no side to cross to.");
         return;
       }
       case Passage::crossed_left:
@@ -114,9 +118,13 @@ class HalfOpen : Teller {
       return;
     }
     if (meeting(setup_, edge).x() > setup_.p.x()) meet(edge, false);
-    Step& step = add(slug(edge), "An end on the line", 4,
-                     "One end lies at the height of **p** and counts as below. So this edge does not cross.");
-    ask(step, edge, {3, 6, 7}, "A vertex on the line counts as below it: both ends lie on the same side.");
+    add(slug(edge), "An end on the line", 4,
+        "One end lies at the height of **p** and counts as below. So this edge does not cross.");
+    ask(edge,
+        {{3, "Neither end lies above **p**."},
+         {6, "Both ends lie on one side, so it is not asked where **p** lies."},
+         {7, "The end at the height of **p** counts as below, like the other end."}},
+        "A vertex on the line counts as below it: both ends lie on the same side.");
   }
 
   void right(const EdgeOf& edge, bool vertex) {
@@ -125,7 +133,10 @@ class HalfOpen : Teller {
                      vertex ? "The end on the ray counts as below, the other lies above: the edge crosses, once."
                             : "The edge crosses the line, and **p** lies on its left: it counts.");
     step.decides = true;
-    ask(step, edge, {3, 4, 6},
+    ask(edge,
+        {{3, "One end is not above **p**."},
+         {4, "One end is above **p**."},
+         {6, "**p** lies on the left of the edge, seen upwards."}},
         vertex ? "A vertex on the line counts as below it; the other end lies above."
                : "Its ends lie on opposite sides, and **p** is on its left.");
   }

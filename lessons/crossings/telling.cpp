@@ -4,6 +4,7 @@
 
 #include <cctype>
 
+#include "lessons/shared/line_question.h"
 #include "lessons/shared/questions.h"
 
 namespace isect::lessons::crossings_lesson {
@@ -87,14 +88,15 @@ void Teller::meet(const EdgeOf& e, bool counts) {
   if (counts) script_.value("count", count_, {}, Role::hit);
 }
 
-void Teller::ask(Step& step, const EdgeOf& edge, const std::vector<int>& lines, const std::string& because) {
+void Teller::ask(const EdgeOf& edge, const std::vector<WrongLine>& wrong, const std::string& because) {
   if (asked_) return;
   asked_ = true;
   const auto [a, b] = ends(setup_, edge);
   const auto pair = [](const Point<double, 2>& v) { return fmt::format("({}, {})", shown(v.x()), shown(v.y())); };
-  step.question = which_line(fmt::format("**p** = {}. The next edge runs from {} to {}. Which line settles it?",
-                                         pair(setup_.p), pair(a), pair(b)),
-                             script_.walk().pseudocode, step.line, lines, because);
+  ask_for_line(script_.walk(),
+               fmt::format("**p** = {}. The next edge runs from {} to {}. Which line settles it?", pair(setup_.p),
+                           pair(a), pair(b)),
+               wrong, because);
   give_before(script_.walk(), {"count"});
 }
 

@@ -4,6 +4,7 @@
 
 #include <isect/methods/ray_plane.h>
 #include "lessons/rays/picture.h"
+#include "lessons/shared/line_question.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
@@ -40,13 +41,12 @@ class Teller {
  public:
   explicit Teller(const Setup& setup)
       : s_(setup),
-        pseudocode_(pseudocode(setup)),
         script_({"Lecture note Intersection Detection, rays, and ray against plane",
                  fmt::format("A {} and a wall at x = {}: {}.", s_.extent, shown(s_.wall),
                              s_.truth.coplanar ? "it lies in the wall"
                              : s_.truth.meets  ? "they meet at t = " + shown(*s_.truth.t) + unit_of_t(s_)
                                                : "they do not meet"),
-                 pseudocode_,
+                 pseudocode(setup),
                  s_.made == Made::points ? "two points"
                  : s_.made == Made::unit ? "unit direction"
                                          : "point and direction"}) {}
@@ -200,12 +200,15 @@ class Teller {
     if (std::isfinite(end) && holds == meets)  // else rounding hides the difference
       Script::decide(step, {below ? "*t* < *t*_{min}" : "*t* > *t*_{max}", t, end, !meets,
                             meets ? "in the range" : "outside the range"});
-    step.question = which_line("Which line returns the answer?", pseudocode_, line, {5, 6},
-                               meets ? "Its *t* lies in the range." : "Its *t* lies outside the range.");
+    ask_for_line(script_.walk(), "Which line returns the answer?",
+                 {{3, "The line is not parallel to the wall."},
+                  {4, "That line computes *t*, and returns nothing."},
+                  {5, "Its *t* does not lie outside the range."},
+                  {6, "Its *t* lies outside the range."}},
+                 meets ? "Its *t* lies in the range." : "Its *t* lies outside the range.");
   }
 
   const Setup& s_;
-  const std::vector<std::string> pseudocode_;
   Script script_;
   Shown known_;
 };

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "viz/lesson.h"
-#include "viz/text/rich_text.h"
 #include "viz/walk/question_scene.h"
 #include "viz/walk/typed_answer.h"
 
@@ -82,19 +81,6 @@ inline void give_before(viz::Walk& walk, const std::vector<std::string>& names) 
 inline void keep_picture(viz::Walk& walk) {
   const std::size_t last = walk.steps.size() - 1;
   if (last > 0) walk.steps[last].question->over = walk.steps[last - 1].scene;
-}
-
-/// Which line settles or returns something: `line` among `others`, in the order of the pseudocode. There is no question
-/// which line runs next, since tests that fail run, too.
-inline viz::Question which_line(const std::string& prompt, const std::vector<std::string>& pseudocode, int line,
-                                std::vector<int> others, const std::string& because) {
-  others.push_back(line);
-  std::ranges::sort(others);
-  others.erase(std::unique(others.begin(), others.end()), others.end());
-  viz::Question question = {prompt, {}, 0, because};
-  for (const int i : others) question.choices.push_back(viz::as_markup(viz::unindented(pseudocode.at(i))));
-  question.answer = static_cast<int>(std::ranges::find(others, line) - others.begin());
-  return question;
 }
 
 }  // namespace isect::lessons

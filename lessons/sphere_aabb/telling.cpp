@@ -7,6 +7,7 @@
 
 #include <isect/methods/sphere_aabb.h>
 #include "lessons/shared/digits.h"
+#include "lessons/shared/line_question.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/relation.h"
 #include "lessons/shared/script.h"
@@ -77,6 +78,17 @@ class Teller {
            {far * far, "That measures from the farther end of the interval."}},
           gap == 0 ? "The box's interval contains the coordinate of **c**: nothing is added."
                    : "The square of the gap between **c** and the nearer end.");
+    if (e.axis == 1 && gap != 0)
+      ask_for_line(
+          script_.walk(),
+          fmt::format("On {} the box reaches from {} to {}, and **c** has {}. Which line adds the square of the gap?",
+                      axis, shown(i.lo), shown(i.hi), shown(c)),
+          {{0, "That line begins with 0 and goes from axis to axis."},
+           {1, "**c** does not lie below the interval's lower end."},
+           {2, c > i.hi ? "The condition of the line before it holds already."
+                        : "**c** does not lie above the interval's upper end."},
+           {3, "That line compares the sum with *r*^2, after all axes."}},
+          line == 1 ? "**c** lies below the interval's lower end." : "**c** lies above the interval's upper end.");
     gaps_ += std::abs(gap), largest_ = std::max(largest_, gap * gap);
     if (e.axis == 2 && gap != 0) {  // else the sum so far is the answer
       step.question = which_value(

@@ -133,8 +133,8 @@ TEST_CASE("explain tells a step in eighty columns", "[explain]") {
   CHECK(r.err.empty());
   CHECK_THAT(r.out, Contains("Which root comes first?") && Contains("10  if l² > r²") &&
                         Contains("▸ line 10:  if l² > r²") && Contains("q = 1.0837") && Contains("Setting:") &&
-                        Contains("Question 4:"));  // its number in the whole walk, as in a handout
-  CHECK(r.out.find("Answers\n") > r.out.find("Question 4:"));
+                        Contains("Question 5:"));  // its number in the whole walk, as in a handout
+  CHECK(r.out.find("Answers\n") > r.out.find("Question 5:"));
   CHECK(widest(r.out) <= 80);
   CHECK_THAT(r.out, !Contains("**") && !Contains("_{"));  // no markup
 }

@@ -119,7 +119,7 @@ try {
           const typing = await browser.ask(`document.querySelector(".walk.shown .steps > .shown").classList.contains("typing")`);
           const open = await browser.ask(`document.querySelector(".walk.shown .steps > .shown .choices").getBoundingClientRect().height > 0`);
           check(typing !== open, `${at}: choices and a field for a number are ${open ? "both" : "neither"} shown`);
-          if (typing) await browser.press("a");  // the choices
+          if (typing) await browser.ask(`document.querySelector(".walk.shown .steps > .shown .show-choices").click()`);
           await browser.press("abcdefgh"[w % 2 ? right : 0]);
           const answer = await browser.ask(`({ told: document.querySelector(".walk.shown .steps > .shown").classList.contains("told"),
             wrong: document.querySelectorAll(".walk.shown .steps > .shown .wrong").length, answer: document.querySelector(".walk.shown .steps > .shown details").open })`);

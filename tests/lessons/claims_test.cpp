@@ -77,7 +77,6 @@ const std::vector<Claims>& claims() {
       {"rounding-bound", {{"rounded to the nearest double", "what IEEE 754 asks for"}}},
       {"rules-of-thumb",
        {{"Fewer operations promise less time", "a promise, which the lesson's clock breaks"},
-        {"Which is the fastest, measured", "rules_of_thumb_test, over all methods"},
         {"steps on average instead of", "rules_of_thumb_test: the mean of the points drawn"}}},
       {"speed-against-error",
        {{"(was never wrong|always says no, by convention)", "speed_against_error_test; families_words_test"},

@@ -215,6 +215,10 @@ class Faults {
     language(q.prompt), language(q.because);
     if (q.number)
       for (const WrongNumber& wrong : q.number->wrong) language(wrong.reply);
+    if (q.line)
+      for (const WrongLine& wrong : q.line->wrong) language(wrong.reply);
+    if (q.order)
+      for (const WrongOrder& wrong : q.order->wrong) language(wrong.reply);
     if (!before) return;
     if (before->verdict.kind != Verdict::Kind::open && before->verdict.text == step_->verdict.text &&
         plain(before->verdict.text).find(plain(q.choices[q.answer])) != std::string::npos)

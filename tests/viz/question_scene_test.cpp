@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <regex>
 #include <string>
@@ -18,6 +20,8 @@
 #include "tests/viz/window_driver.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/branch.h"
+#include "viz/walk/given_order.h"
+#include "viz/walk/pointed_line.h"
 
 namespace question_scene_test {
 using namespace isect;
@@ -364,6 +368,23 @@ std::vector<std::string> plain_choices(const Question& q) {
   return all;
 }
 
+/// The choice that is the order of the tiles by a key of their names. Keys that differ by rounding alone are equal.
+int by_key(const Question& q, const std::function<double(const std::string&)>& key) {
+  std::vector<double> keys;
+  for (const std::string& tile : q.order->tiles) keys.push_back(key(plain(tile)));
+  std::vector<int> order(keys.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](int tile) {
+    const int rank = q.order->ranks.at(static_cast<std::size_t>(tile));
+    double sum = 0, count = 0;  // the mean of those that may change places
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      if (q.order->ranks[i] == rank) sum += keys[i], ++count;
+    const double own = keys[static_cast<std::size_t>(tile)];
+    return std::abs(sum / count - own) < 1e-6 ? sum / count : own;
+  });
+  return choice_of_order(q, order);
+}
+
 /// How a reader without the picture finds answers that are words or counts, from the words and values on show alone.
 using InWords = int (*)(const Question&, const std::string& prompt, const OnShow&);
 const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
@@ -379,7 +400,7 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
       {"the six planes say about the box", [](const Question&, const std::string&, const OnShow&) { return 1; }},
       {"the six planes say about the ball",
        [](const Question&, const std::string&, const OnShow& o) { return o("least n · c + D") >= 0 ? 0 : 1; }},
-      {"does the box lie?",
+      {"the frustum is",
        [](const Question&, const std::string&, const OnShow& o) {
          REQUIRE(o.told.size() >= 13);                      // a node's number stands before
          const Numbers n(o.told.end() - 13, o.told.end());  // ... −2.5 ≤ x ≤ 3, 4 |y| ≤ x + 4 and 8 |z| ≤ 3 (x + 4)
@@ -486,6 +507,58 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
        [](const Question&, const std::string&, const OnShow& o) {
          return o.told[0] <= 0 ? 0 : o.told[0] >= o.told[1] ? 1 : 2;
        }},
+      {"adds the square of the gap",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         return choice_of_line(q, o.told[2] < o.told[0] ? 1 : 2);  // the ends of the interval, and c
+       }},
+      {"changes the chain first",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         const Numbers& n = o.told;  // the chain, and q
+         return choice_of_line(q, cross(n, n.size() - 6, n.size() - 4, n.size() - 2) > 0 ? 2 : 1);
+       }},
+      {"the wedges that are left reach",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         return choice_of_line(q, cross(o.told, 2, 4, 0) < -1e-5 ? 6 : 7);
+       }},
+      {"cuts the range at",
+       [](const Question& q, const std::string& prompt, const OnShow& o) {
+         const bool x = prompt.find("left") != prompt.npos || prompt.find("right side") != prompt.npos;
+         const bool upper = prompt.find("top") != prompt.npos || prompt.find("right side") != prompt.npos;
+         const double d = x ? o.told[2] - o.told[0] : o.told[3] - o.told[1];
+         return choice_of_line(q, (upper ? -d : d) > 0 ? 6 : 7);
+       }},
+      {"cross these four lines",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         return by_key(q, [&](const std::string& side) {
+           const Numbers& n = o.told;  // p, q, the sides
+           const bool x = side == "the left side" || side == "the right side";
+           const double at = side == "the left side"     ? n[4]
+                             : side == "the right side"  ? n[5]
+                             : side == "the bottom side" ? n[6]
+                                                         : n[7];
+           return x ? (at - n[0]) / (n[2] - n[0]) : (at - n[1]) / (n[3] - n[1]);
+         });
+       }},
+      {"do the centres of its boxes come",
+       [](const Question& q, const std::string& prompt, const OnShow& o) {
+         const std::string on = prompt.find("along x") != prompt.npos ? " on x" : " on y";
+         return by_key(q, [&](const std::string& box) { return o("centre of " + box + on); });
+       }},
+      {"in which order do the boxes begin",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         return by_key(q, [&](const std::string& box) { return o("lower end of " + box); });
+       }},
+      {"by their void",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         return by_key(q, [&](const std::string& volume) { return o(volume); });
+       }},
+      {"do these t come along",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         const double s = o("s"), half = std::sqrt(std::max(0.0, o("r²") - o("m²")));
+         return by_key(q, [&](const std::string& t) {
+           return t == "0" ? 0 : t == "s" ? s : t == "s − q" ? s - half : s + half;
+         });
+       }},
       {"what does n · l tell",
        [](const Question&, const std::string&, const OnShow& o) {
          const Numbers& n = o.told;
@@ -518,7 +591,6 @@ const std::vector<std::string>& from_what_is_given() {
                                                "the whole line share with the sphere",
                                                "the ray's first hit",
                                                "which has less void",
-                                               "which of these",
                                                "what does the volume's test show",
                                                "compared with the hull",
                                                "how many edges count",
@@ -565,7 +637,7 @@ const std::vector<std::string>& from_what_is_known() {
                                                "of the count is left",
                                                "of c++ return",
                                                "becomes of the expected cost",
-                                               "which is the fastest",
+                                               "by the time measured",
                                                "naive test",
                                                "how many roundings",
                                                "how many further signs",
@@ -837,7 +909,7 @@ TEST_CASE("while a question is open the step before it is told no more, as the p
   REQUIRE(window.player().step().line == 4);
   CHECK(ground() != marked);
   const Rect words = window.rect("lesson words");
-  CHECK(window.rect("choice 1").top < words.top + 0.4f * words.height());  // nothing but the prompt stands above it
+  CHECK(window.rect("answer").top < words.top + 0.4f * words.height());  // nothing but the prompt stands above it
   window.player().answer(0);
   window.frames(2);
   CHECK(window.has("what came of it"));

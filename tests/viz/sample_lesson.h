@@ -109,6 +109,41 @@ inline Lesson asking_for_a_number() {
   return l;
 }
 
+/// The same lesson, whose question asks for a line: the third.
+inline Lesson asking_for_a_line() {
+  Lesson l = lesson();
+  l.id = "point-line";
+  l.steps = [](const Parameters& values) {
+    Walk w = walk(values);
+    Question& question = *w.steps[2].question;
+    question.prompt = "Which line decides?";
+    question.choices = {w.pseudocode[1], w.pseudocode[2], "return IN"};
+    question.answer = 1;
+    question.line = LineAsked{2, {1, 2, 4}, {{4, "That line returns."}}};
+    return w;
+  };
+  return l;
+}
+
+/// The same lesson, whose question asks for an order: near, middle, far, which are the tiles a, c, b.
+inline Lesson asking_for_an_order() {
+  Lesson l = lesson();
+  l.id = "point-order";
+  l.steps = [](const Parameters& values) {
+    Walk w = walk(values);
+    Question& question = *w.steps[2].question;
+    question.prompt = "In which order?";
+    question.choices = {"near, middle, far", "near, far, middle", "far, middle, near"};
+    question.answer = 0;
+    question.order = OrderAsked{{"near", "far", "middle"},
+                                {0, 2, 1},
+                                {{0, 2, 1}, {0, 1, 2}, {1, 2, 0}},
+                                {{{1, 2, 0}, "That begins with the farthest."}}};
+    return w;
+  };
+  return l;
+}
+
 /// The same lesson under another name: a second one to go to.
 inline Lesson other_lesson() {
   Lesson l = lesson();

@@ -133,9 +133,10 @@ class WindowDriver {
     frames(2);
   }
 
-  /// Answers the open question by its choice's letter. Where a number is asked for, a letter shows the choices first.
+  /// Answers the open question by its choice's letter. Where more than a choice is asked for, it shows the choices
+  /// first.
   void answer(int choice) {
-    if (player().quiz().wants_number()) type("a");
+    player().show_choices();
     type(std::string(1, static_cast<char>('a' + choice)));
   }
 

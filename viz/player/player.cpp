@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "viz/text/number_text.h"
 #include "viz/walk/closing.h"
-#include "viz/walk/typed_answer.h"
 
 namespace isect::viz {
 
@@ -46,7 +44,7 @@ void Player::choose(int step) {
 /// Changes the lesson or its parameters; nothing else does.
 void Player::show(Chosen next, bool same_lesson) {
   const Lesson& lesson = *lessons_[next.lesson];
-  const bool asks = quiz_.asked(), chooses = asks && !quiz_.wants_number();
+  const bool asks = quiz_.asked(), chooses = asks && !quiz_.asks_more();
   quiz_ = {};
   played_ = std::make_shared<PlayedWalk>(lesson, next.parameters, same_lesson ? played_->overview() : nullptr);
   ++walks_;
@@ -132,23 +130,26 @@ bool Player::tells_title(int step) const { return step <= index() || (!quiz_.ask
 void Player::answer(int choice) {
   const Question* asked = quiz_.asked();
   if (!asked || choice < 0 || choice >= static_cast<int>(asked->choices.size())) return;
-  quiz_.keep(index() + 1, GivenAnswer{choice});
+  answer(GivenAnswer{choice});
+}
+
+void Player::answer(GivenAnswer given) {
+  quiz_.keep(index() + 1, std::move(given));
   ++answers_;
   go_to(index() + 1);
   clock_.begin_answered_step();
 }
 
 void Player::answer_typed(const std::string& text) {
-  if (!quiz_.wants_number()) return;
-  const double number = number_from(text);
-  quiz_.keep(index() + 1, GivenAnswer{choice_of(*quiz_.asked(), number).value_or(-1), text, number});
-  ++answers_;
-  go_to(index() + 1);
-  clock_.begin_answered_step();
+  if (quiz_.asks_more()) answer(answer_from(walk(), index() + 1, text));
+}
+
+void Player::answer_line(int line) {
+  if (quiz_.wants_line()) answer(pointed_at(*quiz_.asked(), line));
 }
 
 void Player::show_choices() {
-  if (!quiz_.wants_number()) return;
+  if (!quiz_.asks_more()) return;
   quiz_.show_choices();
   ++revision_;
 }

@@ -68,9 +68,12 @@ class Player {
   /// Whether a step's title gives no answer away: its question, if any, has been passed.
   bool tells_title(int step) const;
   void answer(int choice);
-  /// Answers with a number, as typed. Throws BadInput if it is none: then nothing has changed.
+  /// Answers with what was typed, where more than a choice is asked for. Throws BadInput if it can't be read: then
+  /// nothing has changed.
   void answer_typed(const std::string&);
-  /// Shows the choices of a question that asks for a number, as a hint.
+  /// Answers with a line of the pseudocode, from 0, where one is asked for.
+  void answer_line(int line);
+  /// Shows the choices of a question that asks for more than a choice, as a hint.
   void show_choices();
   /// Goes to just before that step, which has a question, and asks it, whatever the answer was before.
   void ask_again(int step);
@@ -157,6 +160,7 @@ class Player {
   void begin_motion();  ///< from what is shown now
   bool can_ask() const { return !at_end() && walk().steps[index() + 1].question; }
   void ask(bool);  ///< about the next step, if it has a question
+  void answer(GivenAnswer);
   Camera opening_view() const { return camera_.opening(*played_, scene()); }
 
   std::vector<const Lesson*> lessons_;

@@ -1,13 +1,8 @@
 #include "viz/player/quiz.h"
 
 #include "viz/walk/question_scene.h"
-#include "viz/walk/typed_answer.h"
 
 namespace isect::viz {
-
-std::string Answered::reply() const {
-  return typed.empty() ? reply_to_choice(*question, choice) : reply_to(*question->number, number);
-}
 
 void Quiz::ask(const Walk& walk, int step) {
   asking_step_ = std::make_shared<const Step>(viz::asking_step(walk, step));
@@ -25,7 +20,8 @@ void Quiz::show(const Walk& walk, int step) {
   const auto found = answers_.find(step);
   if (found == answers_.end() || !found->second) return;
   const GivenAnswer& given = *found->second;
-  answered_ = Answered{&*walk.steps[step].question, given.choice, given.typed, given.number};
+  const Question& question = *walk.steps[step].question;
+  answered_ = Answered{&question, given.choice, given.typed, told_of(question, given), reply_to(walk, step, given)};
 }
 
 }  // namespace isect::viz

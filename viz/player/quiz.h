@@ -8,25 +8,20 @@
 #include <utility>
 
 #include "viz/lesson.h"
+#include "viz/walk/given_answer.h"
 
 namespace isect::viz {
-
-/// An answer: a choice, or a number as typed.
-struct GivenAnswer {
-  int choice = -1;         ///< of a typed number the choice that says it; -1: none does
-  std::string typed = {};  ///< empty: the choice was pressed
-  double number = 0;       ///< that was typed
-};
 
 /// A question that was answered, and the answer that was given.
 struct Answered {
   const Question* question;
   int choice;  ///< as in GivenAnswer
   std::string typed;
-  double number;
+  std::string told = {};  ///< "You typed 3/4 = 0.75.", as markup; empty: a choice was pressed
+  std::string said = {};  ///< see reply()
   bool right() const { return choice == question->answer; }
   /// Returns what is said to a wrong answer, as markup; empty if the mistake behind it is not known.
-  std::string reply() const;
+  const std::string& reply() const { return said; }
 };
 
 class Quiz {
@@ -35,6 +30,10 @@ class Quiz {
   const Question* asked() const { return asked_; }
   /// Whether the open question asks for a number, and its choices have not been shown instead.
   bool wants_number() const { return asked_ && asked_->number && !choices_shown_; }
+  bool wants_line() const { return asked_ && asked_->line && !choices_shown_; }
+  bool wants_order() const { return asked_ && asked_->order && !choices_shown_; }
+  /// Whether it asks for more than a choice: for any of these.
+  bool asks_more() const { return wants_number() || wants_line() || wants_order(); }
   void show_choices() { choices_shown_ = true; }
   /// Returns what is known of the step that the open question is about (viz/walk/question_scene.h).
   const std::shared_ptr<const Step>& asking_step() const { return asking_step_; }

@@ -38,7 +38,7 @@ struct QuestionText {
   std::vector<ValueText> known;  ///< what is known besides the numbers that it is given
   std::vector<std::string> choices;
   std::size_t right;                ///< index into choices
-  std::string answer;               ///< "(b) It misses."
+  std::string answer;               ///< "(b) It misses.", "Line 4: return MISS.", "(c) far, then (a) near."
   std::string because;              ///< the reason why
   const Question* asked = nullptr;  ///< the question itself, of the walk
 };

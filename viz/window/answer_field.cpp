@@ -1,4 +1,4 @@
-// The field for a number that a question asks for.
+// The field for what a question asks for besides a choice: a number, a line, an order.
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "viz/text/rich_text.h"
-#include "viz/walk/typed_answer.h"
+#include "viz/walk/given_answer.h"
 #include "viz/window/column.h"
 #include "viz/window/panels.h"
 
@@ -77,7 +77,7 @@ bool waits(Ui& ui, const AnswerField& field, const Rect& r) {
   return p.clicked;
 }
 
-/// Answers with what was typed; if that is no number, it says why, and the field stays open.
+/// Answers with what was typed; if that can't be read, it says why, and the field stays open.
 void submit(Player& player, AnswerField& field) {
   try {
     player.answer_typed(field.text);
@@ -89,10 +89,12 @@ void submit(Player& player, AnswerField& field) {
 
 }  // namespace
 
-void answer_field(Column& c, Player& player, AnswerField& field) {
+void answer_field(Column& c, Player& player, AnswerField& field, bool code) {
   renew(field, player);
   const Palette& ink = c.ui.palette;
-  const Numeric& number = *player.quiz().asked()->number;
+  const Question& question = *player.quiz().asked();
+  if (question.order) order_tiles(c, *question.order, field);
+  const int pointed = question.line && code ? lines_to_point_at(c, player.walk()) : -1;
   const float gap = 8, button = 84, width = std::min(c.width - button - gap, 260.0f);
   const Rect r{c.x, c.y, c.x + width, c.y + answer_height};
   bool entered = false;
@@ -103,7 +105,7 @@ void answer_field(Column& c, Player& player, AnswerField& field) {
   const Rect beside{r.right + gap, r.top, r.right + gap + button, r.bottom};
   const bool pressed = chip(c.ui, "give answer", beside, "Answer", false);
   c.y = r.bottom + 6;
-  c.paragraph(what_to_type(number), ink.muted, 13, 19);
+  c.paragraph(how_to_answer(question), ink.muted, 13, 19);
   if (!field.refused.empty()) {
     const float top = c.y;
     c.paragraph(as_markup("That is not read: " + field.refused + "."), ink.miss, 13, 19);
@@ -111,22 +113,37 @@ void answer_field(Column& c, Player& player, AnswerField& field) {
   }
   c.y += 8;
   float x = c.x;
-  const bool hint = c.button("show choices", "Show the choices (A)", x);
+  const bool hint = c.button("show choices", question.order ? "Show the choices" : "Show the choices (A)", x);
   c.y += answer_height;
+  if (pointed >= 0) return player.answer_line(pointed);
   if (entered || pressed) return submit(player, field);
   if (hint) player.show_choices();
 }
 
+namespace {
+
+/// Whether the answer that a question asks for may begin with this character.
+bool begins_answer(const Question& question, ImWchar c) {
+  constexpr ImWchar minus = 0x2212, root = 0x221A;
+  const bool digit = c >= '0' && c <= '9';
+  if (question.line) return digit;
+  if (!question.order) return digit || c == '.' || c == '-' || c == '(' || c == minus || c == root;
+  const ImWchar small = c >= 'A' && c <= 'Z' ? static_cast<ImWchar>(c - 'A' + 'a') : c;
+  return small >= 'a' && small < 'a' + question.order->tiles.size();
+}
+
+}  // namespace
+
 bool typed_into_answer(const Player& player, AnswerField& field, ImWchar c) {
   constexpr ImWchar minus = 0x2212, root = 0x221A;
-  if (!player.quiz().wants_number()) return false;
+  if (!player.quiz().asks_more()) return false;
   renew(field, player);
   if (field.begun) return false;  // then the field takes it
-  const bool begins = (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '(' || c == minus || c == root;
-  if (!field.typing && !begins) return false;
+  const Question& question = *player.quiz().asked();
+  if (!field.typing && !begins_answer(question, c)) return false;
   if (!field.typing) {
     begin_typing(field);
-    field.text.clear();
+    if (!question.order) field.text.clear();  // tiles that were taken stay so
   }
   if (c == minus)
     field.text += "−";

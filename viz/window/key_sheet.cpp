@@ -19,7 +19,7 @@ constexpr Row left_keys[] = {
     {"1 … 9, 0", "presets"},
     {"Page Up / Down", "preset before / after"},
     {"A, B, C …", "answer the question"},
-    {"1, −2.5, 3/4, Enter", "answer with a number"},
+    {"1, 3/4, bca, Enter", "type the answer"},
     {"Y", "ask it with other numbers"},
     {"[ and ]", "lesson before / after"},
     {"Ctrl+O", "all lessons, saved presets"},

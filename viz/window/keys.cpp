@@ -191,7 +191,7 @@ void character(WindowSession& s, char c) {
   if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   const Question* const asked = s.player.quiz().asked();
   const bool letter = asked && c >= 'a' && c - 'a' < static_cast<int>(asked->choices.size());
-  if (letter && s.player.quiz().wants_number()) return s.player.show_choices();
+  if (letter && s.player.quiz().asks_more()) return s.player.show_choices();
   if (c >= '0' && c <= '9' && asked) return answer_with(s.player, c);
   if (letter) return s.player.answer(c - 'a');
   if (s.review && std::string_view("fop+=-?").find(c) == std::string_view::npos) return;  // nothing leads away

@@ -75,7 +75,7 @@ bool keeps_file(const WindowSession&);
 /// Returns false once if numbers of a scene would be lost, with a message.
 bool may_leave(WindowSession&);
 void save_back(WindowSession&);
-/// Whether a character belongs to the number that answers the open question: its first digit opens the field for it.
+/// Whether a character belongs to what answers the open question besides a choice: the first opens the field for it.
 /// (answer_field.cpp)
 bool typed_into_answer(const Player&, AnswerField&, ImWchar);
 /// Does what this frame's keys ask for. (keys.cpp)

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "viz/walk/step_text.h"
-#include "viz/walk/typed_answer.h"
 #include "viz/window/column.h"
 #include "viz/window/panels.h"
 
@@ -86,7 +85,7 @@ void question(Column& c, Player& player, AnswerField& field, bool fresh, bool va
       c.ui.rects["known values"] = {c.x, top, c.x + c.width, c.y};
     }
     c.y += 10;
-    if (player.quiz().wants_number()) return answer_field(c, player, field);
+    if (player.quiz().asks_more()) return answer_field(c, player, field, values);
     const int pressed = choices(c, *asked, true, -1);
     if (pressed >= 0) player.answer(pressed);
     return;
@@ -106,9 +105,9 @@ void question(Column& c, Player& player, AnswerField& field, bool fresh, bool va
   if (chip(c.ui, "numbers again", again, "Again (Y)", false, c.ui.fonts.small)) field.other = true;
   if (ImGui::IsItemHovered()) tooltip(c.ui, "The same question with other numbers");
   c.paragraph(answered->question->prompt, ink.muted);
-  if (!answered->typed.empty()) {
+  if (!answered->told.empty()) {
     const float top = c.y;
-    c.paragraph("You typed " + typed_text(answered->typed, answered->number) + ".", ink.text);
+    c.paragraph(answered->told, ink.text);
     c.ui.rects["what was typed"] = {c.x, top, c.x + c.width, c.y};
   }
   if (const std::string reply = answered->reply(); !reply.empty()) {

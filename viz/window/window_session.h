@@ -135,7 +135,7 @@ struct Fields {
   float height = 0;  ///< as the last frame found it
 };
 
-/// The field for a number that a question asks for.
+/// The field for what a question asks for besides a choice: a number, a line's number, the letters of an order.
 struct AnswerField {
   std::pair<unsigned, int> of = {};  ///< the walk and the step whose question it is
   std::string text = {};
@@ -143,7 +143,7 @@ struct AnswerField {
   bool begun = false;        ///< it has had it
   bool at_end = false;       ///< the cursor was set behind the text
   int frames = 0;            ///< without the keyboard, so far
-  std::string refused = {};  ///< why the text is no number; empty: it was not tried
+  std::string refused = {};  ///< why the text can't be read; empty: it was not tried
   bool other = false;        ///< the question that was answered is wanted once more, with other numbers
 };
 
