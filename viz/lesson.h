@@ -186,6 +186,7 @@ struct CaseMap {
                       const Vec2&) = nullptr;  ///< the setting moved to a place; the rest stays
   std::string told = {};                       ///< markup: what the plane means, in sentences of at most 20 words
   bool one_scale = true;                       ///< both axes count the same lengths; a circle is drawn as one
+  bool own_group = false;                      ///< presets of other groups have other shapes, and no rings here
 };
 
 /// Something to do with a pencil or with the mouse, and its solution.

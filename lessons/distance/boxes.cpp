@@ -43,6 +43,12 @@ class BoxesTeller : Teller {
   }
 
  private:
+  /// A number that is squared: one with a power of ten in brackets.
+  static std::string base(double x) {
+    const std::string text = shown(x);
+    return text.find_first_not_of("0123456789.") == text.npos ? text : "(" + text + ")";
+  }
+
   void say(const nearest_features::Gap<C>& e) {
     const std::string letter(1, "xyz"[e.axis]), axis = axis_names[e.axis];
     const Interval<double> a = {e.a.lo.value, e.a.hi.value}, b = {e.b.lo.value, e.b.hi.value};
@@ -53,7 +59,7 @@ class BoxesTeller : Teller {
     script_.value("gap on " + axis, gap, "length");
     script_.value("*d*^2", squared_, "area", Role::highlight);
     Step& step = add("axis-" + letter, "The gap on " + axis, gap > 0 ? 2 : 1, axis_caption(e.axis, a, b),
-                     gap > 0 ? fmt::format("*d*^2 = {} + ({})^2 = {}", shown(before), shown(gap), shown(squared_))
+                     gap > 0 ? fmt::format("*d*^2 = {} + {}^2 = {}", shown(before), base(gap), shown(squared_))
                              : "*d*^2 = " + shown(squared_));
     const std::string spans = fmt::format("On {} a reaches from {} to {}, and b from {} to {}.", axis, shown(a.lo),
                                           shown(a.hi), shown(b.lo), shown(b.hi));

@@ -51,7 +51,9 @@ const CaseMap& cases() {
       moved,
       "The point, or the middle of b, moves over *x* and *y*, without rotation. Its *z* is fixed.\n"
       "Ends and interiors: where the two nearest points lie, if one pair alone is nearest.\n"
-      "An interval, a rectangle: so many pairs are nearest."};
+      "An interval, a rectangle: so many pairs are nearest.",
+      true,
+      true};
   return map;
 }
 

@@ -69,6 +69,8 @@ std::string numbers_of_question(const Walk& walk, int step) {
   std::string all = q.prompt + "|" + q.choices[q.answer];
   for (const Value& v : known_values(walk, step)) all += "|" + v.name + " " + shown(v.value);
   if (q.number) all += "|" + shown(q.number->truth);
+  if (q.order)
+    for (const std::string& tile : q.order->tiles) all += "|" + tile;
   return all;
 }
 
