@@ -136,7 +136,7 @@ std::string WalkSection::asked(const viz::QuestionText& q, int step) const {
   for (std::size_t i = 0; i < q.choices.size(); ++i) {
     const std::string reply = i == q.right ? "" : viz::reply_to(walk_, step, viz::GivenAnswer{static_cast<int>(i)});
     choices += fmt::format("<li{}{}>{}</li>\n", i == q.right ? " data-right" : "",
-                           reply.empty() ? "" : fmt::format(" data-reply=\"{}\"", xml_escaped(text(reply))),
+                           reply.empty() ? "" : fmt::format(" data-reply=\"{}\"", xml_escaped(html_text(reply))),
                            text(q.choices[i]));
   }
   return fmt::format("<div class=\"words\">\n{}{}<ol class=\"choices{}\"{}>\n{}</ol>\n{}</div>\n{}", prose(q.prompt),
@@ -163,15 +163,15 @@ std::string WalkSection::asked_for(const viz::Question& q, int step) const {
   };
   if (q.line) {
     all["offered"] = q.line->offered, all["replies"] = nlohmann::json::array();
-    for (const std::string& reply : viz::line_replies(walk_, step)) all["replies"].push_back(text(reply));
+    for (const std::string& reply : viz::line_replies(walk_, step)) all["replies"].push_back(html_text(reply));
     return attribute("pointed");
   }
   if (q.order) {
     all["ranks"] = q.order->ranks, all["tiles"] = all["offered"] = nlohmann::json::array();
-    for (const std::string& tile : q.order->tiles) all["tiles"].push_back(text(tile));
+    for (const std::string& tile : q.order->tiles) all["tiles"].push_back(html_text(tile));
     for (const std::vector<int>& order : q.order->offered) all["offered"].push_back(letters_of(order));
     for (const viz::WrongOrder& wrong : q.order->wrong)
-      all["wrong"].push_back(nlohmann::json::array({letters_of(wrong.order), text(wrong.reply)}));
+      all["wrong"].push_back(nlohmann::json::array({letters_of(wrong.order), html_text(wrong.reply)}));
     return attribute("order");
   }
   const viz::Numeric& number = *q.number;
@@ -179,7 +179,7 @@ std::string WalkSection::asked_for(const viz::Question& q, int step) const {
   for (const viz::Reply& reply : viz::replies(number)) {
     const bool right = viz::is_right(number, reply.value);  // it has too few digits
     const int choice = right ? -1 : viz::choice_of(q, reply.value).value_or(-1);
-    all["wrong"].push_back({reply.value, reply.tolerance, text(reply.text), choice});
+    all["wrong"].push_back({reply.value, reply.tolerance, html_text(reply.text), choice});
   }
   return attribute("number");
 }

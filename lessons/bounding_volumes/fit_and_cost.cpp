@@ -146,7 +146,7 @@ class Fit {
         "The note's planes are **n** · **x** + *d* = 0, so its slab is −*d*_{max} ≤ **n** · **x** ≤ "
         "−*d*_{min}. Note the sign.\n"
         "A *k*-DOP (discrete oriented polytope) is the intersection of *k*/2 slabs. The note uses unit "
-        "normals; integer normals let us decide touching exactly.",
+        "normals; integer normals let us decide touching exactly, if **n** · **x** is not rounded.",
         fmt::format("{} ≤ **n** · **x** ≤ {},  **n** = ({}, {}, {})", shown(s.lo), shown(s.hi), shown(n.x()),
                     shown(n.y()), shown(n.z())),
         slab(fitted_.kdop, i), "2 numbers");

@@ -154,7 +154,7 @@ class HalfOpen : Teller {
                          "Neither inside nor outside. Counting alone would say " + (counts_as_inside() ? "IN" : "OUT") +
                          ", as for the next place on the ray raised by *ε*.\n"
                          "So it would give **p** to just one of several polygons side by side, as filling of pixels "
-                         "requires.");
+                         "requires. Closed ones would fill such a pixel twice, open ones not at all.");
     step.decides = true;
   }
 

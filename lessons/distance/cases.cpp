@@ -45,12 +45,12 @@ const CaseMap& cases() {
       "*y* from the middle of a",
       {-5, -3},
       {5, 3},
-      {"two ends or corners", "an end, an interior", "two interiors", "an interval", "a rectangle", "they meet"},
+      {"two ends", "end, interior", "two interiors", "an interval", "a rectangle", "they meet"},
       branch,
       place,
       moved,
       "The point, or the middle of b, moves over *x* and *y*, without rotation. Its *z* is fixed.\n"
-      "Ends and interiors: where the two nearest points lie, if one pair alone is nearest.\n"
+      "Ends (or corners) and interiors: where the two nearest points lie, if one pair alone is nearest.\n"
       "An interval, a rectangle: so many pairs are nearest.",
       true,
       true};

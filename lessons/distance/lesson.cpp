@@ -146,7 +146,7 @@ Condition not_empty(const std::string& box) {
 const Lesson& lesson() {
   static const Lesson lesson = {
       .id = "distance",
-      .title = "Distance and the nearest features",
+      .title = "Distance: the nearest features",
       .rows = "beyond the note",
       .summary = "How far apart two shapes are, and which ends, edges, corners or faces are nearest.",
       .parameters = parameters(),

@@ -231,7 +231,7 @@ class QuadraticTeller : Teller {
 
   /// Whether the two terms of a root cancel, in how many digits, and the form in which they do not.
   std::string cancellation(bool first, double t) const {
-    if (b_ == 0) return "*B* is 0, so there is nothing to cancel.";
+    if (b_ == 0) return "*B* is 0, so there is nothing to cancel. Stable roots may begin with either one.";
     if (first != (b_ < 0)) return "−*B* and the square-root term have the same sign, so they do not cancel.";
     if (c_ == 0) return "As *C* = 0, the two terms are equal and cancel exactly: this root is 0.";
     const double rest = std::abs(std::abs(b_) - root_), truth = first ? setup_.truth.roots.lo : setup_.truth.roots.hi;

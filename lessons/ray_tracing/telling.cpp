@@ -178,7 +178,8 @@ class Teller {
     if (s_.acne)
       return "After rounding, the point lies on or in its own object, which then seems to shadow it: *shadow acne*.\n"
              "The brightness *I* falls to the ambient light *I*_a alone.\n"
-             "Remedies: leave the object out if it is convex, or start the ray a little off the surface.";
+             "Remedies: leave the object out if it is convex, or start the ray a little off the surface.\n"
+             "A little is several spacings of floats there: a constant is too small far out, too large nearby.";
     if (s_.traced.blocker)
       return "Something blocks the light: the brightness *I* is ambient light *I*_a alone. Which object it is does not "
              "matter.\n"

@@ -100,8 +100,8 @@ class SeamTeller {
     return hole               ? Role::miss
            : m.own && m.other ? Role::highlight
            : m.own            ? Role::second
-           : m.other          ? Role::muted
-                              : Role::text;
+           : m.other          ? Role::grid
+                              : Role::construction;
   }
 
   /// A picture of one answer in each cell; `test`: of which rounded test, -1 for the truth.
@@ -112,10 +112,10 @@ class SeamTeller {
     for (const Answers& a : all_) shades.push_back({role(a), {}});
     std::vector<std::pair<Role, std::string>> keys;
     const std::pair<Role, const char*> names[] = {{Role::second, "abc alone"},
-                                                  {Role::muted, "cbq alone"},
+                                                  {Role::grid, "cbq alone"},
                                                   {Role::highlight, "both"},
                                                   {Role::miss, "hole"},
-                                                  {Role::text, "neither"}};
+                                                  {Role::construction, "neither"}};
     for (const auto& name : names)
       if (const int n = count([&](const Answers& a) { return role(a) == name.first; }); n > 0)
         keys.emplace_back(name.first, fmt::format("{}: {}", name.second, counted(n)));
@@ -175,7 +175,9 @@ class SeamTeller {
     script_.settle(
         open ? Verdict::Kind::no : Verdict::Kind::yes,
         fmt::format("{} of Möller and Trumbore in {}; exact: none", plural(holes(0), "hole"), plural(total(), "cell")));
-    std::string told = "The exact test leaves no hole: both triangles get the true sign of their common edge.\n";
+    std::string told =
+        "The exact test leaves no hole: both triangles get the true sign of their common edge.\n"
+        "That cures shared edges only. Where a vertex lies within another edge, a T-junction, a gap may show.\n";
     std::string found = "The ringed ray meets, exactly: " + words(ringed_.exact) + ".";
     for (int test = 0; test < 3; ++test)
       found += fmt::format(" {} {}: {}.", test == 2 ? "After the" : "By", name_of(test), words(ringed_.rounded[test]));

@@ -85,7 +85,8 @@ class VolumesTeller : SignsTeller {
         add("neighbour", "The neighbour at this edge", 1,
             "A second triangle **c**, **b**, **q** has this edge the other way round, from **c** to **b**. It computes "
             "**d** · (**c**′ × **b**′).\n"
-            "That is −*w*_a to the last bit, as rounding treats both signs alike. At this edge the two agree.");
+            "That is −*w*_a to the last bit, as rounding treats both signs alike. At this edge the two agree.\n"
+            "A fused multiply-add would break this: it rounds one of two products, and not the other.");
     step.question = {
         "A neighbour **c**, **b**, **q** has the same edge, from **c** to **b**. What does it compute there?",
         {"*w*_a", "−*w*_a", "another number, as it rounds otherwise"},

@@ -77,7 +77,9 @@ class Derivation {
         "Each result is rounded to the nearest double: fl(*x* − *y*) = (*x* − *y*)(1 + *δ*). Likewise a sum or a "
         "product.\n"
         "*δ* is its relative error: in size at most *u* = 2^{−53}, about 1.1 · 10^{−16}, if nothing over- or "
-        "underflows.\n" +
+        "underflows. A tie goes to the double whose last bit is 0.\n"
+        "Compilers may fuse a product and a sum, which then round once. Of two equal products one is rounded then, and "
+        "their difference need not be 0. This program forbids it.\n" +
             std::string(o.error == 0 ? "This difference is a double itself, so *δ* is 0."
                                      : "This difference is no double, so it is rounded."),
         names[0] + " = " + shown(o.value) + ", *δ* = " + in_u(o.delta));

@@ -246,7 +246,7 @@ TEST_CASE("capsules are near if the distance of their segments is at most the bo
   for (const int seen : {below, misled, near, far}) CHECK(seen > 0);
 }
 
-TEST_CASE("presets are what their names say", "[words]") {
+TEST_CASE("presets of distances are what their names say", "[words]") {
   const auto features = [](const char* preset_id) { return plain(find(walk_of(id, preset_id), "features")->caption); };
   CHECK_THAT(features("interiors"), Contains("the interior of a and the interior of b"));
   CHECK_THAT(features("end-and-interior"), Contains("the interior of a and the end p_b"));

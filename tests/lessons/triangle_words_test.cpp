@@ -186,7 +186,7 @@ TEST_CASE("a mesh may have two triangles that share no more than corners and edg
   CHECK(answers.size() == 2);
 }
 
-TEST_CASE("presets are what their names say", "[words]") {
+TEST_CASE("presets of two triangles are what their names say", "[words]") {
   const auto told = [](const std::string& preset_id) { return plain(ending(walk_of(id, preset_id)).verdict.text); };
   for (const char* touching : {"edge-on-edge", "vertex-on-face", "vertex-on-vertex", "neighbours"})
     CHECK_THAT(told(touching), Contains("touch"));

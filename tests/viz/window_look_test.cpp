@@ -61,6 +61,12 @@ bool meet(const Rect& a, const Rect& b) {
   return a.left < b.right - touch && b.left < a.right - touch && a.top < b.bottom - touch && b.top < a.bottom - touch;
 }
 
+/// Whether it belongs to the question, by which it is answered.
+bool is_of_question(const std::string& name) {
+  static const char* const starts[] = {"choice ", "answer", "tile ", "point ", "give answer", "show choices"};
+  return std::ranges::any_of(starts, [&](const char* start) { return name.starts_with(start); });
+}
+
 /// The part of a pseudocode line, a field or an answer that its scrolling area shows; empty if it is scrolled away.
 Rect visible(const WindowDriver& window, const std::string& full_name, Rect r) {
   const std::string name = within_pane(full_name), pane = full_name.substr(0, full_name.size() - name.size());
@@ -85,8 +91,9 @@ Rect visible(const WindowDriver& window, const std::string& full_name, Rect r) {
                                                               {"parameter ", "lesson fields"},
                                                               {"refused ", "lesson fields"},
                                                               {"meaning", "values"},
+                                                              {"condition ", "values"},
                                                               {"value ", "values"}};
-  if (name.starts_with("choice ") && window.has("question over scene")) {  // the card scrolls
+  if (is_of_question(name) && window.has("question over scene")) {  // the card scrolls
     const Rect card = window.rect("question over scene");
     return {r.left, std::max(r.top, card.top), r.right, std::min(r.bottom, card.bottom)};
   }
@@ -100,7 +107,7 @@ Rect visible(const WindowDriver& window, const std::string& full_name, Rect r) {
 
 /// Whether it lies under the card of the question, which appears where the lesson's panel has no room.
 bool covered(const WindowDriver& window, const std::string& name, const Rect& r) {
-  if (!window.has("question over scene") || name.starts_with("choice ")) return false;
+  if (!window.has("question over scene") || is_of_question(name)) return false;
   return meet(r, window.rect("question over scene"));
 }
 
