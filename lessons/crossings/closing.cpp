@@ -45,9 +45,7 @@ const Closing& closing() {
       .used =
           "Map queries (PNPOLY), ray against polygon after projection. Filling: fonts by the non-zero rule, PDF and "
           "SVG by either.",
-      .bug =
-          "Edges that count with both ends: a vertex on the ray counts twice, and inside becomes outside. "
-          "Or moving the polygon to **p** first: those differences round, and no exact test undoes that.",
+      .bug = "Edges that count with both ends: a vertex on the ray counts twice, and inside becomes outside.",
       .bug_preset = "vertex-passed-closed",
       .reading =
           {"M. Shimrat, Algorithm 112: Position of Point Relative to Polygon, *Communications of the ACM* 5, 1962, "

@@ -64,8 +64,8 @@ class ConservativeTeller : Teller {
       add("distance", "The distance at first", 2,
           s_.signs.apart > 0
               ? "The balls are as far apart as their centres, less both radii.\nFor other convex bodies an algorithm "
-                "such as GJK finds the distance, and **n** leads from one nearest point to the other.\n"
-                "Bodies that turn need a higher bound: add angular speed times the greatest distance from the centre."
+                "such as GJK finds the distance.\n"
+                "Bodies that turn need a higher bound: their angular speed times their reach is added."
               : "The centres are no farther apart than both radii reach: the balls share a point already.");
     if (e.near)
       decide("near", "Within the tolerance?", 3, "The distance is within the tolerance *ε*: here the method stops.",

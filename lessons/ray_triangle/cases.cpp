@@ -51,7 +51,7 @@ const CaseMap& cases() {
       "*v*, the weight of **c**",
       {-2, -0.75},
       {3, 1.75},
-      {"inside", "beyond bc", "beyond ca", "beyond ab", "beyond a", "beyond b", "beyond c", "on an edge", "at a vertex",
+      {"inside", "beyond bc", "beyond ca", "beyond ab", "beyond a", "beyond b", "beyond c", "edge", "vertex",
        "no crossing"},
       branch,
       weights_of,

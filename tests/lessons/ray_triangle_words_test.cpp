@@ -64,7 +64,7 @@ struct Truth {
 std::string branch_of(const Truth& x) {
   if (x.parallel) return "no crossing";
   const bool a = x.w < 0, b = x.u < 0, c = x.v < 0;
-  if (!a && !b && !c) return x.zeros() == 0 ? "inside" : x.zeros() == 1 ? "on an edge" : "at a vertex";
+  if (!a && !b && !c) return x.zeros() == 0 ? "inside" : x.zeros() == 1 ? "edge" : "vertex";
   if (a + b + c == 1) return a ? "beyond bc" : b ? "beyond ca" : "beyond ab";
   return !a ? "beyond a" : !b ? "beyond b" : "beyond c";
 }
