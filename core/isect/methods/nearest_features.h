@@ -141,7 +141,7 @@ S distance2(const Segment<S, N>& a, const Segment<S, N>& b, Trace&& trace = {}) 
   return detail::squared_distance<S, N>(a, b, at.s, at.t, trace);
 }
 
-/// The same with both places clamped each by itself, a usual bug: if one of them is moved, the other one is nearest no
+/// Clamps both places each by itself, a usual bug: if one of them is moved, the other one is nearest no
 /// more, and the result may be too large. For parallel lines s is 0.
 template <class S, int N, class Trace = NoTrace>
 S distance2_clamped_once(const Segment<S, N>& a, const Segment<S, N>& b, Trace&& trace = {}) {
@@ -186,7 +186,7 @@ bool within(const Capsule<S, N>& a, const Capsule<S, N>& b, const S& clearance, 
   return squared <= bound2;
 }
 
-/// The same by the squares alone, a usual bug: a bound below 0 is taken for its size.
+/// Decides by the squares alone, a usual bug: a bound below 0 is taken for its size.
 template <class S, int N, class Trace = NoTrace>
 bool within_by_squares(const Capsule<S, N>& a, const Capsule<S, N>& b, const S& clearance, Trace&& trace = {}) {
   const S bound = a.radius + b.radius + clearance;
