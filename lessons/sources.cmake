@@ -3,8 +3,9 @@
 # The order of the course: ideas, tests, uses, robustness; each lesson after those that it builds on. Lessons not listed
 # come last.
 set(course relations points intervals rays aabb_aabb sphere_sphere sphere_aabb ray_sphere obb_obb bounding_volumes
-  convex_hull capsule_capsule hierarchy crossings ray_polygon convex_polygon concave_polygon collision moving_bodies
-  clipping culling ray_tracing picking rules_of_thumb robustness rounding_bound speed_against_error)
+  convex_hull capsule_capsule distance hierarchy crossings ray_polygon convex_polygon concave_polygon collision
+  moving_bodies triangle_triangle clipping culling ray_tracing picking rules_of_thumb robustness rounding_bound
+  ray_triangle speed_against_error)
 file(GLOB lessons CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/*/lesson.cpp)
 list(TRANSFORM lessons REPLACE "/lesson.cpp" "")
 foreach(subject ${course})

@@ -71,14 +71,60 @@ struct Counters {
   bool early_out = false;
 };
 
+/// A wrong number that is usually given, and the mistake behind it.
+struct WrongNumber {
+  double value = 0;
+  std::string reply = {};  ///< markup, one or two short sentences: "That is *s*, not *s*^2."
+};
+
+/// The number that a question asks for. A reader types it; the question's choices are for paper, and a hint.
+/// viz/walk/typed_answer.h judges it.
+struct Numeric {
+  double truth = 0;
+  int digits = 3;  ///< how many digits count; 0: it is a count, and only itself is right
+  std::vector<WrongNumber> wrong = {};
+};
+
+/// A wrong line that is usually pointed at, and the mistake behind it.
+struct WrongLine {
+  int line = 0;            ///< from 0
+  std::string reply = {};  ///< as in WrongNumber
+};
+
+/// The line of the pseudocode that a question asks for: a reader points at it, or types its number. The question's
+/// choices are a hint. viz/walk/pointed_line.h judges it.
+struct LineAsked {
+  int truth = 0;                  ///< the line that the question's step lights, from 0
+  std::vector<int> offered = {};  ///< by choice: its line
+  std::vector<WrongLine> wrong = {};
+};
+
+/// A wrong order that is usually given, and the mistake behind it.
+struct WrongOrder {
+  std::vector<int> order = {};  ///< indices of tiles
+  std::string reply = {};       ///< as in WrongNumber
+};
+
+/// Things to put in order: a reader takes one tile after the other, or types their letters. The question's choices are
+/// a hint. viz/walk/given_order.h judges it.
+struct OrderAsked {
+  std::vector<std::string> tiles = {};  ///< markup; they are called a, b, c ...
+  std::vector<int> ranks = {};          ///< by tile, from 0: those of one rank may come in any order among themselves
+  std::vector<std::vector<int>> offered = {};  ///< by choice: its order
+  std::vector<WrongOrder> wrong = {};
+};
+
 /// A question for the reader: predict, then reveal. The answer comes from the predicate itself.
 struct Question {
-  std::string prompt;                ///< markup
-  std::vector<std::string> choices;  ///< markup
-  int answer = 0;                    ///< index into choices
-  std::string because;               ///< markup, shown with the answer
-  std::optional<Scene> over = {};    ///< the scene while it is open; none: see viz/walk/question_scene.h
-  std::vector<Value> given = {};     ///< the numbers it needs, as before its step: shown while it is open
+  std::string prompt;                    ///< markup
+  std::vector<std::string> choices;      ///< markup
+  int answer = 0;                        ///< index into choices
+  std::string because;                   ///< markup, shown with the answer
+  std::optional<Scene> over = {};        ///< the scene while it is open; none: see viz/walk/question_scene.h
+  std::vector<Value> given = {};         ///< the numbers it needs, as before its step: shown while it is open
+  std::optional<Numeric> number = {};    ///< it asks for this number, which then is the right choice, too
+  std::optional<LineAsked> line = {};    ///< it asks for this line, which then is the right choice, too
+  std::optional<OrderAsked> order = {};  ///< it asks for this order; no choice but the right one is one
 };
 
 /// What is known at this step.
@@ -140,6 +186,7 @@ struct CaseMap {
                       const Vec2&) = nullptr;  ///< the setting moved to a place; the rest stays
   std::string told = {};                       ///< markup: what the plane means, in sentences of at most 20 words
   bool one_scale = true;                       ///< both axes count the same lengths; a circle is drawn as one
+  bool own_group = false;                      ///< presets of other groups have other shapes, and no rings here
 };
 
 /// Something to do with a pencil or with the mouse, and its solution.

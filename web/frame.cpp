@@ -109,6 +109,7 @@ Json BrowserSession::frame(Drawn how, const viz::Moved& moved) {
                 {"step", here.step},
                 {"steps", std::ranges::count(all, false, &Station::asks)},
                 {"asks", here.asks},
+                {"asked", here.asks ? told.asked_name(here.step) : std::string()},
                 {"title", here.asks ? std::string() : html_text(p.walk().steps[here.step].title)},
                 {"picture", viz::lone_svg(figure_.drawing, viz::drawn_text(p.walk(), p.scene(), !here.asks), "live-")},
                 {"width", figure_.drawing.width},

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "viz/window/number_text.h"
+#include "viz/text/number_text.h"
 
 namespace isect::web {
 

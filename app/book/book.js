@@ -106,6 +106,7 @@
   function mark() {
     const asks = is_open(shown());
     root.classList.toggle("asking", asks);
+    root.classList.toggle("pointing", asks && shown().matches(".pointing.typing") && !root.classList.contains("reading"));
     links.forEach(link => {
       if (link.hash === "#" + opened && !asks) link.setAttribute("aria-current", "true");
       else link.removeAttribute("aria-current");
@@ -168,32 +169,40 @@
   function read(whole) {
     root.classList.toggle("reading", whole);
     all.setAttribute("aria-pressed", String(whole));
-    show_picture();
+    mark(), show_picture();
   }
 
-  /// A choice is a button; the first that is pressed is the answer.
-  document.querySelectorAll(".ask").forEach(prepare);
-  function prepare(ask) {
-    const choices = [...ask.querySelectorAll(".choices li")];
-    choices.forEach((choice, i) => {
-      const pressed = document.createElement("button");
-      pressed.type = "button";
-      const letter = document.createElement("span");
-      letter.textContent = String.fromCharCode(97 + i), letter.className = "letter";
-      pressed.append(letter, ...choice.childNodes);
-      pressed.addEventListener("click", () => answer(ask, i));
-      choice.append(pressed);
-    });
-  }
-  function answer(ask, chosen) {
-    if (ask.classList.contains("told")) return;
-    ask.classList.add("told");
-    const choices = [...ask.querySelectorAll(".choices li")], right = choices[chosen].hasAttribute("data-right");
-    if (!right) choices[chosen].classList.add("wrong");
-    ask.querySelector("details").open = true;
+  const { prepare, key: key_for } = isect_questions((right, ask) => {
     place.textContent = right ? "Right." : "Not quite.";
+    offer_other(ask);
     mark();
+  }, mark);
+  /// All that tells a question from the same one in another setting.
+  function numbers_of(ask) {
+    const right = [...ask.querySelectorAll(".choices li")].findIndex(choice => "right" in choice.dataset);
+    return [...ask.querySelectorAll(".words > p:not(.reply), .choices li, .values td")].map(e => e.textContent).join("|") + right;
   }
+  /// Offers the same question with other numbers, in the next setting that asks it so and where it is still open.
+  function offer_other(ask) {
+    const from = walks.indexOf(walk), all = [...walks.slice(from + 1), ...walks.slice(0, from)], own = numbers_of(ask);
+    const other = all.map(w => articles(w).find(a => a.dataset.asked && a.dataset.asked === ask.dataset.asked))
+      .find(a => a && is_open(a) && numbers_of(a) !== own);
+    if (!other) return;
+    const again = button("Again, with other numbers", () => {
+      open_walk(other.closest(".walk"));
+      stand(articles(walk).indexOf(other));
+    });
+    again.className = "other", ask.querySelector("details").after(again);
+  }
+  document.querySelectorAll(".ask").forEach(prepare);
+  /// A line of the code that is shown is pointed at, where one is asked for.
+  addEventListener("click", event => {
+    const line = event.target.closest && event.target.closest(".algorithm ol.code li"), ask = shown();
+    if (!line || !root.classList.contains("pointing") || line.closest(".walk") !== ask.closest(".walk")) return;
+    const form = ask.querySelector(".typed");
+    form.querySelector("input").value = 1 + [...line.parentElement.children].indexOf(line);
+    form.requestSubmit();
+  });
 
   /// Of an address; as it stands there where it is none that a browser has written.
   function decoded(text) {
@@ -231,12 +240,13 @@
     if (event.ctrlKey || event.altKey || event.metaKey || root.classList.contains("reading")) return;
     const on = event.target;
     if (on.matches("input, textarea, select") || (on.matches("button, a, summary") && event.key === " ")) return;
-    const choice = is_open(shown()) && /^[a-h]$/.test(event.key)
-        ? shown().querySelectorAll(".choices button")[event.key.charCodeAt(0) - 97] : null;
-    if (choice) choice.click();
-    else if (/^[1-9]$/.test(event.key) && walks[event.key - 1]) open_walk(walks[event.key - 1]);
-    else if (keys[event.key]) keys[event.key]();
-    else return;
+    const done = key_for(shown(), event.key);
+    if (done === "typed") return;
+    if (done === "") {
+      if (/^[1-9]$/.test(event.key) && walks[event.key - 1]) open_walk(walks[event.key - 1]);
+      else if (keys[event.key]) keys[event.key]();
+      else return;
+    }
     event.preventDefault();
   });
   addEventListener("hashchange", follow_address);

@@ -5,11 +5,13 @@
 #include <algorithm>
 
 #include "app/book/pictures.h"
+#include "app/book/review_page.h"
 #include "app/book/scene_page.h"
 #include "app/pages/html.h"
 #include "viz/formats/svg_path.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/review.h"
 
 namespace isect::program::book {
 
@@ -18,6 +20,8 @@ Page contents_page(const std::vector<Excerpt>& openings, const viz::Course& cour
   viz::PagePictures page(colours);
   std::string parts;
   bool open = false;
+  std::vector<const viz::Lesson*> lessons;
+  for (const Excerpt& e : openings) lessons.push_back(e.lesson);
   for (const Excerpt& e : openings) {
     const viz::Lesson& lesson = *e.lesson;
     const auto part = std::ranges::find(course.parts, lesson.id, &viz::Course::Part::first);
@@ -30,6 +34,9 @@ Page contents_page(const std::vector<Excerpt>& openings, const viz::Course& cour
     parts +=
         fmt::format("<li><a href=\"{}\">{}<h3>{}</h3></a>\n<p>{}</p></li>\n", file_of(lesson),
                     Pictures(e, page).of(viz::outcome(e.walk)), html_text(lesson.title), html_text(lesson.summary));
+    if (const int number = viz::review_after(lessons, lesson))
+      parts += fmt::format("<li class=\"review-link\"><a href=\"{}\"><h3>{}</h3></a>\n<p>{}</p></li>\n",
+                           review_file(number), review_title(number), review_words());
   }
   if (open) parts += "</ol>\n";
   Page contents = {"index.html", "Intersection detection, step by step", "Lessons of the course, in order.", {}, {},

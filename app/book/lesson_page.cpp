@@ -6,11 +6,13 @@
 #include <algorithm>
 
 #include "app/book/pictures.h"
+#include "app/book/review_page.h"
 #include "app/book/walk_section.h"
 #include "app/pages/html.h"
 #include "viz/formats/svg_path.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/review.h"
 
 namespace isect::program::book {
 
@@ -101,6 +103,16 @@ std::string closing(const viz::Lesson& lesson, bool alone) {
   return out + "</ul>\n</section>\n";
 }
 
+/// Returns what stands at the end of every fifth lesson.
+std::string review_of(const viz::Lesson& lesson, const std::vector<const viz::Lesson*>& course) {
+  const int number = viz::review_after(course, lesson);
+  if (number == 0) return {};
+  return fmt::format(
+      "<section class=\"next-review\" id=\"review\">\n<h2>{0}</h2>\n<p>{1} <a href=\"{2}\">{0}</a></p>\n"
+      "</section>\n",
+      review_title(number), review_words(), review_file(number));
+}
+
 std::string builds_on(const viz::Lesson& lesson, const std::vector<const viz::Lesson*>& course, bool alone) {
   std::vector<std::string> all;
   for (const viz::Lesson* other : course)
@@ -137,7 +149,7 @@ Page lesson_page(const viz::Lesson& lesson, const std::vector<Excerpt>& presets,
                   html_text(lesson.title), html_text(lesson.summary), prose(lesson.opening),
                   builds_on(lesson, course, neighbours.alone)) +
               pictures.shared() + settings(presets, lesson) + "<div id=\"walks\">\n" + walks + "</div>\n" +
-              closing(lesson, neighbours.alone);
+              closing(lesson, neighbours.alone) + (neighbours.alone ? std::string() : review_of(lesson, course));
   return page;
 }
 

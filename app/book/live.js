@@ -83,6 +83,7 @@ function isect_live(book) {
     now = frame;
     live.at = frame.at, live.count = frame.count;
     section.classList.toggle("changed", changed), section.classList.toggle("over", frame.at === frame.count - 1);
+    article.dataset.asked = frame.asked;
     article.classList.toggle("ask", frame.asks), article.classList.toggle("step", !frame.asks);
     if (fresh) article.classList.remove("told");
     const name = place["preset title"], own = is_scene ? name + ", changed" : `Changed from “${name}”`;

@@ -44,7 +44,7 @@ std::string html(const Page&, const Looks&);
 /// Returns the file of a lesson, "ray-sphere.html".
 std::string file_of(const viz::Lesson&);
 
-/// Return the contents of book.css and book.js, and the licence of the fonts.
+/// Return the contents of book.css, of the scripts that make book.js, and the licence of the fonts.
 const std::string& style_text();
 const std::string& script_text();
 const std::string& live_script_text();

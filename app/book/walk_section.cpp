@@ -4,13 +4,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "app/book/lit_text.h"
 #include "app/pages/html.h"
 #include "viz/formats/svg_path.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/given_answer.h"
+#include "viz/walk/given_order.h"
+#include "viz/walk/pointed_line.h"
 #include "viz/walk/question_scene.h"
+#include "viz/walk/review.h"
+#include "viz/walk/typed_answer.h"
 
 namespace isect::program::book {
 
@@ -90,7 +96,14 @@ std::string WalkSection::attributes(const Station& at) const {
   if (!s.refused.empty()) out += fmt::format(" data-refused=\"{}\"", listed(s.refused));
   if (!s.untaken.empty()) out += fmt::format(" data-untaken=\"{}\"", listed(s.untaken));
   if (s.decides) out += " data-decides";
+  if (const std::string name = at.asks ? asked_name(at.step) : ""; !name.empty())
+    out += fmt::format(" data-asked=\"{}\"", xml_escaped(name));
   return out;
+}
+
+std::string WalkSection::asked_name(int step) const {
+  if (!lesson_.made_from.empty()) return {};
+  return lesson_.id + " " + viz::question_name(lesson_, parameters_, walk_.steps[step]);
 }
 
 std::string WalkSection::article(const Station& at, bool shown) const {
@@ -107,17 +120,68 @@ std::string WalkSection::above(const Station& at) const {
 
 std::string WalkSection::below(const Station& at) const {
   const viz::StepText told = viz::step_text(lesson_, walk_, at.step);
-  return at.asks ? question(*told.question) : words(told, at.step) + numbers(told);
+  return at.asks ? question(*told.question, at.step) : words(told, at.step) + numbers(told);
 }
 
 /// Returns the question and all that is known before it is answered.
-std::string WalkSection::question(const viz::QuestionText& q) const {
-  std::string choices;
-  for (std::size_t i = 0; i < q.choices.size(); ++i)
-    choices += fmt::format("<li{}>{}</li>\n", i == q.right ? " data-right" : "", text(q.choices[i]));
-  return fmt::format("<h3>Question {}</h3>\n<div class=\"words\">\n{}<ol class=\"choices\">\n{}</ol>\n{}</div>\n{}",
-                     q.number, prose(q.prompt), choices, folded("Answer", prose(q.answer + " " + q.because)),
-                     in_numbers(values(q.known)));
+std::string WalkSection::question(const viz::QuestionText& q, int step) const {
+  return fmt::format("<h3>Question {}</h3>\n", q.number) + asked(q, step);
+}
+
+std::string WalkSection::asked(const viz::QuestionText& q, int step) const {
+  std::string tiles, choices;
+  if (q.asked->order)
+    for (const std::string& tile : q.asked->order->tiles) tiles += fmt::format("<li>{}</li>\n", text(tile));
+  if (!tiles.empty()) tiles = fmt::format("<ol class=\"tiles\">\n{}</ol>\n", tiles);
+  for (std::size_t i = 0; i < q.choices.size(); ++i) {
+    const std::string reply = i == q.right ? "" : viz::reply_to(walk_, step, viz::GivenAnswer{static_cast<int>(i)});
+    choices += fmt::format("<li{}{}>{}</li>\n", i == q.right ? " data-right" : "",
+                           reply.empty() ? "" : fmt::format(" data-reply=\"{}\"", xml_escaped(html_text(reply))),
+                           text(q.choices[i]));
+  }
+  return fmt::format("<div class=\"words\">\n{}{}<ol class=\"choices{}\"{}>\n{}</ol>\n{}</div>\n{}", prose(q.prompt),
+                     tiles, q.asked->line || q.asked->order ? " hint" : "", asked_for(*q.asked, step), choices,
+                     folded("Answer", prose(q.answer + " " + q.because)), in_numbers(values(q.known)));
+}
+
+namespace {
+
+std::string letters_of(const std::vector<int>& order) {
+  std::string letters;
+  for (const int tile : order) letters += viz::tile_letter(tile);
+  return letters;
+}
+
+}  // namespace
+
+/// Returns, as an attribute, what book.js needs to judge what is given as the answer; empty where that is a choice.
+std::string WalkSection::asked_for(const viz::Question& q, int step) const {
+  if (!viz::wants_more(q)) return {};
+  nlohmann::json all = {{"choice", q.answer}, {"asks", viz::how_to_answer(q)}, {"wrong", nlohmann::json::array()}};
+  const auto attribute = [&](const char* name) {
+    return fmt::format(" data-{}=\"{}\"", name, xml_escaped(all.dump()));
+  };
+  if (q.line) {
+    all["offered"] = q.line->offered, all["replies"] = nlohmann::json::array();
+    for (const std::string& reply : viz::line_replies(walk_, step)) all["replies"].push_back(html_text(reply));
+    return attribute("pointed");
+  }
+  if (q.order) {
+    all["ranks"] = q.order->ranks, all["tiles"] = all["offered"] = nlohmann::json::array();
+    for (const std::string& tile : q.order->tiles) all["tiles"].push_back(html_text(tile));
+    for (const std::vector<int>& order : q.order->offered) all["offered"].push_back(letters_of(order));
+    for (const viz::WrongOrder& wrong : q.order->wrong)
+      all["wrong"].push_back(nlohmann::json::array({letters_of(wrong.order), html_text(wrong.reply)}));
+    return attribute("order");
+  }
+  const viz::Numeric& number = *q.number;
+  all["right"] = {number.truth, viz::tolerance(number, number.truth)};
+  for (const viz::Reply& reply : viz::replies(number)) {
+    const bool right = viz::is_right(number, reply.value);  // it has too few digits
+    const int choice = right ? -1 : viz::choice_of(q, reply.value).value_or(-1);
+    all["wrong"].push_back({reply.value, reply.tolerance, html_text(reply.text), choice});
+  }
+  return attribute("number");
 }
 
 std::string WalkSection::words(const viz::StepText& told, int step) const {

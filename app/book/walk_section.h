@@ -50,8 +50,13 @@ class WalkSection {
   /// Return what stands above a station's picture, and below it.
   std::string above(const Station&) const;
   std::string below(const Station&) const;
-  /// Returns the attributes of its element: which lines of code are lit.
+  /// Returns the attributes of its element: which lines of code are lit, what a question is called.
   std::string attributes(const Station&) const;
+  /// Returns the lesson, a space and the name of the question before a step (viz/walk/review.h): what review.js keeps
+  /// an answer under. Empty for scenes from files.
+  std::string asked_name(int step) const;
+  /// Returns a question without its number.
+  std::string asked(const viz::QuestionText&, int step) const;
 
  private:
   std::string text(const std::string& markup) const;
@@ -60,7 +65,8 @@ class WalkSection {
   std::string article(const Station&, bool shown) const;
   std::string words(const viz::StepText&, int step) const;
   std::string numbers(const viz::StepText&) const;
-  std::string question(const viz::QuestionText&) const;
+  std::string question(const viz::QuestionText&, int step) const;
+  std::string asked_for(const viz::Question&, int step) const;
   std::string verdict(const viz::Verdict&) const;
   std::string source(int step) const;
   std::string code(const std::string&) const;

@@ -6,11 +6,13 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "app/book/contents_page.h"
 #include "app/book/fonts.h"
 #include "app/book/lesson_page.h"
+#include "app/book/review_page.h"
 #include "app/book/scene_page.h"
 #include "app/figures/digest.h"
 #include "app/figures/ownership.h"
@@ -21,6 +23,7 @@
 #include "lessons/course.h"
 #include "viz/formats/files.h"
 #include "viz/player/reader_state.h"
+#include "viz/walk/review.h"
 
 namespace isect::program {
 
@@ -151,6 +154,7 @@ int whole(const Program& program, const BookOptions& options) {
   if (!live.empty()) files.insert(files.end(), {book::live_file, letters_file});
   if (!live_scenes.empty()) files.insert(files.end(), {book::live_scenes_file, book::scene_file});
   for (const viz::Lesson* lesson : program.lessons) files.push_back(book::file_of(*lesson));
+  for (int i = 1; i <= viz::review_count(program.lessons); ++i) files.push_back(book::review_file(i));
   Shelf shelf(options.out, program, files);
   need_environment(program);
 
@@ -165,10 +169,17 @@ int whole(const Program& program, const BookOptions& options) {
   };
   shelf.add("book.js", first_line("book.js") + "\n" + book::script_text());
   Progress progress(course.size());
+  std::optional<book::ReviewPage> review;
   for (std::size_t i = 0; i < course.size(); ++i) {
     std::vector<Excerpt> presets = all_presets(program, *course[i]);
-    add(book::lesson_page(*course[i], presets, course,
-                          {i > 0 ? course[i - 1] : nullptr, i + 1 < course.size() ? course[i + 1] : nullptr}, colours));
+    const viz::Lesson* const after = i + 1 < course.size() ? course[i + 1] : nullptr;
+    add(book::lesson_page(*course[i], presets, course, {i > 0 ? course[i - 1] : nullptr, after}, colours));
+    if (!review) review.emplace(colours);
+    review->add(*course[i], presets);
+    if (const int number = viz::review_after(course, *course[i])) {
+      add(review->page(number, {course[i], after}));
+      review.reset();
+    }
     firsts.push_back(std::move(presets.front()));
     progress.done(course[i]->id);
   }

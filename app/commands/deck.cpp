@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "app/figures/question_figure.h"
 #include "app/pages/html.h"
@@ -59,6 +60,7 @@ class Slides {
     Blocks& text = picture ? slide.right : slide.left;
     text = question(q);
     text.insert(text.end(), {Pause{}, answer(q)});
+    if (q.asked->line) slide.below = std::exchange(text, {code(e_)});  // the lines to name one of
     all_.push_back(std::move(slide));
   }
 
@@ -69,14 +71,17 @@ class Slides {
     all_.push_back(std::move(slide));
   }
 
-  /// Adds the card as text, then one slide per exercise.
+  /// Adds the card as text, one slide per exercise, and the solutions behind all of them.
   void close(const std::string& title) {
     Slide slide = {title, {}, {}, {}};
-    for (const auto& [head, text] : viz::card_rows(*e_.lesson)) slide.left.push_back(Prose{text, head + "."});
+    for (const auto& [head, text] : viz::card_rows(*e_.lesson, viz::named_on_card))
+      slide.left.push_back(Prose{text, head + "."});
     all_.push_back(std::move(slide));
-    int number = 0;
+    int exercises = 0, solutions = 0;
     for (const viz::Exercise& x : e_.lesson->closing->exercises)
-      all_.push_back({fmt::format("Exercise {}", ++number), {Prose{prompt(x)}, Pause{}, Prose{x.solution}}, {}, {}});
+      all_.push_back({fmt::format("Exercise {}", ++exercises), {Prose{prompt(x)}}, {}, {}});
+    for (const viz::Exercise& x : e_.lesson->closing->exercises)
+      all_.push_back({fmt::format("Solution of exercise {}", ++solutions), {Prose{x.solution}}, {}, {}});
   }
 
   const Excerpt& e_;

@@ -54,7 +54,11 @@ std::string prompt(const viz::Exercise& e) {
 }
 
 Blocks question(const viz::QuestionText& q, const std::string& head) {
-  return {Prose{q.whole_prompt, head}, Choices{q.choices}};
+  const Prose asks = {q.whole_prompt, head};
+  if (q.asked->line) return {asks, Blanks{"Line", 1}};
+  if (const auto& order = q.asked->order)
+    return {asks, Choices{order->tiles}, Blanks{"Order", static_cast<int>(order->tiles.size())}};
+  return {asks, Choices{q.choices}};
 }
 
 Prose answer(const viz::QuestionText& q, const std::string& head) { return {q.answer + " " + q.because, head}; }

@@ -32,10 +32,15 @@ struct Image {
 struct Choices {
   std::vector<std::string> all;
 };
+/// Room for an answer in writing: the words before it, and how many blanks.
+struct Blanks {
+  std::string head;
+  int count = 1;
+};
 /// On a slide, what follows appears at the next key. Never on paper.
 struct Pause {};
 
-using Block = std::variant<Heading, Prose, Code, Image, Choices, Pause>;
+using Block = std::variant<Heading, Prose, Code, Image, Choices, Blanks, Pause>;
 using Blocks = std::vector<Block>;
 
 /// Returns the paragraphs of a text, without empty ones.
@@ -46,9 +51,9 @@ std::vector<std::string> paragraphs(const std::string& markup);
 std::string given(const viz::Lesson&, const viz::Parameters&, const viz::Walk&);
 /// Returns an exercise's prompt with the preset from which it starts, if any: "... until they touch. (Preset ends.)"
 std::string prompt(const viz::Exercise&);
-/// Returns a question and its answers to choose from.
+/// Returns a question and its answers to choose from, or the things to put in order; blanks for an order or a line.
 Blocks question(const viz::QuestionText&, const std::string& head = {});
-/// Returns "(b) It misses. The reason why."
+/// Returns "(b) It misses. The reason why.", "Line 4: return MISS. The reason why."
 Prose answer(const viz::QuestionText&, const std::string& head = {});
 /// Returns the pseudocode with its errata, if there is any.
 Blocks algorithm(const Excerpt&);

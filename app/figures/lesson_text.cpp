@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "app/figures/blocks.h"
 #include "app/figures/lesson_opening.h"
@@ -27,6 +28,12 @@ using viz::plain;
 /// Returns "Title" over a line of `rule`.
 std::string heading(const std::string& text, char rule, std::size_t width) {
   return inked(Ink::bold, wrapped(text, width, 0)) + std::string(std::min(count_characters(text), width), rule) + "\n";
+}
+
+/// Returns what is listed below a question: its choices, or the things to put in order.
+std::vector<std::string> offered_by(const viz::QuestionText& q) {
+  if (q.asked->line) return {};
+  return q.asked->order ? q.asked->order->tiles : q.choices;
 }
 
 /// Who judges a reader's own program; its command as it is typed.
@@ -240,14 +247,17 @@ class LessonWriter {
   /// Returns the question. What is known was told before it; if the step before was not, it comes with the question.
   std::string question(const viz::QuestionText& q, int index) {
     const bool known = index == 0 || told_ == &e_.walk.steps[index - 1];
-    const bool again = question_ && question_->choices == q.choices;
+    const std::vector<std::string> offered = offered_by(q);
+    const bool again = !offered.empty() && question_ && offered_by(*question_) == offered;
     const bool same_reason = again && question_->because == q.because;
     question_ = q;
     const std::string head = fmt::format("Question {}: ", q.number);
     std::string out =
         paragraph(head + plain(known ? q.prompt : q.whole_prompt) + (again ? " (The same choices.)" : ""));
-    for (std::size_t i = 0; i < q.choices.size() && !again; ++i)
-      out += paragraph(fmt::format("({}) {}", viz::choice_letter(i), plain(q.choices[i])), 4);
+    for (std::size_t i = 0; i < offered.size() && !again; ++i)
+      out += paragraph(fmt::format("({}) {}", viz::choice_letter(i), plain(offered[i])), 4);
+    if (q.asked->line) out += paragraph("Name a line of the algorithm.", 4);
+    if (q.asked->order) out += paragraph("Put them in order.", 4);
     const std::string answer = plain(q.answer + (same_reason ? "" : " " + q.because));
     if (how_.answers) return out + paragraph("Answer: " + answer) + "\n";
     answers_ += paragraph(head + answer);

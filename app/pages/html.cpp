@@ -36,6 +36,11 @@ struct AsHtml {
     for (const std::string& choice : choices.all) out += fmt::format("<li>{}</li>\n", html_text(choice));
     return out + "</ol>\n";
   }
+  std::string operator()(const Blanks& blanks) const {
+    std::string out = html_text(blanks.head) + ":";
+    for (int i = 0; i < blanks.count; ++i) out += " ____";
+    return "<p>" + out + "</p>\n";
+  }
   std::string operator()(const Pause&) const { return "<div class=\"later\">\n"; }
 };
 

@@ -54,6 +54,11 @@ struct AsLatex {
       out += fmt::format("\\item[({})] {}\n", viz::choice_letter(i), viz::tex(choices.all[i]));
     return out + "\\end{itemize}}\n";
   }
+  std::string operator()(const Blanks& blanks) const {
+    std::string out = viz::tex(blanks.head) + ":";
+    for (int i = 0; i < blanks.count; ++i) out += " \\rule{2em}{0.4pt}";
+    return out + "\n\n";
+  }
   std::string operator()(const Pause&) const { return "\\pause\n"; }
 };
 

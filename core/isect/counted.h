@@ -32,6 +32,7 @@ struct Counted {
   friend Counted operator*(const Counted& x, const Counted& y) { return ++tally().mul, Counted(x.value * y.value); }
   friend Counted operator/(const Counted& x, const Counted& y) { return ++tally().div, Counted(x.value / y.value); }
   friend Counted operator-(const Counted& x) { return Counted(-x.value); }
+  friend Counted abs(const Counted& x) { return Counted(std::abs(x.value)); }
   friend Counted sqrt(const Counted& x) { return ++tally().sqrt, Counted(std::sqrt(x.value)); }
 
   friend bool operator<(const Counted& x, const Counted& y) { return ++tally().compare, x.value < y.value; }

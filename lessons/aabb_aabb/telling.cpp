@@ -29,7 +29,7 @@ class Teller {
   explicit Teller(const Setup& setup)
       : s_(setup),
         script_({"Lecture note Intersection Detection, axis-aligned boxes",
-                 "Two axis-aligned boxes, a and b: " + words(s_.truth, "the boxes") + ".", pseudocode}) {}
+                 "Two axis-aligned boxes, a and b: " + relation_words(s_.truth, "the boxes") + ".", pseudocode}) {}
 
   Walk tell() {
     add("three-questions", "Three one-dimensional questions", 0,
@@ -109,7 +109,7 @@ class Teller {
   void end() {
     if (disjoint_) script_.leave_early();
     if (!disjoint_) script_.refuse(1, {2});
-    script_.settle(verdict_kind(s_.truth), words(s_.truth, "the boxes"));
+    script_.settle(verdict_kind(s_.truth), relation_words(s_.truth, "the boxes"));
     Step& step = script_.add("relation", "How they lie", disjoint_ ? 2 : 3, end_caption(), end_formula());
     step.scene = picture(s_, -1, true);
     if (!disjoint_) step.question = relation_question(s_.truth, "the two boxes", because());  // else it is known

@@ -8,6 +8,7 @@
 #include <isect/volume.h>
 #include "lessons/bounding_volumes/picture.h"
 #include "lessons/bounding_volumes/upkeep.h"
+#include "lessons/shared/order_question.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 #include "viz/chart/chart.h"
@@ -126,9 +127,11 @@ class Fit {
                 "right-handed) and a half-length *h_i* along each.\n"
                 "It rotates with the object: its axes are rotated. Finding the tightest axes takes a search.",
                 axes(fitted_.obb), "|(**x** − **b**_c) · **b***_i*| ≤ *h_i* for *i* = u, v, w")
-        // one axis follows from the other two; a corner instead of axes; an AABB's
-        .question = which_value("An OBB keeps a centre, three axes and three half-lengths. How many numbers are that?",
-                                static_cast<double>(all_[2].numbers), {6, 9, 12},
+        .question = which_count("An OBB keeps a centre, three axes and three half-lengths. How many numbers are that?",
+                                static_cast<double>(all_[2].numbers),
+                                {{6, "An AABB keeps that many: it needs no axes."},
+                                 {9, "That counts three numbers for all axes. Each axis takes three."},
+                                 {12, "That leaves out one axis. It follows from the other two, but is kept."}},
                                 "Three for the centre, nine for the axes and three half-lengths.");
   }
 
@@ -143,7 +146,7 @@ class Fit {
         "The note's planes are **n** · **x** + *d* = 0, so its slab is −*d*_{max} ≤ **n** · **x** ≤ "
         "−*d*_{min}. Note the sign.\n"
         "A *k*-DOP (discrete oriented polytope) is the intersection of *k*/2 slabs. The note uses unit "
-        "normals; integer normals let us decide touching exactly.",
+        "normals; integer normals let us decide touching exactly, if **n** · **x** is not rounded.",
         fmt::format("{} ≤ **n** · **x** ≤ {},  **n** = ({}, {}, {})", shown(s.lo), shown(s.hi), shown(n.x()),
                     shown(n.y()), shown(n.z())),
         slab(fitted_.kdop, i), "2 numbers");
@@ -176,34 +179,33 @@ class Fit {
             "Its three normals are those of the AABB, and so are its slabs."};
   }
 
-  /// The tightest of the four volumes without the hull. A 6-DOP is the same as the AABB.
-  std::size_t tightest() const {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < (k_ == 6 ? 3 : 4); ++i)
-      if (all_[i].volume < all_[best].volume) best = i;
-    return best;
+  /// Asks for the order of the four volumes without the hull by their void. A 6-DOP is the same as the AABB.
+  std::optional<Question> by_void() const {
+    std::vector<InOrder> volumes;
+    std::vector<double> numbers, as_told;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Measured& m = all_[k_ == 6 && i == 3 ? 1 : i];
+      volumes.push_back(
+          {all_[i].name, std::round(1e9 * m.void_volume / fitted_.object) / 1e9});  // an OBB may be the AABB
+      numbers.push_back(-static_cast<double>(all_[i].numbers)), as_told.push_back(static_cast<double>(i));
+    }
+    return which_order("Sort these four volumes by their void, from less to more.", volumes,
+                       {{numbers, "That goes by the numbers stored. More numbers do not ensure less void."},
+                        {as_told, "That is the order in which they were told."}},
+                       "Void is what of a volume the object leaves empty. What was told of each volume decides.");
   }
 
   void tightness() {
     script_.value("hull", all_[4].volume, "volume", Role::second);
     script_.forget({void_part});
-    const std::size_t best = tightest();
     Step& step =
         script_.add("side-by-side", "Tightness, storage, cost", 4,
                     "Void is given relative to the object's own volume. No convex volume is tighter than the hull.\n"
                     "A cell is one stored number, and at most 33 are drawn. Operations are for one test that finds an "
                     "overlap.");
     step.scene.items = side_by_side(mesh_, fitted_.object, all_);
-    std::vector<std::string> names = {all_[0].name, all_[1].name, all_[2].name, all_[3].name};
-    if (k_ == 6) {  // the AABB twice
-      names[1] = "AABB, 6-DOP";
-      names.pop_back();
-    }
-    step.question =
-        Question{k_ == 6 ? "Which of these has the least void?" : "Which of these four has the least void?", names,
-                 static_cast<int>(best),
-                 fmt::format("Its void is {} × the object.", shown(all_[best].void_volume / fitted_.object))};
-    keep_picture(script_.walk());
+    step.question = by_void();
+    if (step.question) keep_picture(script_.walk());
   }
 
   void trade_off() {

@@ -118,12 +118,14 @@ void tell_upkeep(Script& script, const Upkeep& obb, const Upkeep& dop) {
                                       plural(dop.turn, "operation"), obb.test, dop.test, dop.name,
                                       plural(turning, "test"), obb.shift, dop.shift, plural(shifting, "test")));
   step.scene.chart = std::make_shared<const Chart>(upkeep_chart(obb, dop));
-  // one update to one test; updates alone
   step.question =
-      which_value(fmt::format("The object turns between tests that find overlaps. From how many tests to each update "
+      which_count(fmt::format("The object turns between tests that find overlaps. From how many tests to each update "
                               "on does the {} cost less than the OBB?",
                               dop.name),
-                  turning, {1, std::round(1.0 * dop.turn / dop.test), std::round(1.0 * dop.turn / obb.turn)},
+                  turning,
+                  {{1, "One test does not save what the update costs more."},
+                   {std::round(1.0 * dop.turn / dop.test), "That divides one update by one test of the same volume."},
+                   {std::round(1.0 * dop.turn / obb.turn), "That compares the updates alone, without the tests."}},
                   fmt::format("Its update costs {} more, and each test saves {}.", shown(1.0 * dop.turn - obb.turn),
                               shown(1.0 * obb.test - dop.test)));
   for (const Upkeep* x : {&obb, &dop}) {

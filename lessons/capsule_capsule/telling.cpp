@@ -34,7 +34,8 @@ class Teller {
   explicit Teller(const Setup& setup)
       : s_(setup),
         script_({"Ericson, Real-Time Collision Detection (2005), sections 4.5 and 5.1.9",
-                 "Two capsules in the plane, a and b: " + words(s_.truth, "the capsules") + ".", pseudocode}) {}
+                 "Two capsules in the plane, a and b: " + relation_words(s_.truth, "the capsules") + ".", pseudocode}) {
+  }
 
   Walk tell() {
     reach();
@@ -72,10 +73,12 @@ class Teller {
                     : "No crossing. In the plane, a shortest connection of the segments then starts at an endpoint.\n"
                       "In space it may start between the ends of both, so four ends would not be enough.",
             e.holds ? "*d* = 0" : "");
-    // 1: that one line is enough, which holds for lines and not for segments.
+    const int lines = separating_lines();
     step.question =
-        which_value("Of the two segments' lines, how many have the other segment's ends on different sides?",
-                    separating_lines(), {0, 1, 2},
+        which_count("Of the two segments' lines, how many have the other segment's ends on different sides?", lines,
+                    {{0, "At least one of the lines has."},
+                     {1, lines == 0 ? "Neither of the lines has." : "Both of the lines have."},
+                     {2, "At least one of the lines has not."}},
                     std::string(a_point() ? "A segment that is one point has no line, and separates nothing. " : "") +
                         "Each takes two orientations: the signs of two areas (orient2d). The segments cross if and "
                         "only if both do.");
@@ -143,7 +146,7 @@ class Teller {
 
   /// Wrong values: the least distance to the ends alone, and to the line (each with what was found `before`); `before`
   /// alone; and the distance from the other capsule's surface.
-  std::vector<double> misconceived(double before) const {
+  std::vector<WrongNumber> misconceived(double before) const {
     double to_ends = before, to_line = before;
     for (const End& e : ends_) {
       const Vec2 end = s_.way(e).first;
@@ -153,8 +156,11 @@ class Teller {
       if (d.norm() > 0) to_line = std::min(to_line, std::abs(d.x() * w.y() - d.y() * w.x()) / d.norm());
     }
     const double to_surface = least_ - (ends_.front().end < 2 ? s_.b.radius : s_.a.radius);
-    std::vector<double> all = {to_ends, to_line, before, to_surface};
-    std::erase_if(all, [](double d) { return std::isinf(d) || d < 0; });
+    std::vector<WrongNumber> all = {{to_ends, "That measures to the ends of the other segment alone."},
+                                    {to_line, "That measures to the whole line, beyond the segment's ends."},
+                                    {before, "That was found before. Something is nearer now."},
+                                    {to_surface, "That takes off a radius, but *d* is the distance of the segments."}};
+    std::erase_if(all, [](const WrongNumber& w) { return std::isinf(w.value) || w.value < 0; });
     return all;
   }
 
@@ -168,7 +174,7 @@ class Teller {
   }
 
   void relation() {
-    script_.settle(verdict_kind(s_.truth), words(s_.truth, "the capsules"));
+    script_.settle(verdict_kind(s_.truth), relation_words(s_.truth, "the capsules"));
     const bool meet = s_.truth != Relation::disjoint;
     const bool inside = meet && s_.truth != Relation::touching && s_.truth != Relation::overlapping;
     if (meet) script_.refuse(4, {});

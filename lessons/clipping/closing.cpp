@@ -66,9 +66,11 @@ const Closing& closing() {
            "sides, and of the box's four."},
           {"Why do slabs by reciprocals lose a segment along the top, but not along the bottom? And what do exchanged "
            "arguments change?",
-           "*d* = 0 makes 1/*d* = ∞, and ∞ times the distance 0 is NaN. No comparison with NaN holds, so min and max "
+           "*d* = 0 makes 1/*d* = ∞, and ∞ times the distance 0 is NaN. With NaN none of <, ≤, > and ≥ holds, so min "
+           "and max "
            "return their first argument. Along the top that is *t*_1 = −∞, which hides the NaN. Along the bottom it is "
-           "*t*_1 = NaN; there the range survives only as the first argument. Test for *d* = 0 first.",
+           "*t*_1 = NaN; there the range survives only as the first argument. Test for *d* = 0 first.\n"
+           "And 1/(−0) is −∞, though −0 ≥ 0 holds: who chooses the near side by *d* ≥ 0 then exchanges entry and exit.",
            "slabs-bottom"},
           {"Why must a renderer clip at the near plane before it divides by depth?",
            "Points behind the eye have negative depth. The division would mirror them to the front of the eye."},

@@ -80,11 +80,13 @@ void SlabTeller::say(const ray_aabb::Planes<double>& e) {
   if (asked_t_ || std::isinf(inverse_)) return;
   asked_t_ = true;
   const double p = known_.segment.p[axis_], d = known_.segment.q[axis_] - p, at = box_.lo[axis_];
-  // not divided by d; the wrong way round; from q
   step.question =
       which_value(fmt::format("From {} = {}, **d** advances by {}. At which *t* is {} = {}?", axis, shown(p), shown(d),
                               axis, shown(at)),
-                  e.lo, {at - p, (p - at) / d, 1 - e.lo},
+                  e.lo,
+                  {{at - p, "That is the way to go, not divided by what **d** advances."},
+                   {(p - at) / d, "That goes the wrong way round: the sign is the opposite."},
+                   {1 - e.lo, "That counts from the other end."}},
                   fmt::format("*t*_1 = ({} − {}) / {}.", shown(at), p < 0 ? "(" + shown(p) + ")" : shown(p), shown(d)));
   step.question->over = over;
   give_before(script_.walk(), {"*t*_{in}", "*t*_{out}"});

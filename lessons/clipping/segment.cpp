@@ -7,6 +7,8 @@
 #include <bit>
 
 #include <isect/methods/ray_aabb.h>
+#include "lessons/shared/digits.h"
+#include "lessons/shared/order_question.h"
 
 namespace isect::lessons::clipping_lesson {
 
@@ -87,6 +89,29 @@ void SegmentTeller::say(const clip_segment::Outcodes& e) {
                             "is left at the end lies in the box.",
                             "[*t*_{in}, *t*_{out}] = [0, 1]");
   begin.scene = picture(known_);
+  begin.question = order_of_crossings();
+}
+
+/// Asks in which order the segment's line crosses those of the four sides, if it is parallel to none.
+std::optional<Question> SegmentTeller::order_of_crossings() const {
+  const Point<double, 2>&p = known_.segment.p, &q = known_.segment.q;
+  if (p.x() == q.x() || p.y() == q.y()) return {};
+  std::vector<InOrder> sides;
+  std::vector<double> backwards;
+  for (const int axis : {0, 1})
+    for (const bool upper : {false, true}) {
+      const double at = upper ? box_.hi[axis] : box_.lo[axis];
+      sides.push_back({name_of(Side{axis, upper}), (at - p[axis]) / (q[axis] - p[axis])});
+      backwards.push_back(-sides.back().key);
+    }
+  return which_order(fmt::format("A line runs from **p** = {} to **q** = {}, and on. The sides lie at *x* = {} and {}, "
+                                 "and at *y* = {} and {}. In which order does it cross these four lines?",
+                                 coordinates(p), coordinates(q), shown(box_.lo.x()), shown(box_.hi.x()),
+                                 shown(box_.lo.y()), shown(box_.hi.y())),
+                     sides,
+                     {{backwards, "That is the order from **q** towards **p**."},
+                      {{0, 1, 2, 3}, "That is the order in which the method tests the sides."}},
+                     "Each side has its *t*, and smaller ones come first.");
 }
 
 void SegmentTeller::end() {

@@ -17,6 +17,7 @@ class SegmentTeller {
   // segment.cpp
   std::string alt(const Segment<double, 2>&) const;
   void say(const clip_segment::Outcodes&);
+  std::optional<viz::Question> order_of_crossings() const;
   void end();
   std::string end_caption(bool one) const;
   bool is_a_point() const { return known_.segment.p == known_.segment.q; }
@@ -30,7 +31,7 @@ class SegmentTeller {
   const std::optional<Interval<double>> truth_;
   Script script_;
   Narrowing known_;
-  bool found_ = false, trivial_ = false, asked_ = false;
+  bool found_ = false, trivial_ = false, asked_ = false, line_asked_ = false;
 };
 
 }  // namespace isect::lessons::clipping_lesson

@@ -6,6 +6,8 @@
 
 #include "lessons/clipping/segment.h"
 #include "lessons/shared/axis_names.h"
+#include "lessons/shared/digits.h"
+#include "lessons/shared/line_question.h"
 #include "lessons/shared/questions.h"
 
 namespace isect::lessons::clipping_lesson {
@@ -60,12 +62,29 @@ void SegmentTeller::say(const clip_segment::Narrowed<Counted<double>>& e) {
     const double p = known_.segment.p[e.axis], d = known_.segment.q[e.axis] - p;
     const double at = e.upper ? box_.hi[e.axis] : box_.lo[e.axis];
     const char* const axis = axis_names[e.axis];
-    // not divided by d; the wrong way round; from q
     step.question =
         which_value(fmt::format("From {} = {}, **d** advances by {}. At which *t* is {} = {}?", axis, shown(p),
                                 shown(d), axis, shown(at)),
-                    t, {at - p, (p - at) / d, 1 - t},
+                    t,
+                    {{at - p, "That is the way to go, not divided by what **d** advances."},
+                     {(p - at) / d, "That goes the wrong way round: the sign is the opposite."},
+                     {1 - t, "That counts from the other end."}},
                     fmt::format("*t* = ({} − {}) / {}.", shown(at), p < 0 ? "(" + shown(p) + ")" : shown(p), shown(d)));
+    step.question->over = over;
+    give_before(script_.walk(), {"*t*_{in}", "*t*_{out}"});
+    return;
+  }
+  if (narrowed && !known_.left && !line_asked_) {
+    line_asked_ = true;
+    ask_for_line(script_.walk(),
+                 fmt::format("The segment runs from **p** = {} to **q** = {}. Which line cuts the range at {}?",
+                             coordinates(known_.segment.p), coordinates(known_.segment.q), name_of(side)),
+                 {{4, "The segment's line is not parallel to this side."},
+                  {5, "That line computes *t*, and leaves the range as it is."},
+                  {6, "The normal **n** points inwards, and **n** · **d** < 0: the line leaves here."},
+                  {7, "The normal **n** points inwards, and **n** · **d** > 0: the line enters here."},
+                  {8, "That line ends the search where nothing is left. Here something is."}},
+                 because(e.heading, narrowed));
     step.question->over = over;
     give_before(script_.walk(), {"*t*_{in}", "*t*_{out}"});
     return;

@@ -28,10 +28,11 @@ class DoubleLoop : Teller {
         "The note starts *j* at *i*, which tests each box against itself. It must start at *i* + 1.\n"
         "That is O(*n*^2), provided that each test is O(1).",
         fmt::format("*n* (*n* − 1) / 2 = {} tests", n * (n - 1) / 2))
-        // j runs from i; each pair is tested twice; a box is tested with itself, too
         .question =
-        which_value(fmt::format("How many tests does the double loop take for {} boxes?", n), n * (n - 1) / 2,
-                    {n * (n + 1) / 2, n * (n - 1), n * n},
+        which_count(fmt::format("How many tests does the double loop take for {} boxes?", n), n * (n - 1) / 2,
+                    {{n * (n + 1) / 2, "That starts *j* at *i*, so it tests each box with itself, too."},
+                     {n * (n - 1), "That counts each pair twice."},
+                     {n * n, "That counts each pair twice, and each box with itself."}},
                     fmt::format("Pairing each box with every other gives {} · {} = {}, which counts each pair twice. "
                                 "Half of it is {}.",
                                 n, n - 1, n * (n - 1), n * (n - 1) / 2));

@@ -4,6 +4,7 @@
 
 #include <isect/many/all_pairs.h>
 #include "lessons/collision/telling.h"
+#include "lessons/shared/order_question.h"
 
 namespace isect::lessons::collision_lesson {
 
@@ -77,17 +78,42 @@ class Sweep : Teller {
     Step& step = add(fmt::format("enter-{}", box), fmt::format("Box {} begins", box), gone.empty() ? 4 : 2,
                      fmt::format("The plane meets {} now: {} active.{}", plural(static_cast<long long>(active), "box"),
                                  active == 1 ? "it is" : "they are", gone.empty() ? "" : " It has left " + gone + "."));
+    if (entered_ == 1) ask_order(step);
     if (gone.empty() || asked_) return;
     asked_ = true;
-    // none is ever removed; the new one is not counted; those removed are counted too
-    step.question = which_value(fmt::format("Next is box {}. How many boxes are active then, with it?", box), active,
-                                {static_cast<double>(entered_), active > 1 ? active - 1 : active + 2, active + 1},
-                                "Boxes that have begun and not yet ended meet the plane.");
+    step.question =
+        which_count(fmt::format("Next is box {}. How many boxes are active then, with it?", box), active,
+                    {{static_cast<double>(entered_), "That counts every box that has begun, but some have ended."},
+                     {active > 1 ? active - 1 : active + 2,
+                      active > 1 ? "That leaves out the new box." : "That counts boxes that have ended."},
+                     {active + 1, "That counts a box that has ended."}},
+                    "Boxes that have begun and not yet ended meet the plane.");
     keep_picture(script_.walk());
     give_before(script_.walk(), {"active", "tests", "pairs"});
     for (Item& item : step.question->over->items)  // the plane has gone on
       if (Line* line = std::get_if<Line>(&item); line && line->pen == Pen::highlight)
         line->from[axis_] = line->to[axis_] = drawn_.sweep;
+  }
+
+  /// Asks, before the first box, for the order in which the plane meets them.
+  void ask_order(Step& step) {
+    std::vector<InOrder> begins;
+    std::vector<double> ends, numbers;
+    std::vector<Value> given;
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      begins.push_back({fmt::format("box {}", i), boxes_[i].lo[axis_]});
+      ends.push_back(boxes_[i].hi[axis_]), numbers.push_back(static_cast<double>(i));
+      given.push_back({fmt::format("lower end of box {}", i), boxes_[i].lo[axis_], "length"});
+    }
+    step.question = which_order(
+        fmt::format("The plane sweeps along {}. In which order do the boxes begin?", axis_ == 0 ? "*x*" : "*y*"),
+        begins,
+        {{numbers, "That is the order of their numbers."},
+         {ends, "That is the order in which the boxes end. They are sorted by their lower ends."}},
+        "The plane meets a box first at its lower end, so the boxes are sorted by these.");
+    if (!step.question) return;
+    step.question->given = std::move(given);
+    keep_picture(script_.walk());
   }
 
   int axis_ = 0;

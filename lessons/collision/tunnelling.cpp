@@ -66,12 +66,14 @@ class Flight {
                 (step > reach ? "One step is longer than wall and box together, so it can jump the wall unseen."
                               : "One step is no longer than wall and box together: it cannot jump the wall."));
     first.formula = fmt::format("step = {} {} {} = wall + box", shown(step), step > reach ? ">" : "≤", shown(reach));
-    // the thickness of the wall alone, and the step itself, are taken for the limit
     first.question =
         which_value(fmt::format("The wall is {} wide, the box {}. How long may one step be, so that no hit "
                                 "is missed?",
                                 shown(width(wall_.shape)), shown(width(bullet_.shape))),
-                    reach, {width(wall_.shape), width(bullet_.shape), 2 * reach},
+                    reach,
+                    {{width(wall_.shape), "That is the width of the wall alone."},
+                     {width(bullet_.shape), "That is the width of the box alone."},
+                     {2 * reach, "That is twice the sum of both widths."}},
                     "The box touches the wall while it moves by the sum of both lengths.");
     Record<motion::Event<double, 2>> record;
     const std::vector<double> hits = discrete_hits(bullet_, wall_, duration, times, record);
@@ -198,11 +200,15 @@ class Flight {
                                          : "The discrete times saw it too, but later than it began."));
     if (!truth_ || truth_->lo <= 0) return;
     const double gap = wall_.shape.lo.x() - bullet_.shape.hi.x(), v = bullet_.velocity.x();
-    // the first discrete time that saw it; from centre to centre; when they part
     step.question = which_value(fmt::format("The gap between box and wall is {} at *t* = 0, the speed {}. At what time "
                                             "do they first meet?",
                                             shown(gap), shown(v)),
-                                truth_->lo, {hits.empty() ? truth_->hi : hits[0], (gap + reach() / 2) / v, truth_->hi},
+                                truth_->lo,
+                                {{hits.empty() ? truth_->hi : hits[0],
+                                  hits.empty() ? "That is the end of the contact, and not its beginning."
+                                               : "That is the first discrete time that sees it. It began before."},
+                                 {(gap + reach() / 2) / v, "That is when their centres meet."},
+                                 {truth_->hi, "That is the end of the contact, and not its beginning."}},
                                 "The gap between box and wall, divided by the speed.");
   }
 

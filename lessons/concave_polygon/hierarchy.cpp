@@ -91,12 +91,14 @@ class Coarsening {
                       "is linked to the "
                       "old ones that it overlaps.",
                       level);
-    // misconceptions: a triangle less a vertex; as many as before; only the box's two
-    holes.question = which_value(
-        fmt::format("{} triangles lose {} {}, and the holes are filled. How many triangles are there then?", before,
-                    removed, removed == 1 ? "vertex" : "vertices"),
-        static_cast<double>(h_.levels[level].triangles.size()), {before - removed, before, before - 3 * removed},
-        "A hole with *d* sides takes *d* − 2 triangles: two less for each vertex.");
+    holes.question =
+        which_count(fmt::format("{} triangles lose {} {}, and the holes are filled. How many triangles are there then?",
+                                before, removed, removed == 1 ? "vertex" : "vertices"),
+                    static_cast<double>(h_.levels[level].triangles.size()),
+                    {{before - removed, "That takes away one triangle for each vertex. It is two."},
+                     {before, "That fills each hole with as many triangles as it had."},
+                     {before - 3 * removed, "That takes away three triangles for each vertex. It is two."}},
+                    "A hole with *d* sides takes *d* − 2 triangles: two less for each vertex.");
     keep_picture(script_.walk());
   }
 

@@ -51,9 +51,10 @@ class Slabs {
         "Summed over all slabs, that is at most *n*^2/2.",
         fmt::format("{} ≤ *n*^2/2 = {}", stored, shown(n * n / 2.0)))
         .question =
-        // misconceptions: each edge is stored once; each lies in every slab; the bound is reached
-        which_value("How many edges must be stored, if each counts once for every slab that it crosses?", stored,
-                    {1.0 * n, 1.0 * n * (n - 1), std::floor(n * n / 2.0)},
+        which_count("How many edges must be stored, if each counts once for every slab that it crosses?", stored,
+                    {{1.0 * n, "That counts each edge once, whatever slabs it crosses."},
+                     {1.0 * n * (n - 1), "That lets each edge cross every slab."},
+                     {std::floor(n * n / 2.0), "That is the bound, which is not reached here."}},
                     "Count, for every edge, the slabs that it runs through.");
     keep_picture(script_.walk());
     compare();

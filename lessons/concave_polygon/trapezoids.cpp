@@ -102,10 +102,11 @@ class Trapezoids {
                                                  "on average over the orders."),
                      std::move(all));
     step.formula = fmt::format("2*n* + 1 = {}", 2 * n + 1);
-    // misconceptions: one a vertex; the bound for edges without common ends; those of a grid
-    step.question =
-        which_value("How many trapezoids does the complete map have?", 2 * n + 1, {n + 1.0, 3 * n + 1.0, 1.0 * n * n},
-                    "On average two trapezoids begin at each vertex. One more has no left end.");
+    step.question = which_count("How many trapezoids does the complete map have?", 2 * n + 1,
+                                {{n + 1.0, "That lets a single trapezoid begin at each vertex."},
+                                 {3 * n + 1.0, "That is the bound for edges that have no ends in common."},
+                                 {1.0 * n * n, "That is a grid, but each wall ends at the next edge."}},
+                                "On average two trapezoids begin at each vertex. One more has no left end.");
     keep_picture(script_.walk());
     if (s_.sorted) tell_depth(script_, s_.ring, map_);
   }
@@ -134,11 +135,15 @@ class Trapezoids {
                                  inserted.cut == 1 ? "" : "s", inserted.cut == 1 ? "its" : "their"),
             std::move(scene));
     if (k > 0) {
-      // misconceptions: only where it begins; only at its two ends; all
       step.question =
-          which_value(fmt::format("{}How many of the {} trapezoids does the new edge *e*_{{{}}} cut?",
+          which_count(fmt::format("{}How many of the {} trapezoids does the new edge *e*_{{{}}} cut?",
                                   k == 1 ? "" : since(k) + " been added. ", sizes(before).trapezoids, inserted.piece),
-                      inserted.cut, {1, 2, 1.0 * sizes(before).trapezoids}, "Those whose interior it runs through.");
+                      inserted.cut,
+                      {{1, "That counts the trapezoid where it begins alone."},
+                       {2, inserted.cut < 2 ? "Both its ends lie in one trapezoid."
+                                            : "That counts the trapezoids at its two ends alone."},
+                       {1.0 * sizes(before).trapezoids, "That counts all trapezoids."}},
+                      "Those whose interior it runs through.");
       step.question->over = grown(s_, before, inserted_, inserted.piece);
       const Line fresh = edge(before, inserted.piece, Role::text, Pen::thick);
       step.question->over->items.emplace_back(

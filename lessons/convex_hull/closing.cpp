@@ -37,8 +37,8 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "The hull is the intersection of all convex sets that contain the points. Its boundary turns left at every "
-          "vertex.",
+          "The hull is the intersection of all convex sets that contain the points. Its boundary goes round once "
+          "and turns left at every vertex.",
       .cost =
           "O(*n* lg *n*) for the sort. The scan is linear, as a point leaves a chain at most once. Output-sensitive "
           "methods take O(*n* lg *h*) for *h* vertices.",

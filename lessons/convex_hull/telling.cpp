@@ -6,6 +6,7 @@
 #include "lessons/convex_hull/picture.h"
 #include "lessons/shared/digits.h"
 #include "lessons/shared/flat.h"
+#include "lessons/shared/line_question.h"
 #include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
@@ -93,16 +94,20 @@ class Teller {
                      caption() + (turns && !turned_ ? what_a_turn_is : ""));
     turned_ = turned_ || turns;
     step.decides = !none;
-    // 0: every new point is kept; 1: `if` is read for `while`; all: the chain begins anew
     if (!none && asked_ < removed_.size()) {
       asked_ = removed_.size();
       const auto all = static_cast<double>(drawn_.chain.size() + removed_.size() - 1);
       step.question =
-          which_value(fmt::format("{} Next is **q** = {}. How many points leave the chain?", chain, coordinates(e.p)),
-                      static_cast<double>(removed_.size()), {0, 1, all},
+          which_count(fmt::format("{} Next is **q** = {}. How many points leave the chain?", chain, coordinates(e.p)),
+                      static_cast<double>(removed_.size()),
+                      {{0, "That keeps every point. The last one makes no left turn towards **q**."},
+                       {1, "That drops one point and stops. The one before it makes no left turn either."},
+                       {all, "That drops the whole chain."}},
                       "Each point at which the chain makes no left turn towards **q** is dropped.");
       step.question->over = pointing_at(e.p);
       give_before(script_.walk(), {"chain"});
+    } else if (turns && !line_asked_) {
+      ask_line(chain, e.p, none);
     }
     drawn_.removed.clear(), removed_.clear();
     const auto last = std::minmax_element(points_.begin(), points_.end(), before<double>);
@@ -110,6 +115,21 @@ class Teller {
       drawn_.done.push_back(std::exchange(drawn_.chain, {}));
       number_ = 0;
     }
+  }
+
+  /// Asks what happens to the chain at its first turn.
+  void ask_line(const std::string& chain, const Point<double, 2>& q, bool left) {
+    line_asked_ = true;
+    ask_for_line(script_.walk(),
+                 fmt::format("{} Next is **q** = {}. Which line changes the chain first?", chain, coordinates(q)),
+                 {{0, "The points have been sorted before, and that changes no chain."},
+                  {1, "The chain makes a left turn towards **q**, so its end stays."},
+                  {2, "The chain makes no left turn towards **q**, so its end is dropped before."},
+                  {3, "The chains are joined at the end, once both are done."}},
+                 left ? "The chain makes a left turn towards **q**: no point is dropped."
+                      : "The chain makes no left turn towards **q**: its end is dropped.");
+    script_.walk().steps.back().question->over = pointing_at(q);
+    give_before(script_.walk(), {"chain"});
   }
 
   /// The picture before the last step, in which **q** is this point.
@@ -215,8 +235,8 @@ class Teller {
   std::vector<Removed> removed_;
   double area_ = 0;
   int number_ = 0, started_ = 0;
-  bool turned_ = false;    ///< a turn was told already
-  std::size_t asked_ = 0;  ///< the most removed points that were asked for
+  bool turned_ = false, line_asked_ = false;  ///< a turn was told, or asked for, already
+  std::size_t asked_ = 0;                     ///< the most removed points that were asked for
 };
 
 }  // namespace

@@ -56,7 +56,8 @@ class Around {
     shown_.apex = {e.q[0].value, e.q[1].value}, shown_.apex_name = "**q**";
     script_.value("*n*", s_.size());
     add("centroid", "A point inside", 0,
-        "The centroid of any three vertices lies inside: all the preprocessing, O(1). In a very thin polygon the "
+        "The centroid of three vertices not on one line lies inside: all the preprocessing, O(1). In a very thin "
+        "polygon the "
         "rounded centroid may fall outside.\n"
         "Angles around **q**, polar coordinates, would order **p** and the vertices **v**. Cross products do so "
         "without an arctangent.",
@@ -73,10 +74,13 @@ class Around {
         add(fmt::format("bisect-{}", ++rounds_), (passed ? "Not before " : "Before ") + mid, passed ? 1 : 2,
             passed ? "Counter-clockwise from **v**_0, **p** comes at " + mid + " or later: drop the wedges before it."
                    : "Counter-clockwise from **v**_0, **p** comes before " + mid + ": drop the wedges after it.");
-    if (rounds_ == 1) {  // misconceptions: every wedge is looked at; half of them are, on average
-      step.question = which_value("How many bisections single out one wedge?", bisections_,
-                                  {1.0 * s_.size(), s_.size() > 5 ? s_.size() / 2.0 : 1.0},
-                                  "Each halves the number of wedges: lg *n*, up to rounding.");
+    if (rounds_ == 1) {
+      step.question = which_count(
+          "How many bisections single out one wedge?", bisections_,
+          {{1.0 * s_.size(), "That looks at every wedge, one by one."},
+           {s_.size() > 5 ? s_.size() / 2.0 : 1.0, s_.size() > 5 ? "That looks at half of the wedges, one by one."
+                                                                 : "One bisection leaves more than one wedge."}},
+          "Each halves the number of wedges: lg *n*, up to rounding.");
       keep_picture(script_.walk());
     }
     shown_.mid = -1;

@@ -39,10 +39,12 @@ const Closing& closing() {
           "**p**; its far edge decides.",
       .cost =
           "At most 3 + 3 ⌈lg (*n* − 2)⌉ orientations, 63 for a million vertices. Checking that the polygon is convex "
-          "takes O(*n*), once.",
+          "takes O(*n*), once: left turns alone, and once around. A pentagram goes twice around.",
       .choose =
-          "For convex polygons of many vertices. With only a few, test every edge. Concave ones need crossings, or a "
-          "prepared map.",
+          "For convex polygons of many vertices, in an array. With only a few, test every edge. Wedges around **q** "
+          "serve "
+          "star-shaped ones, too, if **q** sees their whole boundary. Other concave ones need crossings, or a prepared "
+          "map.",
       .used =
           "Hit tests on convex regions, Voronoi cells, projected faces of convex solids, support points by the "
           "same bisection.",

@@ -7,6 +7,7 @@
 
 #include "lessons/convex_polygon/picture.h"
 #include "lessons/shared/digits.h"
+#include "lessons/shared/line_question.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
@@ -72,9 +73,9 @@ class Fan {
                      left_ ? "**p** lies outside one of the two edges at **v**_0, so outside the polygon."
                            : "**p** lies beyond neither edge at **v**_0: if the polygon contains it, some wedge does.");
     step.decides = true;
-    // misconceptions: every wedge is looked at; half of them are, on average
-    step.question = which_value("How many bisections can it take at most to find the wedge?", bisections(s_.size()),
-                                {s_.size() - 2.0, std::floor(s_.size() / 2.0)},
+    step.question = which_count("How many bisections can it take at most to find the wedge?", bisections(s_.size()),
+                                {{s_.size() - 2.0, "That looks at every wedge, one by one."},
+                                 {std::floor(s_.size() / 2.0), "That looks at half of the wedges, one by one."}},
                                 "Each halves the wedges, *n* − 2 at first: lg (*n* − 2), rounded up.");
     if (left_) script_.leave_early();
     if (!left_) script_.refuse(1, {2});
@@ -109,11 +110,6 @@ class Fan {
                      : e.turn == 0 ? "**p** lies on the ray through " + mid + ": drop the wedges before it."
                                    : "**p** lies right of the ray through " + mid + ": drop the wedges after it.");
     if (rounds_ == 1) {
-      const auto corner = [&](int k) {  // neighbours among many differ in their last digits
-        const Point<double, 2>& v = s_.vertex(k);
-        return s_.size() > most_rays ? with_minus_signs(fmt::format("({}, {})", to_text(v.x()), to_text(v.y())))
-                                     : coordinates(v);
-      };
       step.question = {fmt::format("**p** = {} and **v**_0 = {}. The fan is halved at {} = {}, and the edge there ends "
                                    "at {}. What follows?",
                                    coordinates(s_.p), coordinates(s_.vertex(0)), mid, corner(e.mid), corner(e.mid + 1)),
@@ -127,6 +123,13 @@ class Fan {
     }
     shown_.mid = -1;
     left_ = left_ || out;
+  }
+
+  /// A vertex; neighbours among many differ in their last digits.
+  std::string corner(int k) const {
+    const Point<double, 2>& v = s_.vertex(k);
+    return s_.size() > most_rays ? with_minus_signs(fmt::format("({}, {})", to_text(v.x()), to_text(v.y())))
+                                 : coordinates(v);
   }
 
   void finish() {
@@ -153,6 +156,17 @@ class Fan {
                             3 + 3 * bisections(s_.size())),
             "3 + 3 ⌈lg (*n* − 2)⌉ = " + shown(3 + 3 * bisections(s_.size())));
     step.decides = true;
+    if (left_) return;  // then the answer is known
+    ask_for_line(script_.walk(),
+                 fmt::format("**p** = {}. The wedges that are left reach from {} to {}. Which line returns the answer?",
+                             coordinates(s_.p), corner(shown_.lo), corner(shown_.hi)),
+                 {{2, "**p** lies within the fan."},
+                  {5, "That line tests an edge while the fan is halved."},
+                  {6, "From the first to the second, **p** does not lie on the right."},
+                  {7, "From the first to the second, **p** lies on the right: outside."}},
+                 in || on ? "From the first to the second, **p** does not lie on the right."
+                          : "From the first to the second, **p** lies on the right.");
+    keep_picture(script_.walk());
   }
 
   /// lg (n - 2), rounded up.

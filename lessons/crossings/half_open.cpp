@@ -92,9 +92,13 @@ class HalfOpen : Teller {
         return below(edge, a.y() == y || b.y() == y);
       case Passage::horizontal: {
         known_.along.push_back(edge);
-        Step& step = add(slug(edge), "Along the ray", 4,
-                         "Neither end lies above **p**: an edge along the line never counts. Its neighbours decide.");
-        ask(step, edge, {6, 7}, "Both ends count as below, so it has no side to cross to.");
+        add(slug(edge), "Along the ray", 4,
+            "Neither end lies above **p**: an edge along the line never counts. Its neighbours decide.");
+        ask(edge,
+            {{3, "Neither end lies above **p**."},
+             {6, "Both ends lie on one side, so it is not asked where **p** lies."},
+             {7, "Both ends count as below, so the edge does not cross."}},
+            "Both ends count as below, so it has no side to cross to.");
         return;
       }
       case Passage::crossed_left:
@@ -114,9 +118,13 @@ class HalfOpen : Teller {
       return;
     }
     if (meeting(setup_, edge).x() > setup_.p.x()) meet(edge, false);
-    Step& step = add(slug(edge), "An end on the line", 4,
-                     "One end lies at the height of **p** and counts as below. So this edge does not cross.");
-    ask(step, edge, {3, 6, 7}, "A vertex on the line counts as below it: both ends lie on the same side.");
+    add(slug(edge), "An end on the line", 4,
+        "One end lies at the height of **p** and counts as below. So this edge does not cross.");
+    ask(edge,
+        {{3, "Neither end lies above **p**."},
+         {6, "Both ends lie on one side, so it is not asked where **p** lies."},
+         {7, "The end at the height of **p** counts as below, like the other end."}},
+        "A vertex on the line counts as below it: both ends lie on the same side.");
   }
 
   void right(const EdgeOf& edge, bool vertex) {
@@ -125,7 +133,10 @@ class HalfOpen : Teller {
                      vertex ? "The end on the ray counts as below, the other lies above: the edge crosses, once."
                             : "The edge crosses the line, and **p** lies on its left: it counts.");
     step.decides = true;
-    ask(step, edge, {3, 4, 6},
+    ask(edge,
+        {{3, "One end is not above **p**."},
+         {4, "One end is above **p**."},
+         {6, "**p** lies on the left of the edge, seen upwards."}},
         vertex ? "A vertex on the line counts as below it; the other end lies above."
                : "Its ends lie on opposite sides, and **p** is on its left.");
   }
@@ -143,7 +154,7 @@ class HalfOpen : Teller {
                          "Neither inside nor outside. Counting alone would say " + (counts_as_inside() ? "IN" : "OUT") +
                          ", as for the next place on the ray raised by *ε*.\n"
                          "So it would give **p** to just one of several polygons side by side, as filling of pixels "
-                         "requires.");
+                         "requires. Closed ones would fill such a pixel twice, open ones not at all.");
     step.decides = true;
   }
 
@@ -174,9 +185,11 @@ class HalfOpen : Teller {
             std::string(odd ? "The count is odd: **p** lies inside." : "The count is even: **p** lies outside.") +
                 "\nThe winding number adds 1 for an edge upwards and −1 for one downwards." + rules());
     step.decides = true;
-    // misconceptions: it is the count; every crossing adds 1 with the same sign; it is 1 inside and 0 outside
-    step.question = which_value("How many times does the boundary wind around **p**, counter-clockwise?", truth.winding,
-                                {1.0 * count_, -1.0 * truth.winding, odd ? 1.0 : 0.0, 2},
+    step.question = which_count("How many times does the boundary wind around **p**, counter-clockwise?", truth.winding,
+                                {{1.0 * count_, "That counts each crossing as 1, upwards or downwards."},
+                                 {-1.0 * truth.winding, "That counts the turns clockwise."},
+                                 {odd ? 1.0 : 0.0, "That tells only whether the count is odd."},
+                                 {2, "The crossings upwards and downwards do not differ by 2."}},
                                 "Edges that cross upwards count 1, those downwards −1.");
     step.question->over = with_directions();
   }

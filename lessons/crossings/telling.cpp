@@ -4,6 +4,7 @@
 
 #include <cctype>
 
+#include "lessons/shared/line_question.h"
 #include "lessons/shared/questions.h"
 
 namespace isect::lessons::crossings_lesson {
@@ -60,16 +61,18 @@ void Teller::first_step() {
           special(setup_));
 }
 
-/// Misconceptions: a vertex counts as often as in the other rule; edges on the left count, too; all edges count.
 Question Teller::how_many(const std::string& rule, int counted) const {
   int closed = 0, edges = 0;
   for (const Ring<double, 2>& ring : setup_.polygon.rings) {
     closed += point_polygon::crossings_closed(setup_.p, ring);
     edges += static_cast<int>(ring.size());
   }
-  return which_value(
+  return which_count(
       rule + " How many edges count?", counted,
-      {1.0 * closed, 1.0 * setup_.truth.crossings, 1.0 * crossings_of_line(setup_), 1.0 * edges},
+      {{1.0 * closed, "That counts each edge with both its ends."},
+       {1.0 * setup_.truth.crossings, "That counts a vertex on the ray as below it."},
+       {1.0 * crossings_of_line(setup_), "That counts edges on the left of **p**, too."},
+       {1.0 * edges, "That counts all edges."}},
       "An edge counts if it is neither wholly above nor wholly below, and crosses the height of **p** on the right.");
 }
 
@@ -85,14 +88,15 @@ void Teller::meet(const EdgeOf& e, bool counts) {
   if (counts) script_.value("count", count_, {}, Role::hit);
 }
 
-void Teller::ask(Step& step, const EdgeOf& edge, const std::vector<int>& lines, const std::string& because) {
+void Teller::ask(const EdgeOf& edge, const std::vector<WrongLine>& wrong, const std::string& because) {
   if (asked_) return;
   asked_ = true;
   const auto [a, b] = ends(setup_, edge);
   const auto pair = [](const Point<double, 2>& v) { return fmt::format("({}, {})", shown(v.x()), shown(v.y())); };
-  step.question = which_line(fmt::format("**p** = {}. The next edge runs from {} to {}. Which line settles it?",
-                                         pair(setup_.p), pair(a), pair(b)),
-                             script_.walk().pseudocode, step.line, lines, because);
+  ask_for_line(script_.walk(),
+               fmt::format("**p** = {}. The next edge runs from {} to {}. Which line settles it?", pair(setup_.p),
+                           pair(a), pair(b)),
+               wrong, because);
   give_before(script_.walk(), {"count"});
 }
 

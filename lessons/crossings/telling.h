@@ -31,7 +31,7 @@ class Teller {
   std::string slug(const EdgeOf&) const;
   void meet(const EdgeOf&, bool counts);
   /// "Which line settles this edge?", asked the first time that a case needs thought.
-  void ask(viz::Step&, const EdgeOf&, const std::vector<int>& lines, const std::string& because);
+  void ask(const EdgeOf&, const std::vector<viz::WrongLine>& wrong, const std::string& because);
 
   const Setup& setup_;
   Script script_;

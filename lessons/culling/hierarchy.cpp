@@ -4,6 +4,7 @@
 
 #include "lessons/culling/culled.h"
 #include "lessons/shared/digits.h"
+#include "lessons/shared/line_question.h"
 #include "lessons/shared/plural.h"
 #include "lessons/shared/script.h"
 #include "viz/chart/chart.h"
@@ -105,9 +106,19 @@ class UnderHierarchy {
     const Vec3 at = middle(box);
     if (culling == Culling::outside)
       step.scene.items.emplace_back(Label{at, plane_names[v.answer.rejecting_plane()], Role::miss});
-    step.question = {fmt::format("The box of {} reaches from {} to {}. The frustum is {}. Where does the box lie?",
-                                 v.node == 0 ? "the root" : fmt::format("node {}", v.node), coordinates(box.lo),
-                                 coordinates(box.hi), inner_side(eye_)),
+    const std::string given = fmt::format("The box of {} reaches from {} to {}. The frustum is {}.",
+                                          v.node == 0 ? "the root" : fmt::format("node {}", v.node),
+                                          coordinates(box.lo), coordinates(box.hi), inner_side(eye_));
+    if (v.node != 0)
+      return ask_for_line(
+          script_.walk(), given + " Which line settles what is below it?",
+          {{1, "No plane has the whole box on its outer side."},
+           {2, "Not all of the box lies on the inner side of every plane."},
+           {3, culling == Culling::outside ? "The box lies beyond a plane, so nothing below it is asked."
+                                           : "The box lies inside, so nothing below it is asked."},
+           {4, "That line begins with the root."}},
+          "The same six planes decide as for any box.");
+    step.question = {given + " Where does the box lie?",
                      {"wholly outside", "wholly inside", "across the boundary"},
                      culling == Culling::outside  ? 0
                      : culling == Culling::inside ? 1

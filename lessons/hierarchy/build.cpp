@@ -4,6 +4,7 @@
 
 #include "lessons/hierarchy/large.h"
 #include "lessons/hierarchy/splits.h"
+#include "lessons/shared/order_question.h"
 #include "lessons/shared/plural.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
@@ -116,7 +117,7 @@ class Building {
     step.formula = fmt::format("cost = {} + (*P*_L *n*_L + *P*_R *n*_R) / *P* = {} + ({} · {} + {} · {}) / {} = {}",
                                options.visit, options.visit, perimeter(first), split.left, perimeter(first + 1),
                                split.right, perimeter(split.node), shown(cost));
-    if (number > 1) return;
+    if (number > 1) return ask_order(split, step);
     step.decides = true;
     const Vec2 size = tree_.node(0).box.hi - tree_.node(0).box.lo;
     step.question = Question{"Along which axis are the boxes split?",
@@ -133,6 +134,35 @@ class Building {
                             {"spread of centres on *y*", hi.y() - lo.y(), "length"}};
     keep_picture(script_.walk());
     if (!split.median) untried(split, cost);
+  }
+
+  /// Asks, at the first split with few boxes, for the order of their centres.
+  void ask_order(const bvh::Split<double>& split, Step& step) {
+    if (order_asked_ || split.left + split.right > 8) return;
+    const std::string axis = name_of(split.axis);
+    std::vector<InOrder> boxes;
+    std::vector<double> numbers, lower, across;
+    std::vector<Value> given;
+    for (const int i : tree_.below(split.node)) {
+      const Aabb<double, 2>& box = tree_.box(i);
+      const Vec2 centre = (box.lo + box.hi) / 2;
+      boxes.push_back({fmt::format("box {}", i), centre[split.axis]});
+      given.push_back({fmt::format("centre of box {} on {}", i, axis), centre[split.axis], "length"});
+      numbers.push_back(i), lower.push_back(box.lo[split.axis]), across.push_back(centre[1 - split.axis]);
+    }
+    step.question = which_order(
+        fmt::format("A part is split along {}. In which order do the centres of its boxes come there, from less to "
+                    "more?",
+                    axis),
+        boxes,
+        {{numbers, "That is the order of their numbers."},
+         {across, fmt::format("That is their order along {}.", name_of(1 - split.axis))},
+         {lower, "That is the order of their lower ends. Their centres are sorted."}},
+        "A cut parts the boxes by their centres: those before it, and those after it.");
+    if (!step.question) return;
+    order_asked_ = true;
+    step.question->given = std::move(given);
+    keep_picture(script_.walk());
   }
 
   /// Adds a step about the cheapest split of all boxes, where the builder has not tried it.
@@ -170,14 +200,17 @@ class Building {
                         ? "Each leaf holds " + plural(s.largest_leaf, "box")
                         : fmt::format("Leaves hold {} to {}", s.least_leaf, plural(s.largest_leaf, "box"))),
         nullptr)
-        // the leaves alone; a node for each pair of boxes
-        .question = which_value(fmt::format("How many nodes can a tree over {} boxes have at most?", n), 2 * n - 1,
-                                {n, 2 * n, n * (n - 1) / 2}, "A binary tree with *n* leaves has *n* − 1 inner nodes.");
+        .question = which_count(fmt::format("How many nodes can a tree over {} boxes have at most?", n), 2 * n - 1,
+                                {{n, "That counts the leaves alone."},
+                                 {2 * n, "That counts as many inner nodes as leaves."},
+                                 {n * (n - 1) / 2, "That counts the pairs of boxes."}},
+                                "A binary tree with *n* leaves has *n* − 1 inner nodes.");
   }
 
   const Tree tree_;
   Script script_;
   Drawn drawn_;
+  bool order_asked_ = false;
 };
 
 }  // namespace

@@ -54,7 +54,8 @@ const Closing& closing() {
           "Ray tracing on the CPU and in the GPU's own hardware, broad and mid phase of physics engines, culling, "
           "picking.",
       .bug =
-          "Returning the first hit that is found: the same leaf, or a node still to be opened, may hold a closer one.",
+          "Returning the first hit that is found: the same leaf, or a node still to be opened, may hold a closer one. "
+          "A rounded test that rejects a node wrongly loses all below it.",
       .bug_preset = "ray-back",
       .reading = {"Timothy Kay and James Kajiya, Ray Tracing Complex Scenes, *SIGGRAPH*, 1986, pages 269–278.",
                   "Jeffrey Goldsmith and John Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, *IEEE "

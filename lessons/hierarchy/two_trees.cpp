@@ -136,11 +136,13 @@ class Colliding {
     if (asked_) return;
     asked_ = true;
     const auto in_b = static_cast<double>(b_.below(e.a).size()), in_a = static_cast<double>(a_.below(e.b).size());
-    // only the nodes themselves; a sum for a product; all pairs there are
-    step.question = which_value(
+    step.question = which_count(
         fmt::format("A node of {} and one of {} lie apart. How many pairs of boxes does that rule out?",
                     plural(static_cast<long long>(in_a), "box"), plural(static_cast<long long>(in_b), "box")),
-        in_a * in_b, {1, in_a + in_b, static_cast<double>(a_.boxes.size() * b_.boxes.size())},
+        in_a * in_b,
+        {{1, "That counts the two nodes alone, and not the boxes below them."},
+         {in_a + in_b, "That adds the two numbers of boxes. Pairs take their product."},
+         {static_cast<double>(a_.boxes.size() * b_.boxes.size()), "That counts all pairs of the two trees."}},
         "Each box below one node pairs with each box below the other.");
     step.question->over = asking;
   }

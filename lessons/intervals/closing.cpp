@@ -27,11 +27,10 @@ const Closing& closing() {
       .result =
           "Intervals are closed sets. Two that are not empty meet if and only if *a*_{min} ≤ *b*_{max} and *b*_{min} ≤ "
           "*a*_{max}. What "
-          "they share is "
-          "[max of the lower ends, min of the upper ends].",
+          "they share is [max of the lower ends, min of the upper ends].",
       .cost =
           "Two comparisons at most, one if the first finds a gap, no arithmetic. So the answer is exact, unless an "
-          "interval is empty.",
+          "interval is empty or has a NaN.",
       .choose =
           "By endpoints where only yes or no is needed. By larger lower and smaller upper end where the common part is "
           "needed, or where branches are costly.",
@@ -54,7 +53,9 @@ const Closing& closing() {
            b_inside_a,
            {{"b_max", "1"}}},
           {"Derive the test for overlap by negating *a*_{min} > *b*_{max} or *b*_{min} > *a*_{max}.",
-           "De Morgan: *a*_{min} ≤ *b*_{max} and *b*_{min} ≤ *a*_{max}. Both > become ≤, and \"or\" becomes \"and\"."},
+           "De Morgan: *a*_{min} ≤ *b*_{max} and *b*_{min} ≤ *a*_{max}. Both > become ≤, and \"or\" becomes \"and\".\n"
+           "That holds for numbers. With a NaN neither > nor ≤ holds: the first form then says OVERLAP, the second one "
+           "not."},
           {"Allen counts 13 relations of two proper intervals. Which of them are one relation here?",
            "Disjoint: before, after. Touching: meets, met by. Overlapping: overlaps, overlapped by.\n"
            "a inside b: starts, during, finishes. b inside a: started by, contains, finished by. Equals stands alone."},

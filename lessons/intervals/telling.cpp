@@ -30,15 +30,15 @@ std::string they(const Setup& s) { return points(s) ? "the points" : "the interv
 std::string alt(const Setup& s) {
   if (points(s))
     return "Two points on a number line, a at " + digits(s.a.lo, s.b.lo) + " and b at " + digits(s.b.lo, s.a.lo) +
-           ": " + words(s.truth, they(s)) + ".";
+           ": " + relation_words(s.truth, they(s)) + ".";
   const auto end = [&](double x) {
     for (const double other : {s.a.lo, s.a.hi, s.b.lo, s.b.hi})
       if (digits(x, other) != shown(x)) return digits(x, other);
     return shown(x);
   };
   const auto ends = [&](const Interval<double>& i) { return " from " + end(i.lo) + " to " + end(i.hi); };
-  return "Two intervals above a number line, a" + ends(s.a) + " and b" + ends(s.b) + ": " + words(s.truth, they(s)) +
-         ".";
+  return "Two intervals above a number line, a" + ends(s.a) + " and b" + ends(s.b) + ": " +
+         relation_words(s.truth, they(s)) + ".";
 }
 
 class Teller {
@@ -50,7 +50,7 @@ class Teller {
     script_.tell<interval_interval::Event<C>>(
         [&](auto& record) { interval_interval::ends(cast<C>(s_.a), cast<C>(s_.b), record); },
         [&](const auto& event) { say(event); });
-    script_.settle(verdict_kind(s_.truth), words(s_.truth, they(s_)));
+    script_.settle(verdict_kind(s_.truth), relation_words(s_.truth, they(s_)));
     if (line_ < 4) script_.leave_early();
     Step& step = script_.add("relation", "How they relate", line_, end_caption(), end_formula());
     step.scene = picture(s_, {}, true);

@@ -121,10 +121,13 @@ class BallsTeller : Teller {
                  : delta < 0 ? std::string("It is negative: the line passes by.")
                              : std::string("It is zero: the line touches the expanded ball.")),
             "*Δ* = *B*^2 − *A* *C* = " + shown(delta));
-    // with the full B; a sign lost; A left out; where rounding turns its sign the numbers shown do not give it
+    // Where rounding turns its sign the numbers shown do not give it.
     if (sign(delta) == s_.signs.discriminant) {
       step.question =
-          which_value("What is the discriminant *Δ*?", delta, {b_ * b_ - 4 * a * c_, b_ * b_ + a * c_, b_ * b_ - c_},
+          which_value("What is the discriminant *Δ*?", delta,
+                      {{b_ * b_ - 4 * a * c_, "The factor 4 belongs to the full coefficient, and *B* is half of it."},
+                       {b_ * b_ + a * c_, "That adds *A* *C*. It is subtracted."},
+                       {b_ * b_ - c_, "That leaves out *A*."}},
                       "*B* is half the coefficient of *t*, so there is no factor 4.");
       step.question->given = {{"*A*", a}, {"*B*", b_}, {"*C*", c_}};
     }

@@ -83,10 +83,10 @@ class BoxesTeller : Teller {
                          std::string(times.lo < 0 ? "\nA negative time is one before the motion began." : ""),
                      "*t*_1 = " + shown(times.lo) + ", *t*_2 = " + shown(times.hi));
     if (!(times.lo > 0)) return;
-    // from centre to centre; until the far sides part; the gap, not divided
     const double d = s_.d()[i], gap = std::max(b.lo - a.hi, a.lo - b.hi);
-    std::vector<double> wrong = {std::abs((s_.b - s_.a)[i] / d), times.hi};
-    if (gap < 100 * times.lo) wrong.push_back(gap);
+    std::vector<WrongNumber> wrong = {{std::abs((s_.b - s_.a)[i] / d), "That is from centre to centre."},
+                                      {times.hi, "That is when the far sides part."}};
+    if (gap < 100 * times.lo) wrong.push_back({gap, "That is the gap itself, not divided by the speed."});
     step.question = which_value(
         fmt::format("On {} a reaches from {} to {}, b from {} to {}. Seen from a, b moves there by {} a second. When "
                     "do these extents meet?",

@@ -64,8 +64,8 @@ class ConservativeTeller : Teller {
       add("distance", "The distance at first", 2,
           s_.signs.apart > 0
               ? "The balls are as far apart as their centres, less both radii.\nFor other convex bodies an algorithm "
-                "such as "
-                "GJK finds the distance. Bodies that turn need a higher bound on the speed."
+                "such as GJK finds the distance.\n"
+                "Bodies that turn need a higher bound: their angular speed times their reach is added."
               : "The centres are no farther apart than both radii reach: the balls share a point already.");
     if (e.near)
       decide("near", "Within the tolerance?", 3, "The distance is within the tolerance *ε*: here the method stops.",
@@ -120,11 +120,13 @@ class ConservativeTeller : Teller {
         add(fmt::format("advance-{}", advances_), fmt::format("Advance {}", advances_), 8, caption,
             fmt::format("*t* = {} + {} / {} = {}", shown(before), shown(distance_), shown(speed_), shown(time_)));
     if (advances_ > 1) return;
-    // multiplied; not divided; half of it, to be safe
     step.question = which_value(fmt::format("The distance is {}, and it falls by at most {} a second. What is the "
                                             "longest step that surely passes no contact?",
                                             shown(distance_), shown(speed_)),
-                                time_, {distance_ * speed_, distance_, time_ / 2},
+                                time_,
+                                {{distance_ * speed_, "That multiplies. Divide the distance by the speed."},
+                                 {distance_, "That is the distance, not divided by the speed."},
+                                 {time_ / 2, "That is safe, but half of the longest step."}},
                                 "Before distance / speed has passed, the distance cannot close.");
   }
 

@@ -98,13 +98,15 @@ class DiscreteTeller : Teller {
     const Vector<double, 2> d = s_.d();
     if ((d[0] == 0) == (d[1] == 0)) return;
     const double speed = std::abs(d[0] + d[1]), a = 2 * s_.r_a, b = 2 * s_.r_b;
-    // one box is taken for a point, or the speed of one body for that of both
-    const double other = s_.v_b.norm() > 0 ? s_.v_b.norm() : 2 * speed;
+    const double v_b = s_.v_b.norm(), other = v_b > 0 ? v_b : 2 * speed;
     step.question = which_value(
         fmt::format("Box a is {} wide, box b {}. Seen from a, b moves by {} a second along an axis. For how long do "
                     "they share points?",
                     shown(a), shown(b), shown(speed)),
-        length, {a / speed, (a + b) / other, 2 * length},
+        length,
+        {{a / speed, "That takes box b for a point."},
+         {(a + b) / other, v_b > 0 ? "That divides by the speed of b alone." : "That divides by twice the speed."},
+         {2 * length, "That is twice as long."}},
         "From the first contact to the last, b moves by both widths together.");
     keep_picture(script_.walk());
   }

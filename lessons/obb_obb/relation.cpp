@@ -16,7 +16,7 @@ bool one_is_flat(const Setup& s) { return (s.a.half.array() == 0).any() || (s.b.
 
 }  // namespace
 
-std::string in_words(Relation r) { return words(r, "the boxes"); }
+std::string in_words(Relation r) { return relation_words(r, "the boxes"); }
 
 void Teller::relation() {
   script_.settle(verdict_kind(s_.truth), in_words(s_.truth));

@@ -131,7 +131,6 @@ viz::Question Teller::question(const Group& group, const Compared& e) const {
         {},
         {{"*d* = |**n** · **l**|", d, "length", Role::highlight}, {"*r*_a + *r*_b", r_a + r_b, "length", Role::text}}};
   }
-  // All half sides in full, the circumscribed ball, the longest side alone, and the sum without absolute values.
   const Vec3 along = s_.b.axes.transpose() * s_.a.axes.col(e.axis.i);
   const Vec3& h = s_.b.half;
   const double reach = h.dot(along.cwiseAbs());
@@ -141,7 +140,11 @@ viz::Question Teller::question(const Group& group, const Compared& e) const {
                               "What is *r*_b{}?",
                               name_of(e.axis), shown(std::abs(along.x())), shown(std::abs(along.y())),
                               shown(std::abs(along.z())), widened ? ", before ε is added" : ""),
-                  reach, {h.sum(), h.norm(), h.maxCoeff(), std::abs(h.dot(along))},
+                  reach,
+                  {{h.sum(), "That adds the half-lengths in full. Each counts times |**b**_j · **n**|."},
+                   {h.norm(), "That is the radius of the circumscribed ball."},
+                   {h.maxCoeff(), "That is the longest half-length alone."},
+                   {std::abs(h.dot(along)), "That adds without the absolute values, so terms cancel."}},
                   widened ? "*r*_b = Σ *h*_j |**b**_j · **n**|. Then ε is added to each |**b**_j · **n**|."
                           : "*r*_b = Σ *h*_j |**b**_j · **n**|, where ε is added to each |**b**_j · **n**|.");
   question.given = {{"*h*_u of b", h.x(), "length", Role::second},

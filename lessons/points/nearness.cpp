@@ -88,13 +88,15 @@ class Nearness {
       step.comparison = Comparison{name + " ≤ " + limit, left, right, s.near, "this test says " + word(s.near)};
     if (method == 0) {
       const auto says_near = std::ranges::count_if(said_, [](const Said& x) { return x.near; });
-      // 0 and 4: that all ways to write the test are one.
-      step.question = which_value(
-          "Four methods, the exact one included. How many say NEAR?", static_cast<double>(says_near), {0, 1, 4},
-          says_near == 4 ? "All accept it: no rounding, and no corner of the cube, tells them apart here."
-          : says_near == 0 && s_.is_nan ? "All reject it: a comparison with what is not a number fails."
-          : says_near == 0              ? "All reject it: it lies outside the cube, and so outside the ball."
-                                        : why_they_part());
+      step.question =
+          which_count("Four methods, the exact one included. How many say NEAR?", static_cast<double>(says_near),
+                      {{0, "At least one of them accepts it."},
+                       {1, says_near == 0 ? "None of them accepts it." : "More than one of them accepts it."},
+                       {4, "At least one of them rejects it."}},
+                      says_near == 4 ? "All accept it: no rounding, and no corner of the cube, tells them apart here."
+                      : says_near == 0 && s_.is_nan ? "All reject it: a comparison with what is not a number fails."
+                      : says_near == 0 ? "All reject it: it lies outside the cube, and so outside the ball."
+                                       : why_they_part());
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include <isect/methods/ray_sphere.h>
 #include "lessons/ray_sphere/telling.h"
+#include "lessons/shared/order_question.h"
 #include "lessons/shared/questions.h"
 
 namespace isect::lessons::ray_sphere_lesson {
@@ -109,18 +110,22 @@ class HainesTeller : Teller {
 
   void say(const PassingDistance<C>& e) {
     known_.passing = true;
+    m2_ = e.m2.value;
     script_.value("*m*^2", e.m2.value, "area");
     add("passing-distance", "How near the line passes", 5,
         std::string("By Pythagoras, *l*^2 and *s*^2 give *m*, the distance of the line from the centre.") +
             (e.m2.value < 0 ? " Rounding has made the square negative." : ""),
         Focus::passing, "*m*^2 = *l*^2 − *s*^2 = " + shown(e.m2.value))
-        // s is not squared; r is taken for s; the sign of Pythagoras
-        .question = which_value("What is *m*^2?", e.m2.value,
-                                {l2_ - s_, l2_ - setup_.sphere.radius * setup_.sphere.radius, l2_ + s_ * s_},
-                                "*m* and *s* are the legs of a right triangle, and *l* is its hypotenuse.");
+        .question =
+        which_value("What is *m*^2?", e.m2.value,
+                    {{l2_ - s_, "That subtracts *s*, and not *s*^2."},
+                     {l2_ - setup_.sphere.radius * setup_.sphere.radius, "That subtracts *r*^2, and not *s*^2."},
+                     {l2_ + s_ * s_, "That adds *s*^2. The hypotenuse is *l*, so it is subtracted."}},
+                    "*m* and *s* are the legs of a right triangle, and *l* is its hypotenuse.");
   }
 
   void say(const PassesBy<C>& e) {
+    r2_ = e.r2.value;
     const bool tangent = line_roots() == 1;
     Step& step = add("passes-by", "Does the line meet the ball?", 6,
                      e.holds != (line_roots() == 0)   ? astray_line()
@@ -141,12 +146,30 @@ class HainesTeller : Teller {
   void say(const HalfChord<C>& e) {
     known_.half_chord = true;
     script_.value("*q*", e.q.value, "length");
-    add("half-chord", "Half the chord", 8,
-        e.q.value > 0
-            ? "Inside the ball the line runs equally far before and after the foot of the perpendicular.\n"
-              "That distance, half the chord, is *q*. Its square root is the only one once **d** has length 1."
-            : "The foot of the perpendicular is the only common point, so *q*, half the chord, is 0.",
-        Focus::half_chord, "*q* = √(*r*^2 − *m*^2) = " + shown(e.q.value));
+    Step& step =
+        add("half-chord", "Half the chord", 8,
+            e.q.value > 0
+                ? "Inside the ball the line runs equally far before and after the foot of the perpendicular.\n"
+                  "That distance, half the chord, is *q*. Its square root is the only one once **d** has length 1."
+                : "The foot of the perpendicular is the only common point, so *q*, half the chord, is 0.",
+            Focus::half_chord, "*q* = √(*r*^2 − *m*^2) = " + shown(e.q.value));
+    step.question = order_of_t(e.q.value);
+  }
+
+  /// Asks in which order the origin, the foot and both roots come along the line.
+  std::optional<Question> order_of_t(double q) const {
+    const std::vector<double> t = {0, s_, s_ - q, s_ + q};
+    std::vector<double> backwards;
+    for (const double x : t) backwards.push_back(-x);
+    std::optional<Question> question =
+        which_order("Half the chord is *q* = √(*r*^2 − *m*^2). In which order do these *t* come along **d**?",
+                    {{"0", t[0]}, {"*s*", t[1]}, {"*s* − *q*", t[2]}, {"*s* + *q*", t[3]}},
+                    {{{0, 2, 1, 3}, "That holds where a ball lies ahead of an origin outside."},
+                     {{1, 2, 0, 3}, "That holds where the origin lies inside, and the centre ahead."},
+                     {backwards, "That goes against **d**."}},
+                    "The foot lies half way between the roots, and *t* = 0 is the origin.");
+    if (question) question->given = {{"*s*", s_, "length"}, {"*m*^2", m2_, "area"}, {"*r*^2", r2_, "area"}};
+    return question;
   }
 
   void say(const FromOutside<C>& e) {
@@ -243,7 +266,7 @@ class HainesTeller : Teller {
   int line_roots() const { return setup_.truth.line_roots; }
 
   bool from_outside_ = false;
-  double s_ = 0, l2_ = 0;
+  double s_ = 0, l2_ = 0, m2_ = 0, r2_ = 0;
 };
 
 }  // namespace

@@ -120,10 +120,12 @@ class QuadraticTeller : Teller {
                 "**f** − (**f** · **d**)^2 / *A*.\n"
                 "So its sign gives the number of real roots.",
         Focus::passing, (half_ ? "*Δ* = *B*^2 − *A* *C* = " : "*Δ* = *B*^2 − 4 *A* *C* = ") + shown(e.d.value))
-        // the two forms are mixed; a sign is lost; the discriminant is taken for its root
         .question = which_value(
         "What is the discriminant *Δ*?", e.d.value,
-        {square - (half_ ? 4 : 1) * product, square + (half_ ? 1 : 4) * product, std::sqrt(std::abs(e.d.value))},
+        {{square - (half_ ? 4 : 1) * product, half_ ? "The factor 4 belongs to the full *B*."
+                                                    : "That leaves out the factor 4. Only half of *B* cancels it."},
+         {square + (half_ ? 1 : 4) * product, "That adds the product of *A* and *C*. It is subtracted."},
+         {std::sqrt(std::abs(e.d.value)), "That is a root: *Δ* is what stands under it."}},
         half_ ? "With half of *B*, the factor 4 cancels." : "The full *B* takes the factor 4.");
   }
 
@@ -229,7 +231,7 @@ class QuadraticTeller : Teller {
 
   /// Whether the two terms of a root cancel, in how many digits, and the form in which they do not.
   std::string cancellation(bool first, double t) const {
-    if (b_ == 0) return "*B* is 0, so there is nothing to cancel.";
+    if (b_ == 0) return "*B* is 0, so there is nothing to cancel. Stable roots may begin with either one.";
     if (first != (b_ < 0)) return "−*B* and the square-root term have the same sign, so they do not cancel.";
     if (c_ == 0) return "As *C* = 0, the two terms are equal and cancel exactly: this root is 0.";
     const double rest = std::abs(std::abs(b_) - root_), truth = first ? setup_.truth.roots.lo : setup_.truth.roots.hi;

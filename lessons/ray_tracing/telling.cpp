@@ -158,12 +158,14 @@ class Teller {
                            : "*I* = *I*_a + (1 − *I*_a) **n** · **l** = " + shown(s_.traced.brightness) +
                                  ", ambient light *I*_a = " + shown(ambient));
     s.decides = true;
-    // misconceptions: the ray goes on beyond the light; every object counts
-    s.question = which_value(
+    s.question = which_count(
         fmt::format("How many {}objects does the segment from the point {} to the light source, {}, meet?",
                     s_.start == ShadowRay::naive ? "" : "other ", coordinates(s_.traced.point), coordinates(s_.lamp)),
         between(1),
-        {1.0 * between(INFINITY), between(1) > 0 ? 0.0 : 1.0, static_cast<double>(s_.world.objects.size()) - 1},
+        {{1.0 * between(INFINITY), "That counts objects beyond the light source, too."},
+         {between(1) > 0 ? 0.0 : 1.0,
+          between(1) > 0 ? "At least one object lies in between." : "No object lies in between."},
+         {static_cast<double>(s_.world.objects.size()) - 1, "That counts objects wherever they lie."}},
         "The range is 0 ≤ *t* ≤ 1. The search may stop at the first one found.");
     keep_picture(script_.walk());
     const Vec3& from = s_.traced.point;
@@ -176,7 +178,8 @@ class Teller {
     if (s_.acne)
       return "After rounding, the point lies on or in its own object, which then seems to shadow it: *shadow acne*.\n"
              "The brightness *I* falls to the ambient light *I*_a alone.\n"
-             "Remedies: leave the object out if it is convex, or start the ray a little off the surface.";
+             "Remedies: leave the object out if it is convex, or start the ray a little off the surface.\n"
+             "A little is several spacings of floats there: a constant is too small far out, too large nearby.";
     if (s_.traced.blocker)
       return "Something blocks the light: the brightness *I* is ambient light *I*_a alone. Which object it is does not "
              "matter.\n"

@@ -106,9 +106,12 @@ class Flight {
             : seen == 1 ? "A program that tests frame by frame sees the bullet in the wall, at one of the two times."
                         : "A program that tests frame by frame sees the bullet in the wall, both times.");
     step.decides = true;
-    step.question =
-        which_value("How many of the two tests, at *t* = 0 and *t* = Δ*t*, find the bullet in the wall?",
-                    static_cast<double>(seen), {0, 1, 2}, "Each test looks at one point of the way, and at no other.");
+    step.question = which_count(
+        "How many of the two tests, at *t* = 0 and *t* = Δ*t*, find the bullet in the wall?", static_cast<double>(seen),
+        {{0, "At least one of the two tests finds it."},
+         {1, seen == 0 ? "Both tests look at a point outside the wall." : "Both tests find it."},
+         {2, "At least one of the two tests looks at a point outside the wall."}},
+        "Each test looks at one point of the way, and at no other.");
   }
 
   void segment() {

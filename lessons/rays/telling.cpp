@@ -4,6 +4,7 @@
 
 #include <isect/methods/ray_plane.h>
 #include "lessons/rays/picture.h"
+#include "lessons/shared/line_question.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/script.h"
 
@@ -40,13 +41,12 @@ class Teller {
  public:
   explicit Teller(const Setup& setup)
       : s_(setup),
-        pseudocode_(pseudocode(setup)),
         script_({"Lecture note Intersection Detection, rays, and ray against plane",
                  fmt::format("A {} and a wall at x = {}: {}.", s_.extent, shown(s_.wall),
                              s_.truth.coplanar ? "it lies in the wall"
                              : s_.truth.meets  ? "they meet at t = " + shown(*s_.truth.t) + unit_of_t(s_)
                                                : "they do not meet"),
-                 pseudocode_,
+                 pseudocode(setup),
                  s_.made == Made::points ? "two points"
                  : s_.made == Made::unit ? "unit direction"
                                          : "point and direction"}) {}
@@ -157,8 +157,11 @@ class Teller {
     known_.wall = known_.hit = true;
     script_.value("*t*", t);
     const double length = s_.made == Made::unit ? s_.d.head<2>().norm() : s_.ray.direction.norm();
-    std::vector<double> misconceived = {t * length, s_.plane.normal.dot(s_.ray.origin) + s_.plane.d};
-    if (t != 0) misconceived.push_back(-t);  // the sign forgotten; before: a distance, and the numerator alone
+    std::vector<WrongNumber> wrong = {
+        {t * length, s_.made == Made::unit ? "The direction is a unit vector: no length comes in."
+                                           : "That is a distance. *t* counts in lengths of the direction."},
+        {s_.plane.normal.dot(s_.ray.origin) + s_.plane.d, "That is **n** · **o** + *D*, neither negated nor divided."}};
+    if (t != 0) wrong.push_back({-t, "The minus sign before **n** · **o** + *D* is lost."});
     Step& step = add("wall", "Where the line meets the wall", 4,
                      fmt::format("The wall is the plane **n** · **x** + *D* = 0 with **n** = (1, 0) and *D* = {}. The "
                                  "line meets it at one *t*{}. The range decides whether it counts.",
@@ -168,7 +171,7 @@ class Teller {
         fmt::format("**o** = ({}, {}) and **{}** = ({}, {}). At which *t* does the line meet the wall *x* = {}?",
                     shown(s_.ray.origin.x()), shown(s_.ray.origin.y()), letter(s_), shown(s_.ray.direction.x()),
                     shown(s_.ray.direction.y()), shown(s_.wall)),
-        t, misconceived,
+        t, wrong,
         fmt::format("**n** = (1, 0) and *D* = {}: substitute **r**(*t*) into **n** · **x** + *D* = 0 and "
                     "solve for *t*.",
                     shown(-s_.wall)));
@@ -197,12 +200,15 @@ class Teller {
     if (std::isfinite(end) && holds == meets)  // else rounding hides the difference
       Script::decide(step, {below ? "*t* < *t*_{min}" : "*t* > *t*_{max}", t, end, !meets,
                             meets ? "in the range" : "outside the range"});
-    step.question = which_line("Which line returns the answer?", pseudocode_, line, {5, 6},
-                               meets ? "Its *t* lies in the range." : "Its *t* lies outside the range.");
+    ask_for_line(script_.walk(), "Which line returns the answer?",
+                 {{3, "The line is not parallel to the wall."},
+                  {4, "That line computes *t*, and returns nothing."},
+                  {5, "Its *t* does not lie outside the range."},
+                  {6, "Its *t* lies outside the range."}},
+                 meets ? "Its *t* lies in the range." : "Its *t* lies outside the range.");
   }
 
   const Setup& s_;
-  const std::vector<std::string> pseudocode_;
   Script script_;
   Shown known_;
 };

@@ -76,7 +76,7 @@ Walk page_of_all(const Pose& pose) {
   std::string alt = "Four pairs in one pose";
   for (const Kind kind : kinds) {
     const Pair pair(kind, pose, two_by_two);
-    insets.push_back({drawn(pair, true), name(kind), words(pair.truth, "they"),
+    insets.push_back({drawn(pair, true), name(kind), relation_words(pair.truth, "they"),
                       verdict_kind(pair.truth) == Verdict::Kind::no ? Role::miss : Role::hit});
     found.insert(pair.truth);
     alt += (kind == kinds[0] ? ": " : ", ") + name(kind) + " " + relation_name(pair.truth);
@@ -91,9 +91,13 @@ Walk page_of_all(const Pose& pose) {
                                                  "Both count: what shape the two sets have, and where they are.",
                                                  found.size()));
   same.scene.items = centred(insets, 2);
-  // 1: that the pose alone decides; 4: that each shape is a case of its own.
-  same.question = which_value("One pose, four kinds of shape. How many different relations?",
-                              static_cast<double>(found.size()), {1, 2, 3, 4}, "The exact test of each kind decides.");
+  std::vector<WrongNumber> wrong = {{1, "The pose alone does not decide: the shapes matter, too."}};
+  for (const std::size_t k : {2u, 3u, 4u})
+    wrong.push_back({static_cast<double>(k), k < found.size()
+                                                 ? "Two of those that you take for alike differ."
+                                                 : "Some of those that you take for different are alike."});
+  same.question = which_count("One pose, four kinds of shape. How many different relations?",
+                              static_cast<double>(found.size()), wrong, "The exact test of each kind decides.");
   const Ball& b = std::get<Ball>(same.scene.items[1]);
   same.scene.handles = {{.parameter = "b",
                          .kind = Handle::Kind::vector,

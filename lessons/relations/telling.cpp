@@ -41,7 +41,7 @@ class Teller {
         pose_(pose),
         they_(they(kind)),
         script_({"Lecture note Intersection Detection, spatial relationships",
-                 fmt::format("Two {}, a and b: {}.", name(kind), words(pair_.truth, they_)), note_pseudocode,
+                 fmt::format("Two {}, a and b: {}.", name(kind), relation_words(pair_.truth, they_)), note_pseudocode,
                  name(kind)}) {}
 
   Walk tell() {
@@ -98,7 +98,7 @@ class Teller {
   }
 
   /// Sets the verdict, which the next step shows.
-  void settle() { script_.settle(verdict_kind(pair_.truth), words(pair_.truth, they_)); }
+  void settle() { script_.settle(verdict_kind(pair_.truth), relation_words(pair_.truth, they_)); }
 
   void yes_or_no() {
     Step& step = add(
@@ -111,9 +111,12 @@ class Teller {
                        "The note calls it exclusion.",
         Focus::none, pair_.meet ? "a ∩ b ≠ ∅" : "a ∩ b = ∅");
     step.decides = true;
-    // 1 after a yes: that "they meet" means "they overlap"; 2: the note's partial intersection and containment.
-    step.question = which_value(
-        "A test decides whether they have a common point. How many of the six relations remain?", alike(), {1, 2, 5},
+    step.question = which_count(
+        "A test decides whether they have a common point. How many of the six relations remain?", alike(),
+        {{1, "A common point does not mean that they overlap. They may touch, or one may contain the other."},
+         {2, pair_.meet ? "Those are partial intersection and containment. Touching and equality remain, too."
+                        : "Of the six relations only disjoint has no common point."},
+         {5, "Those five have a common point."}},
         pair_.meet ? "They share a point, which rules out only disjoint."
                    : "They share no point, so they are disjoint.");
     if (!pair_.meet) script_.leave_early();

@@ -77,7 +77,9 @@ class Derivation {
         "Each result is rounded to the nearest double: fl(*x* − *y*) = (*x* − *y*)(1 + *δ*). Likewise a sum or a "
         "product.\n"
         "*δ* is its relative error: in size at most *u* = 2^{−53}, about 1.1 · 10^{−16}, if nothing over- or "
-        "underflows.\n" +
+        "underflows. A tie goes to the double whose last bit is 0.\n"
+        "Compilers may fuse a product and a sum, which then round once. Of two equal products one is rounded then, and "
+        "their difference need not be 0. This program forbids it.\n" +
             std::string(o.error == 0 ? "This difference is a double itself, so *δ* is 0."
                                      : "This difference is no double, so it is rounded."),
         names[0] + " = " + shown(o.value) + ", *δ* = " + in_u(o.delta));
@@ -135,8 +137,9 @@ class Derivation {
                                  (run_.tiny() ? "\nHere *size* counts each product as 2^{−960} at least." : ""),
                              has_sign ? "*det* = " + shown(run_.det.value) : "");
     step.scene = bounds({bounded(run_.det, "*det*")}, "*bound*");
-    // 3: without the last difference; 7: that every rounding touches every product.
-    step.question = which_value("How many roundings touch each of the two products, once *det* is found?", 4, {3, 7},
+    step.question = which_count("How many roundings touch each of the two products, once *det* is found?", 4,
+                                {{3, "That leaves out the last difference."},
+                                 {7, "That counts all 7 operations. Three of them touch the other product alone."}},
                                 "Two differences, the product itself, the last difference: 4 of the 7 operations.");
   }
 

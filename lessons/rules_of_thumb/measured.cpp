@@ -10,6 +10,7 @@
 #include "bench/prose.h"
 #include "bench/rows.h"
 #include "lessons/rules_of_thumb/experiment.h"
+#include "lessons/shared/order_question.h"
 #include "lessons/shared/script.h"
 #include "lessons/speed_against_error/results.h"
 #include "viz/chart/chart.h"
@@ -119,17 +120,24 @@ class Measuring {
     return std::max(a, b) / std::min(a, b) > 1 + speed_against_error_lesson::results().machine.noise;
   }
 
-  Question question() const {
+  /// Asks for the order of the methods by time; those that differ by no more than the noise come in any order.
+  std::optional<Question> question() const {
     std::vector<Method> sorted = methods_;
     std::ranges::sort(sorted, {}, &Method::ns);
-    const bool clear = differ(sorted[0].ns, sorted[1].ns);
-    Question q = {"Which is the fastest, measured on ordinary cases?", {}, 0, ""};
-    for (const Method& m : methods_) q.choices.push_back(m.name);
-    q.choices.emplace_back("unknown: they differ by less than the noise");
-    const auto fastest = std::ranges::min_element(methods_, {}, &Method::ns);
-    q.answer = static_cast<int>(clear ? fastest - methods_.begin() : 3);
-    q.because = fmt::format("The two least times are {} ns and {} ns.", shown(sorted[0].ns), shown(sorted[1].ns));
-    return q;
+    std::vector<InOrder> things;
+    std::vector<double> counts;
+    double place = 0;
+    std::string times;
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+      if (i > 0 && differ(sorted[i - 1].ns, sorted[i].ns)) ++place;
+      things.push_back({sorted[i].name, place});
+      counts.push_back(sorted[i].operations);
+      times += fmt::format("{}{} ns", i == 0 ? "" : i + 1 < sorted.size() ? ", " : " and ", shown(sorted[i].ns));
+    }
+    return which_order(
+        "Sort these methods by the time measured on ordinary cases, from less to more. Times that differ "
+        "by less than the noise count as equal.",
+        things, {{counts, "That is the order of their operations."}}, fmt::format("The times are {}.", times));
   }
 
   /// A sentence on the method whose time differs most from its predicted time, and on the tweak that the note warns of.

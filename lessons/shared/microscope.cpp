@@ -70,9 +70,9 @@ Keys::Keys(Scene& scene) : scene_(scene), y_(bottom + side - 0.4) {}
 
 void Keys::add(Role ink, const std::string& text) {
   const Vec3 corner = {left + side + 0.45, y_ + 0.16, 0};
+  const bool pale = ink == Role::highlight || ink == Role::grid;
   scene_.items.emplace_back(Raster{corner, {0.32, 0, 0}, {0, -0.32, 0}, 1, {{ink, {}}}, true});
-  scene_.items.emplace_back(
-      Heading{{left + side + 0.95, y_, 0}, text, ink == Role::highlight ? Role::text : ink, 3.1, false, 0});
+  scene_.items.emplace_back(Heading{{left + side + 0.95, y_, 0}, text, pale ? Role::text : ink, 3.1, false, 0});
   y_ -= 0.6;
 }
 

@@ -9,7 +9,7 @@
 namespace isect::lessons {
 
 /// "the boxes touch": for verdicts and alt texts; `they` are the two sets.
-inline std::string words(Relation r, const std::string& they) {
+inline std::string relation_words(Relation r, const std::string& they) {
   switch (r) {
     case Relation::disjoint:
       return they + " are disjoint";

@@ -81,15 +81,18 @@ void Teller::front() {
     return std::ranges::any_of(rows, [&](const Row* other) { return other != r && !differ(r->ns, other->ns); });
   };
   if (std::ranges::any_of(rows, unclear)) return;
-  // one: that only the fastest counts; all: that each has its use
   const double kept = static_cast<double>(front.size()), all = static_cast<double>(rows.size());
   std::vector<std::string> names;
   for (const Row* r : front) names.push_back(name_of(*r));
-  step.question = which_value(
+  step.question = which_count(
       fmt::format("A method is dominated if another is no slower and no less accurate, and better in one of both. How "
                   "many of the {} are not?",
                   rows.size()),
-      kept, {1, std::min(kept + 1, all), all}, sentence(listed(names)) + ".");
+      kept,
+      {{1, "That counts one alone. One that is slower, but more accurate, is not dominated by it."},
+       {std::min(kept + 1, all), "At least one of these is dominated."},
+       {all, "That counts every method, but some are dominated."}},
+      sentence(listed(names)) + ".");
   keep_picture(script_.walk());
 }
 

@@ -7,6 +7,7 @@
 
 #include <isect/methods/sphere_aabb.h>
 #include "lessons/shared/digits.h"
+#include "lessons/shared/line_question.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/relation.h"
 #include "lessons/shared/script.h"
@@ -65,23 +66,39 @@ class Teller {
     const int line = gap == 0 ? 0 : e.center.value < e.interval.lo.value ? 1 : 2;
     Step& step = add("axis-" + letter, "How far on " + axis + "?", line, axis_caption(e.axis, line, before),
                      e.axis == 0 && gap == 0 ? "*d*^2 = 0" : formula);
-    // The gap itself: that distances, not squares, add up. The rest: that the far side or the middle counts.
     const Interval<double> i = {e.interval.lo.value, e.interval.hi.value};
     const double c = e.center.value, middle = c - (i.lo + i.hi) / 2, far = std::max(c - i.lo, i.hi - c);
     if (e.axis == 0)
       step.question = which_value(
           fmt::format("On {0} the box reaches from {1} to {2}, and **c** has {3}. What does {0} add to *d*^2?", axis,
                       shown(i.lo), shown(i.hi), shown(c)),
-          gap * gap, {std::abs(gap), middle * middle, far * far},
+          gap * gap,
+          {{std::abs(gap), "That is the gap. Its square is added."},
+           {middle * middle, "That measures from the middle of the box."},
+           {far * far, "That measures from the farther end of the interval."}},
           gap == 0 ? "The box's interval contains the coordinate of **c**: nothing is added."
                    : "The square of the gap between **c** and the nearer end.");
+    if (e.axis == 1 && gap != 0)
+      ask_for_line(
+          script_.walk(),
+          fmt::format("On {} the box reaches from {} to {}, and **c** has {}. Which line adds the square of the gap?",
+                      axis, shown(i.lo), shown(i.hi), shown(c)),
+          {{0, "That line begins with 0 and goes from axis to axis."},
+           {1, "**c** does not lie below the interval's lower end."},
+           {2, c > i.hi ? "The condition of the line before it holds already."
+                        : "**c** does not lie above the interval's upper end."},
+           {3, "That line compares the sum with *r*^2, after all axes."}},
+          line == 1 ? "**c** lies below the interval's lower end." : "**c** lies above the interval's upper end.");
     gaps_ += std::abs(gap), largest_ = std::max(largest_, gap * gap);
-    // the square of the sum; the largest gap alone; the distance itself
     if (e.axis == 2 && gap != 0) {  // else the sum so far is the answer
       step.question = which_value(
           fmt::format("On {} the box reaches from {} to {}, and **c** has {}. What is *d*^2 after all three axes?",
                       axis, shown(i.lo), shown(i.hi), shown(c)),
-          distance2_, {gaps_ * gaps_, largest_, std::sqrt(distance2_)}, "The squares of the three gaps, added up.");
+          distance2_,
+          {{gaps_ * gaps_, "That squares the sum of the gaps. Square each of them, then add."},
+           {largest_, "That is the largest of the squares alone."},
+           {std::sqrt(distance2_), "That is the distance, and not its square."}},
+          "The squares of the three gaps, added up.");
       give_before(script_.walk(), {"*d*^2"});
     }
     shown_.current = false;
@@ -205,7 +222,7 @@ class Teller {
 std::string in_words(Relation r) {
   if (r == Relation::a_inside_b) return "the ball lies inside the box";
   if (r == Relation::b_inside_a) return "the box lies inside the ball";
-  return words(r, "the ball and the box");
+  return relation_words(r, "the ball and the box");
 }
 
 Walk tell(const Setup& setup) { return Teller(setup).tell(); }

@@ -26,7 +26,7 @@ const std::vector<std::string> pseudocode = {
 
 std::string alt(const Setup& s) {
   return fmt::format("Two balls, a of radius {} and b of radius {}, their centres {} apart: {}.", shown(s.a.radius),
-                     shown(s.b.radius), shown((s.b.center - s.a.center).norm()), words(s.truth, "the balls"));
+                     shown(s.b.radius), shown((s.b.center - s.a.center).norm()), relation_words(s.truth, "the balls"));
 }
 
 class Teller {
@@ -96,7 +96,7 @@ class Teller {
                             {"*r*_b", b.radius, "length", Role::second}};
     if (!near) script_.refuse(3, {4});
 
-    script_.settle(verdict_kind(s_.truth), words(s_.truth, "the balls"));
+    script_.settle(verdict_kind(s_.truth), relation_words(s_.truth, "the balls"));
     add("relation", "How they relate", near ? 4 : 5, end_caption(near), Focus::settled, end_formula());
   }
 

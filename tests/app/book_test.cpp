@@ -8,6 +8,7 @@
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/review.h"
 
 namespace book_test {
 using Catch::Matchers::StartsWith;
@@ -50,6 +51,37 @@ std::string faults(const std::string& page) {
   return out;
 }
 
+/// Every fifth lesson is followed by a page that asks again what these lessons ask.
+void check_reviews(const std::filesystem::path& site) {
+  const auto page = [&](const std::string& file) { return contents(site / file); };
+  const auto& lessons = isect::lessons::all_lessons();
+  const std::string index = page("index.html");
+  for (int number = 1; number <= isect::viz::review_count(lessons); ++number) {
+    const std::string file = "review-" + std::to_string(number) + ".html", review = page(file);
+    INFO(file);
+    CHECK(count(index, "href=\"" + file + "\"") == 1);
+    const auto block = isect::viz::lessons_of_review(lessons, number);
+    CHECK_THAT(page(block.back()->id + ".html"), Contains("href=\"" + file + "\""));
+    if (block.size() > 1) CHECK_THAT(page(block.front()->id + ".html"), !Contains("href=\"" + file + "\""));
+    std::set<std::string> questions;
+    for (const isect::viz::Lesson* lesson : block)
+      for (const auto& p : isect::viz::prompts_of(*lesson)) questions.insert(p.lesson + " " + p.question);
+    const int asked = static_cast<int>(questions.size());
+    CHECK(asked >= isect::viz::questions_a_review);
+    const std::vector<std::string> names = quoted(review, "data-asked=\"");
+    CHECK(std::set<std::string>(names.begin(), names.end()) == questions);
+    CHECK(count(review, "<article class=\"ask\"") == asked);
+    CHECK(count(review, "<svg class=\"picture\"") == asked);
+    CHECK(count(review, " data-right>") == asked);
+    CHECK(count(review.substr(review.find("<div class=\"answers\">")), "<b>Question ") == asked);
+    for (const std::string& step : quoted(review, "data-step=\"")) {  // each leads to its lesson's step
+      const std::size_t hash = step.find('#');
+      CHECK_THAT(page(step.substr(0, hash)), Contains("id=\"" + step.substr(hash + 1) + "\"") &&
+                                                 Contains("id=\"" + step.substr(hash + 1) + "/question\""));
+    }
+  }
+}
+
 TEST_CASE("a book has a page for each lesson, with every preset and every step", "[book]") {
   const Shell shell;
   write(shell.work() / "live.js", "isect_module.packed = \"\";\n");
@@ -58,8 +90,9 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
   CHECK(r.err.empty());
   const std::filesystem::path site = shell.work() / "site";
   const auto& lessons = isect::lessons::all_lessons();
-  CHECK(isect::test::files_in(site).size() == lessons.size() + 9);
-  CHECK(count(r.out, "\n") == static_cast<int>(lessons.size()) + 9);
+  const std::size_t reviews = (lessons.size() + 4) / 5, files = lessons.size() + reviews + 9;
+  CHECK(isect::test::files_in(site).size() == files);
+  CHECK(count(r.out, "\n") == static_cast<int>(files));
 
   std::uintmax_t bytes = 0;
   for (const std::string& file : isect::test::files_in(site)) {
@@ -71,7 +104,7 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
     CHECK(faults(text) == "");
     CHECK_THAT(text, Contains("<!DOCTYPE html>\n<html lang=\"en\">") && !Contains("**") && !Contains("http"));
     for (const std::string& target : quoted(text, "href=\""))
-      if (!target.starts_with("#")) CHECK(std::filesystem::exists(site / target));
+      if (!target.starts_with("#")) CHECK(std::filesystem::exists(site / target.substr(0, target.find('#'))));
   }
   CHECK(bytes < 16'000'000);
   CHECK_THAT(contents(site / "convex-polygon.html"),
@@ -83,6 +116,7 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
                          Contains("{&quot;box&quot;: &quot;A&quot;, &quot;lo&quot;: [0, 0], &quot;hi&quot;: [4, 3]}"));
   CHECK(count(scenes, "<details class=\"written\">") == count(scenes, "<section class=\"walk"));
 
+  check_reviews(site);
   std::size_t last = 0;
   const std::string index = contents(site / "index.html");
   CHECK_THAT(index, Contains("href=\"scene.html\""));

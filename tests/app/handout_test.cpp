@@ -43,6 +43,27 @@ TEST_CASE("a handout has pictures, captions, pseudocode, questions, and the answ
   CHECK(contents(folder + "handout.html") == html);
 }
 
+TEST_CASE("the solutions of a deck stand behind all its exercises, each with its number", "[handout]") {
+  const Shell shell;
+  REQUIRE(shell("isect deck ray-sphere --preset tangent").status == 0);
+  REQUIRE(shell("isect handout ray-sphere --preset tangent").status == 0);
+  for (const std::string kind : {"deck.tex", "deck.html"}) {
+    INFO(kind);
+    const std::string deck = contents(shell.work() / "decks/ray-sphere/tangent" / kind);
+    std::size_t last = deck.find("Exercise 1");
+    REQUIRE(last != deck.npos);
+    for (const char* next : {"Exercise 2", "Exercise 3", "Solution of exercise 1", "Solution of exercise 2"}) {
+      const std::size_t at = deck.find(next);
+      REQUIRE(at != deck.npos);
+      CHECK(at > last);
+      last = at;
+    }
+  }
+  const std::string html = contents(shell.work() / "handouts/ray-sphere/tangent/handout.html");
+  const std::string answers = html.substr(html.find("<h2>Answers</h2>"));
+  CHECK_THAT(answers, Contains("<b>Exercise 1.</b>") && Contains("<b>Exercise 2.</b>"));
+}
+
 TEST_CASE("a handout is never written over a file of somebody else's", "[handout]") {
   const Shell shell;
   const auto mine = shell.work() / "handouts/ray-sphere/two-roots/handout.tex";

@@ -66,7 +66,7 @@ TEST_CASE("list --glossary explains the terms of the course, each with its lesso
   CHECK(r.status == 0);
   CHECK_THAT(in_one_line(r.out),
              Contains("separating axis") && Contains("(obb-obb; also intervals, aabb-aabb)") &&
-                 Contains("Bold: the direction of a ray, and so a relative velocity. Italic: a distance."));
+                 Contains("Bold: the direction of a ray or a line, and so a relative velocity. Italic: a distance."));
   CHECK(widest(r.out) <= 80);
   const auto terms = nlohmann::json::parse(shell("isect list --glossary --json").out);
   CHECK(terms.size() > 40);
@@ -133,8 +133,8 @@ TEST_CASE("explain tells a step in eighty columns", "[explain]") {
   CHECK(r.err.empty());
   CHECK_THAT(r.out, Contains("Which root comes first?") && Contains("10  if l² > r²") &&
                         Contains("▸ line 10:  if l² > r²") && Contains("q = 1.0837") && Contains("Setting:") &&
-                        Contains("Question 4:"));  // its number in the whole walk, as in a handout
-  CHECK(r.out.find("Answers\n") > r.out.find("Question 4:"));
+                        Contains("Question 5:"));  // its number in the whole walk, as in a handout
+  CHECK(r.out.find("Answers\n") > r.out.find("Question 5:"));
   CHECK(widest(r.out) <= 80);
   CHECK_THAT(r.out, !Contains("**") && !Contains("_{"));  // no markup
 }

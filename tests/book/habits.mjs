@@ -33,7 +33,7 @@ try {
           ++questions;
           check(!told.heading && !told.marked, `${at}: its setting's name is told`);
           check(!told.opinions && !told.outcome, `${at}: the methods' answers are told`);
-          await browser.press("a");
+          await site.choose("a");
           check((await browser.ask(seen)).heading, `${at}: answered, it hides its setting's name`);
         }
         if (now.end) check(told.opinions === told.has_opinions, `${at}: the methods are not told at the end`);

@@ -58,7 +58,7 @@ async function compare_native(lesson, how) {
 }
 
 const ready = {};
-let compared = 0;
+let compared = 0, typed = 0;
 try {
   await browser.look({ width: 1280, height: 900 });
   for (const page of pages) {
@@ -78,7 +78,24 @@ try {
       check(now.hash !== last || i === 0, `${page} ${now.hash}: the address stays`);
       if (now.asks) {
         check(now.right >= 0, `${page} ${now.hash}: no choice is right`);
-        await browser.press("abcdefgh"[now.right]);
+        if (now.typing) {
+          await site.type("not a number");
+          check((await look()).asks && !(await look()).told && (await look()).help.includes("not read"), `${page} ${now.hash}: words are an answer`);
+          ++typed;
+          if (now.pointed) {  // every other line is clicked
+            const line = now.pointed.offered[typed % 2 ? now.pointed.choice : 0];
+            check(now.pointed.replies.length === now.code, `${page} ${now.hash}: ${now.code} lines of code`);
+            if (typed % 2) await site.type(String(line + 1));
+            else await browser.ask(`document.querySelectorAll(".live ol.code li")[${line}].click()`);
+          } else if (now.order) {
+            check(now.order.tiles.length === now.tiles, `${page} ${now.hash}: ${now.tiles} tiles`);
+            const order = now.order.offered[typed % 2 ? now.order.choice : 0];
+            if (typed % 2) await site.type(order);
+            else await browser.ask(`(() => { const form = document.querySelector(".live .typed"), tiles = document.querySelectorAll(".live .tiles button");
+              form.querySelector("input").value = "", [...${JSON.stringify(order)}].forEach(letter => tiles[letter.charCodeAt(0) - 97].click()), form.requestSubmit(); })()`);
+          } else await site.type(typed % 2 && now.number.wrong.length ? String(now.number.wrong[0][0]) : String(now.number.right[0]));
+          check(/You (typed|pointed)|Your order/.test((await look()).typed), `${page} ${now.hash}: what was given is not told`);
+        } else await browser.press("abcdefgh"[now.right]);
         check((await look()).told, `${page} ${now.hash}: the answer is not told`);
       }
       if (now.end) break;

@@ -19,6 +19,11 @@ const shown = `(() => {
     asks: document.querySelector(".live article").classList.contains("ask"),
     told: document.querySelector(".live article").classList.contains("told"),
     right: [...document.querySelectorAll(".live .choices li")].findIndex(li => "right" in li.dataset),
+    typing: document.querySelector(".live article").classList.contains("typing"),
+    ...Object.fromEntries(["number", "pointed", "order"].map(kind =>
+      [kind, JSON.parse(document.querySelector(".live .choices")?.dataset[kind] ?? "null")])),
+    code: document.querySelectorAll(".live ol.code li").length, tiles: document.querySelectorAll(".live .tiles button").length,
+    typed: text(".reply"), help: text(".typed .help"),
     picture: document.querySelector(".live .picture").outerHTML.length, wide: document.documentElement.scrollWidth - document.documentElement.clientWidth,
     message: text(".message"), scene: document.querySelector(".live .own-scene textarea").value, grips, values,
     end: document.querySelector(".transport .next").disabled };
@@ -45,6 +50,16 @@ export class LivePages {
     })`);
   }
   look() { return this.browser.ask(shown); }
+  /// Presses a choice's letter; where more than a choice is asked for, it shows the choices first.
+  async choose(letter) {
+    if ((await this.look()).typing) await this.browser.ask(`document.querySelector(".live .show-choices").click()`);
+    await this.browser.press(letter);
+  }
+  /// Types an answer into the field for it, and enters it.
+  type(text) {
+    return this.browser.ask(`(() => { const form = document.querySelector(".live .typed");
+      form.querySelector("input").value = ${JSON.stringify(text)}, form.requestSubmit(); })()`);
+  }
   click(text) {
     return this.browser.ask(`[...document.querySelectorAll(".live button")].find(b => b.textContent === ${JSON.stringify(text)}).click()`);
   }

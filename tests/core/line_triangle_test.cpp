@@ -95,7 +95,7 @@ TEMPLATE_TEST_CASE("line and triangle: the first t is that of rational arithmeti
   double worst = 0;
   for (const Numbers numbers : bench::all_numbers) {
     Random random(tests::seed() + static_cast<int>(numbers));
-    for (int i = 0; i < tests::cases(2000, 150000); ++i) {
+    for (int i = 0; i < tests::cases(800, 150000); ++i) {
       INFO("seed " << tests::seed() << ", numbers " << static_cast<int>(numbers) << ", case " << i);
       const Triangle<S, 3> x = draw<S>(random, numbers);
       const Segment<S, 3> s = course(random, numbers, x);

@@ -13,6 +13,7 @@
 #include <isect/kdop_kdop.h>
 #include <isect/methods/aabb_aabb.h>
 #include <isect/methods/sphere_aabb.h>
+#include <isect/methods/triangle_triangle.h>
 #include <isect/obb_obb.h>
 #include <isect/plane_aabb.h>
 #include <isect/plane_sphere.h>
@@ -67,6 +68,7 @@
 #include <isect/cone_half_spaces.h>
 #include <isect/cylinder_half_spaces.h>
 #elif defined(PIECES)
+#include <isect/methods/triangle_triangle.h>
 #include <isect/sphere_triangle.h>
 #include <isect/triangle_half_spaces.h>
 #else
@@ -140,6 +142,7 @@ Location call(const Point<double, 3>& a, const Ball& b) { return locate(a, b HEA
 Location call(const Point<double, 3>& a, const Obb<double, 3>& b) { return locate(a, b HEAR(point_obb::Event)); }
 bool call(const Obb<double, 3>& a, const Obb<double, 3>& b) { return intersects(a, b HEAR(obb_obb::Event<3>)); }
 bool call(const Triangle<double, 3>& a, const Box& b) { return intersects(a, b HEAR(triangle_aabb::Event<3>)); }
+bool call_intervals(const Triangle<double, 3>& a, const Triangle<double, 3>& b) { return triangle_triangle::by_intervals(a, b HEAR(triangle_triangle::IntervalsEvent<double>)); }
 #elif defined(CAPSULES)
 using Pill = Capsule<double, 3>;
 Relation call(const Ball& a, const Pill& b) { return relate(a, b HEAR(sphere_capsule::Event)); }
@@ -209,6 +212,7 @@ Relation call(const Ball& a, const Piece& b) { return relate(a, b HEAR(sphere_tr
 Relation call(const Capsule<double, 3>& a, const Piece& b) { return relate(a, b HEAR(sphere_triangle::Event)); }
 Relation call(const Piece& a, const HalfSpaces& b) { return relate(a, b HEAR(triangle_half_spaces::Event)); }
 bool call(const Piece& a, const Piece& b) { return intersects(a, b HEAR(triangle_half_spaces::Event)); }
+bool call_signs(const Piece& a, const Piece& b) { return triangle_triangle::by_signs(a, b HEAR(triangle_triangle::SignsEvent)); }
 #else
 Winding call(const Spot& a, const Ring<double, 2>& b) { return winding(a, b HEAR(point_polygon::Event)); }
 bool call_crossings(const Spot& a, const Ring<double, 2>& b) { return point_polygon::crossings_naive(a, b HEAR(point_polygon::NaiveEvent<double>)); }

@@ -15,7 +15,7 @@
 #include "viz/formats/files.h"
 #include "viz/formats/metadata_text.h"
 #include "viz/player/reader_state.h"
-#include "viz/window/number_text.h"
+#include "viz/text/number_text.h"
 #include "viz/window/window_session.h"
 
 namespace {
@@ -101,6 +101,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
   some.reader_state = ReaderState{lessons().front()->id, lessons().front()->presets.front().id};
   some.beside = Beside{lessons().front()->id, "", lessons().front()->presets.front().id};
   some.scores[lessons().front()->id] = {{{"a question", true}}, true};
+  some.record.keep(lessons().front()->id, "a question", true), some.record.reviews[1] = {6, 8};
   some.recent = {lessons().front()->id}, some.saved = {"/a/file.json"};
   seed("settings", Reader::settings, text_of(some));
   for (const char* text : {"1.5", "1,5", "-2*pi", "1/3", "(1+2)*0.5", "1e-3"}) seed("number", Reader::number, text);

@@ -168,7 +168,7 @@ TEST_CASE("the oriented-box lesson ends with the true relation", "[obb-obb]") {
       CHECK(std::abs(gap) < 1e-15);
     else
       CHECK((gap > 0) == (relation == Relation::disjoint));
-    CHECK(walk_of("obb-obb", id).steps.back().verdict.text == lessons::words(relation, "the boxes"));
+    CHECK(walk_of("obb-obb", id).steps.back().verdict.text == lessons::relation_words(relation, "the boxes"));
   }
   CHECK(value_of(walk_of("obb-obb", "overlapping").steps.back(), "axes asked") == 15);
 }

@@ -59,7 +59,7 @@ std::map<std::string, Relation> relations(const std::string& lesson, Relation (*
     CHECK(verdict.kind == lessons::verdict_kind(truth));
     bool named = false;
     for (const char* they : {"the intervals", "the points", "the boxes", "the balls", "the capsules"})
-      named = named || verdict.text == lessons::words(truth, they);
+      named = named || verdict.text == lessons::relation_words(truth, they);
     CHECK(named);
     found[p.id] = truth;
   }
@@ -168,7 +168,7 @@ TEST_CASE("what the capsule lesson says of each end is true, in any setting", "[
         {"**q**_b", oracle::distance2(oracle::rational(b.q), oracle::stretch(a))}};
 
     const Walk walk = lesson.walk(p);
-    CHECK(walk.steps.back().verdict.text == lessons::words(oracle::relation(a, b), "the capsules"));
+    CHECK(walk.steps.back().verdict.text == lessons::relation_words(oracle::relation(a, b), "the capsules"));
     for (const Step& step : walk.steps) {
       if (step.slug == "crossing" && step.formula == "*d* = 0")
         CHECK(oracle::distance2<2>(oracle::stretch(a), oracle::stretch(b)) == 0);

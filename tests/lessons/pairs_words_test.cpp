@@ -72,7 +72,7 @@ void said_of_balls(const Walk& walk, const Step& last, const Parameters& p) {
   const auto setup = lessons::sphere_sphere_lesson::setup(p);
   const Sphere<double, 3> a = setup.tested(setup.a), b = setup.tested(setup.b);
   const Relation truth = oracle::relation(a, b);
-  CHECK(last.verdict.text == lessons::words(truth, "the balls"));
+  CHECK(last.verdict.text == lessons::relation_words(truth, "the balls"));
   CHECK(last.verdict.kind == lessons::verdict_kind(truth));
   const bool overlap = last.line == 4, touch = truth == Relation::touching;
   CHECK(says(last.caption, "is wrong here") == (!touch && overlap != (truth != Relation::disjoint)));
@@ -102,7 +102,7 @@ TEST_CASE("what the interval lesson says is true of any two intervals, empty one
                  b_max = number(p, "b_max");
     const Relation truth = oracle::by_points(line(a_min, a_max), line(b_min, b_max));
     const bool points = a_min == a_max && b_min == b_max, reversed = a_min > a_max || b_min > b_max;
-    CHECK(last.verdict.text == lessons::words(truth, points ? "the points" : "the intervals"));
+    CHECK(last.verdict.text == lessons::relation_words(truth, points ? "the points" : "the intervals"));
     const bool gap_found = a_min > b_max || b_min > a_max;
     CHECK(last.question.has_value() == !(gap_found || points));  // it has been told
     if (last.question) CHECK(answer(last) == in_choices(truth));
@@ -123,7 +123,7 @@ TEST_CASE("what the box lesson says is true of any two boxes, empty ones too", "
   on_random_settings("aabb-aabb", 1000, [](const Walk& walk, const Step& last, const Parameters& p) {
     const Aabb<double, 3> a = {vector(p, "a_min"), vector(p, "a_max")}, b = {vector(p, "b_min"), vector(p, "b_max")};
     const Relation truth = oracle::by_points(a, b);
-    CHECK(last.verdict.text == lessons::words(truth, "the boxes"));
+    CHECK(last.verdict.text == lessons::relation_words(truth, "the boxes"));
     const bool note_finds_a_gap = (a.lo.array() > b.hi.array()).any() || (b.lo.array() > a.hi.array()).any();
     CHECK(last.question.has_value() != note_finds_a_gap);  // it has been told
     if (last.question) CHECK(answer(last) == in_choices(truth));
@@ -202,7 +202,7 @@ TEST_CASE("what the oriented-box lesson says is true of any two boxes, with any 
     const auto setup = lessons::obb_obb_lesson::setup(p);
     const oracle::obb::Exactly<3> a(setup.a), b(setup.b);
     const Relation truth = oracle::obb::by_projection(a, b);
-    CHECK(last.verdict.text == lessons::words(truth, "the boxes"));
+    CHECK(last.verdict.text == lessons::relation_words(truth, "the boxes"));
     CHECK(answer(last) == in_choices(truth));
     const bool meet = truth != Relation::disjoint, overlap = last.line == 7;
     CHECK(says(last.caption, "wrong here") == (meet != overlap));
@@ -224,7 +224,7 @@ TEST_CASE("what the capsule lesson says at the end is true of any two capsules",
     };
     const Capsule<double, 2> a = capsule("p_a", "q_a", "r_a"), b = capsule("p_b", "q_b", "r_b");
     const Relation truth = oracle::relation(a, b);
-    CHECK(last.verdict.text == lessons::words(truth, "the capsules"));
+    CHECK(last.verdict.text == lessons::relation_words(truth, "the capsules"));
     CHECK(answer(last) == in_choices(truth));
     CHECK(last.line == (truth == Relation::disjoint                                     ? 4
                         : truth == Relation::touching || truth == Relation::overlapping ? 6
@@ -273,7 +273,7 @@ TEST_CASE("what the lesson of relations says is true of any pair of any kind", "
       truth = oracle::by_points(*box, std::get<Aabb<double, 3>>(pair.b));
     if (const auto* ball = std::get_if<Sphere<double, 3>>(&pair.a))
       truth = oracle::relation(*ball, std::get<Sphere<double, 3>>(pair.b));
-    CHECK(last.verdict.text == lessons::words(truth, they(*kind)));
+    CHECK(last.verdict.text == lessons::relation_words(truth, they(*kind)));
     const std::map<Relation, int> lines = {{Relation::disjoint, 0},   {Relation::equal, 1},
                                            {Relation::a_inside_b, 2}, {Relation::b_inside_a, 3},
                                            {Relation::touching, 4},   {Relation::overlapping, 5}};

@@ -90,12 +90,12 @@ TEST_CASE("a source that a lesson cites is in its list of readings", "[every les
 }
 
 TEST_CASE("a reading is spelt in one way, in whatever lesson it stands", "[every lesson]") {
-  std::map<std::string, std::set<std::string>> spelt;  // by first author and year
+  std::map<std::string, std::set<std::string>> spelt;  // by what stands before the first comma, and year
   for (const Lesson* lesson : those_asked_for())
     for (const std::string& entry : lesson->closing->reading) {
       static const std::regex year("(1[89][0-9]{2}|20[0-9]{2})");
       std::smatch y;
-      const std::string text = work(entry), author = text.substr(0, std::min(text.find(','), text.find(" and ")));
+      const std::string text = work(entry), author = text.substr(0, text.find(','));
       if (!std::regex_search(text, y, year)) continue;  // the lecture note
       spelt[author + ' ' + y.str()].insert(text);
     }

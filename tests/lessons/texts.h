@@ -38,6 +38,12 @@ inline std::vector<std::string> texts(const viz::Lesson& lesson) {
       if (!s.question) continue;
       all.insert(all.end(), {s.question->prompt, s.question->because});
       all.insert(all.end(), s.question->choices.begin(), s.question->choices.end());
+      if (const auto& number = s.question->number)
+        for (const viz::WrongNumber& wrong : number->wrong) all.push_back(wrong.reply);
+      if (const auto& line = s.question->line)
+        for (const viz::WrongLine& wrong : line->wrong) all.push_back(wrong.reply);
+      if (const auto& order = s.question->order)
+        for (const viz::WrongOrder& wrong : order->wrong) all.push_back(wrong.reply);
     }
   }
   return all;

@@ -213,6 +213,12 @@ class Faults {
     if (different.size() != q.choices.size() || q.choices.size() < 2) fault("choices that are no choice", q.prompt);
     if (q.answer < 0 || q.answer >= static_cast<int>(q.choices.size())) return fault("no answer", q.prompt);
     language(q.prompt), language(q.because);
+    if (q.number)
+      for (const WrongNumber& wrong : q.number->wrong) language(wrong.reply);
+    if (q.line)
+      for (const WrongLine& wrong : q.line->wrong) language(wrong.reply);
+    if (q.order)
+      for (const WrongOrder& wrong : q.order->wrong) language(wrong.reply);
     if (!before) return;
     if (before->verdict.kind != Verdict::Kind::open && before->verdict.text == step_->verdict.text &&
         plain(before->verdict.text).find(plain(q.choices[q.answer])) != std::string::npos)

@@ -106,11 +106,11 @@ TEST_CASE("five of the six relations say yes, and the walks' verdicts name them"
     const Walk walk = lesson.walk(p.parameters);
     bool named =  // a way of lying inside, not a seventh relation
         p.id == "ball-inner-touch" &&
-        walk.steps.back().verdict.text == lessons::words(Relation::b_inside_a, "the balls");
+        walk.steps.back().verdict.text == lessons::relation_words(Relation::b_inside_a, "the balls");
     for (const relations::Kind kind : relations::kinds)
       for (const relations::Situation& s : relations::situations(kind))
         named = named || (p.title == relations::name(kind) + ": " + s.title &&
-                          walk.steps.back().verdict.text == lessons::words(s.relation, relations::they(kind)));
+                          walk.steps.back().verdict.text == lessons::relation_words(s.relation, relations::they(kind)));
     CHECK(named);
     if (p.id.find("disjoint") != std::string::npos) continue;
     const Step& grid = step_of(walk, "what-it-loses");

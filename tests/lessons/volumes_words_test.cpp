@@ -140,7 +140,8 @@ TEST_CASE("a point leaves a chain of the hull only if it is not on that hull", "
         }
       CHECK((s.line == 1) == holds(s.title, "drop"));
       removed += gone > 0, several += gone > 1, straight += holds(s.caption, "straight");
-      if (s.question) CHECK(std::stoi(s.question->choices[s.question->answer]) >= gone);
+      if (s.question && s.question->line) CHECK((s.question->line->truth == 2) == holds(s.title, "a left turn"));
+      if (s.question && !s.question->line) CHECK(std::stoi(s.question->choices[s.question->answer]) >= gone);
     }
   });
   for (const int seen : {removed, several, straight}) CHECK(seen > 20);

@@ -1,13 +1,11 @@
-// The window by keyboard alone, and numbers as people type them.
+// The window by keyboard alone.
 
-#include <numbers>
 #include <set>
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/sample_lesson.h"
 #include "tests/viz/window_driver.h"
-#include "viz/window/number_text.h"
 
 namespace keyboard_test {
 using namespace isect;
@@ -45,33 +43,6 @@ void type_into(WindowDriver& window, const std::string& field, const std::string
 double radius(WindowDriver& window) { return std::get<double>(window.player().parameters().at("r")); }
 
 }  // namespace
-
-TEST_CASE("a number is read as people write it", "[number_text]") {
-  CHECK(number_from("1,5") == 1.5);
-  CHECK(number_from(" 1.5 ") == 1.5);
-  CHECK(number_from("1e-3") == 1e-3);
-  CHECK(number_from("2*pi") == 2 * std::numbers::pi);
-  CHECK(number_from("−π/2") == -std::numbers::pi / 2);
-  CHECK(number_from("1/3") == 1.0 / 3);
-  CHECK(number_from("-(1+2) · 0.5 - 1") == -2.5);
-}
-
-TEST_CASE("what is no number is refused with its reason", "[number_text]") {
-  const auto [text, why] = GENERATE(table<const char*, const char*>({{"", "missing"},
-                                                                     {"1e400", "beyond the range"},
-                                                                     {"1/0", "divides by 0"},
-                                                                     {"inf", "not a number"},
-                                                                     {"nan", "not a number"},
-                                                                     {"1.5.2", "does not belong"},
-                                                                     {"2 3", "does not belong"},
-                                                                     {"(1", "not closed"},
-                                                                     {"1e308*10", "finite"},
-                                                                     {"1+", "missing"},
-                                                                     {"four", "not a number"}}));
-  INFO(text);
-  CHECK_THROWS_WITH(number_from(text), isect::test::Contains(why));
-  CHECK_THROWS_AS(number_from(std::string(1000, '-').append("1")), BadInput);
-}
 
 TEST_CASE("a typed number counts on Enter or on leaving the field, and not before", "[window]") {
   WindowDriver window(both, 1280, 800, {}, with_parameters());

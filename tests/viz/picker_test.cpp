@@ -171,7 +171,7 @@ TEST_CASE("what was answered and read to its end is kept, and stands in the pick
     if (!q) continue;
     right += ++asked % 2;
     const int wrong = (q->answer + 1) % static_cast<int>(q->choices.size());
-    window.type(std::string(1, static_cast<char>('a' + (asked % 2 ? q->answer : wrong))));
+    window.answer(asked % 2 ? q->answer : wrong);
   }
   REQUIRE(asked >= 3);
   window.frames(2);
@@ -216,7 +216,7 @@ TEST_CASE("what was answered wrong is offered again at the end, until it is answ
     const Question* q = window.player().quiz().asked();
     if (!q || step >= 0) continue;
     step = window.player().index() + 1;
-    window.type(std::string(1, static_cast<char>('a' + (q->answer + 1) % static_cast<int>(q->choices.size()))));
+    window.answer((q->answer + 1) % static_cast<int>(q->choices.size()));
   }
   REQUIRE(step > 0);
   window.frames(2);
@@ -228,7 +228,7 @@ TEST_CASE("what was answered wrong is offered again at the end, until it is answ
   const Question* q = window.player().quiz().asked();
   REQUIRE(q);
   CHECK(window.player().index() + 1 == step);
-  window.type(std::string(1, static_cast<char>('a' + q->answer)));
+  window.answer(q->answer);
   window.player().last();
   window.frames(2);
   CHECK_FALSE(window.has(again));

@@ -120,6 +120,64 @@ TEST_CASE("a title to come is told where no question stands before it", "[player
   CHECK((player.tells_title(2) && player.tells_title(3)));
 }
 
+TEST_CASE("a number is typed in any form, and what is none leaves the question open", "[player]") {
+  const Lesson lesson = sample::asking_for_a_number();
+  const auto answer = [&](const std::string& text, const auto& check) {
+    INFO(text);
+    Player player({&lesson});
+    player.go_to(1);
+    player.next();
+    REQUIRE(player.quiz().wants_number());
+    player.answer_typed(text);
+    CHECK(player.index() == 2);
+    REQUIRE(player.quiz().answered());
+    check(*player.quiz().answered());
+  };
+  for (const char* right : {"3/4", "0.75", "0,75", ".750", "75e-2", "7.5·10^-1"})
+    answer(right, [](const Answered& given) { CHECK((given.right() && given.reply().empty())); });
+  answer("4/3", [](const Answered& given) {
+    CHECK(given.choice == 2);
+    CHECK(given.reply() == "You divided the other way round.");
+  });
+  answer("17", [](const Answered& given) {
+    CHECK(given.choice == -1);
+    CHECK((!given.right() && given.reply().empty()));
+  });
+  answer("-3/4", [](const Answered& given) { CHECK(given.reply() == "The sign is the opposite."); });
+
+  Player player({&lesson});
+  player.go_to(1);
+  player.next();
+  for (const char* none : {"", "abc", "1/0", "1e400"}) {
+    INFO(none);
+    CHECK_THROWS_AS(player.answer_typed(none), BadInput);
+    CHECK((player.index() == 1 && player.quiz().wants_number()));
+  }
+}
+
+TEST_CASE("the choices of a question for a number are shown as a hint, and stay so while the setting moves",
+          "[player]") {
+  const Lesson lesson = sample::asking_for_a_number();
+  Player player({&lesson});
+  player.go_to(1);
+  player.next();
+  REQUIRE(player.quiz().wants_number());
+  player.edit("r", 2.0);
+  CHECK(player.quiz().wants_number());
+  player.show_choices();
+  CHECK_FALSE(player.quiz().wants_number());
+  player.edit("r", 2.5);
+  REQUIRE(player.quiz().asked());
+  CHECK_FALSE(player.quiz().wants_number());
+  player.answer_typed("3/4");  // now it is a choice
+  CHECK(player.quiz().asked());
+  player.answer(3);
+  REQUIRE(player.quiz().answered());
+  CHECK(player.quiz().answered()->reply() == "You did not divide.");
+  player.ask_again(2);
+  CHECK(player.quiz().wants_number());
+}
+
 TEST_CASE("an answer shows the step, and whether it was right", "[player]") {
   Player player(both);
   player.go_to(1);

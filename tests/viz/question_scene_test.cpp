@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <regex>
 #include <string>
@@ -18,6 +20,8 @@
 #include "tests/viz/window_driver.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/branch.h"
+#include "viz/walk/given_order.h"
+#include "viz/walk/pointed_line.h"
 
 namespace question_scene_test {
 using namespace isect;
@@ -233,7 +237,35 @@ const std::vector<std::pair<std::string, double (*)(const OnShow&)>>& ways() {
          return std::min((o.told[0] - o.told[3]) / o.told[4], (o.told[1] - o.told[2]) / o.told[4]);
        }},
       {"For how long do they share points", [](const OnShow& o) { return (o.told[0] + o.told[1]) / o.told[2]; }},
+      {"What is it at the hit",
+       [](const OnShow& o) {
+         const double u = o("u"), v = o("v");
+         return (1 - u - v) * o.told[0] + u * o.told[1] + v * o.told[2];
+       }},
       {"What is the longest step that surely passes no contact", [](const OnShow& o) { return o.told[0] / o.told[1]; }},
+      {"At which share of the edge", [](const OnShow& o) { return o.told[0] / (o.told[0] - o.told[1]); }},
+      {"What is their dot product?",
+       [](const OnShow& o) { return o.told[0] * o.told[3] + o.told[1] * o.told[4] + o.told[2] * o.told[5]; }},
+      {"is the line of b nearest to it?",
+       [](const OnShow& o) {
+         double along = 0, length2 = 0;  // a point, the start of a line, its direction
+         for (std::size_t k = 0; k < 3; ++k) {
+           along += (o.told[k] - o.told[k + 3]) * o.told[k + 6];
+           length2 += o.told[k + 6] * o.told[k + 6];
+         }
+         return along / length2;
+       }},
+      {"What is the square of the gap?",
+       [](const OnShow& o) {
+         const double gap = std::max({o.told[2] - o.told[1], o.told[0] - o.told[3], 0.0});
+         return gap * gap;
+       }},
+      {"What is d² after z?",
+       [](const OnShow& o) {
+         const double gap = std::max({o.told[3] - o.told[2], o.told[1] - o.told[4], 0.0});
+         return o.told[0] + gap * gap;
+       }},
+      {"How far apart may the segments be", [](const OnShow& o) { return o.told[0] + o.told[1] + o.told[2]; }},
   };
   return all;
 }
@@ -336,6 +368,23 @@ std::vector<std::string> plain_choices(const Question& q) {
   return all;
 }
 
+/// The choice that is the order of the tiles by a key of their names. Keys that differ by rounding alone are equal.
+int by_key(const Question& q, const std::function<double(const std::string&)>& key) {
+  std::vector<double> keys;
+  for (const std::string& tile : q.order->tiles) keys.push_back(key(plain(tile)));
+  std::vector<int> order(keys.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](int tile) {
+    const int rank = q.order->ranks.at(static_cast<std::size_t>(tile));
+    double sum = 0, count = 0;  // the mean of those that may change places
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      if (q.order->ranks[i] == rank) sum += keys[i], ++count;
+    const double own = keys[static_cast<std::size_t>(tile)];
+    return std::abs(sum / count - own) < 1e-6 ? sum / count : own;
+  });
+  return choice_of_order(q, order);
+}
+
 /// How a reader without the picture finds answers that are words or counts, from the words and values on show alone.
 using InWords = int (*)(const Question&, const std::string& prompt, const OnShow&);
 const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
@@ -351,7 +400,7 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
       {"the six planes say about the box", [](const Question&, const std::string&, const OnShow&) { return 1; }},
       {"the six planes say about the ball",
        [](const Question&, const std::string&, const OnShow& o) { return o("least n · c + D") >= 0 ? 0 : 1; }},
-      {"does the box lie?",
+      {"the frustum is",
        [](const Question&, const std::string&, const OnShow& o) {
          REQUIRE(o.told.size() >= 13);                      // a node's number stands before
          const Numbers n(o.told.end() - 13, o.told.end());  // ... −2.5 ≤ x ≤ 3, 4 |y| ≤ x + 4 and 8 |z| ≤ 3 (x + 4)
@@ -448,6 +497,68 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
          const double begin = std::max({n[0], n[2], n[4]}), end = std::min({n[1], n[3], n[5]});
          return choice(q, begin <= end ? shown(begin) : "not within the motion");
        }},
+      {"how much do they share",
+       [](const Question&, const std::string&, const OnShow& o) {
+         const Numbers& n = o.told;  // the interval of a, and that of b
+         const double lo = std::max(n[0], n[2]), hi = std::min(n[1], n[3]);
+         return lo > hi ? 0 : lo == hi ? 1 : 2;
+       }},
+      {"which point of the segment is nearest to c",
+       [](const Question&, const std::string&, const OnShow& o) {
+         return o.told[0] <= 0 ? 0 : o.told[0] >= o.told[1] ? 1 : 2;
+       }},
+      {"adds the square of the gap",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         return choice_of_line(q, o.told[2] < o.told[0] ? 1 : 2);  // the ends of the interval, and c
+       }},
+      {"changes the chain first",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         const Numbers& n = o.told;  // the chain, and q
+         return choice_of_line(q, cross(n, n.size() - 6, n.size() - 4, n.size() - 2) > 0 ? 2 : 1);
+       }},
+      {"the wedges that are left reach",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         return choice_of_line(q, cross(o.told, 2, 4, 0) < -1e-5 ? 6 : 7);
+       }},
+      {"cuts the range at",
+       [](const Question& q, const std::string& prompt, const OnShow& o) {
+         const bool x = prompt.find("left") != prompt.npos || prompt.find("right side") != prompt.npos;
+         const bool upper = prompt.find("top") != prompt.npos || prompt.find("right side") != prompt.npos;
+         const double d = x ? o.told[2] - o.told[0] : o.told[3] - o.told[1];
+         return choice_of_line(q, (upper ? -d : d) > 0 ? 6 : 7);
+       }},
+      {"cross these four lines",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         return by_key(q, [&](const std::string& side) {
+           const Numbers& n = o.told;  // p, q, the sides
+           const bool x = side == "the left side" || side == "the right side";
+           const double at = side == "the left side"     ? n[4]
+                             : side == "the right side"  ? n[5]
+                             : side == "the bottom side" ? n[6]
+                                                         : n[7];
+           return x ? (at - n[0]) / (n[2] - n[0]) : (at - n[1]) / (n[3] - n[1]);
+         });
+       }},
+      {"do the centres of its boxes come",
+       [](const Question& q, const std::string& prompt, const OnShow& o) {
+         const std::string on = prompt.find("along x") != prompt.npos ? " on x" : " on y";
+         return by_key(q, [&](const std::string& box) { return o("centre of " + box + on); });
+       }},
+      {"in which order do the boxes begin",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         return by_key(q, [&](const std::string& box) { return o("lower end of " + box); });
+       }},
+      {"by their void",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         return by_key(q, [&](const std::string& volume) { return o(volume); });
+       }},
+      {"do these t come along",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         const double s = o("s"), half = std::sqrt(std::max(0.0, o("r²") - o("m²")));
+         return by_key(q, [&](const std::string& t) {
+           return t == "0" ? 0 : t == "s" ? s : t == "s − q" ? s - half : s + half;
+         });
+       }},
       {"what does n · l tell",
        [](const Question&, const std::string&, const OnShow& o) {
          const Numbers& n = o.told;
@@ -465,6 +576,7 @@ const std::vector<std::string>& from_what_is_given() {
                                                "coordinates on",
                                                "how many say near",
                                                "of the four differences",
+                                               "which face of the triangle",
                                                "is compared with",
                                                "how are the intervals related",
                                                "which t belong",
@@ -479,7 +591,6 @@ const std::vector<std::string>& from_what_is_given() {
                                                "the whole line share with the sphere",
                                                "the ray's first hit",
                                                "which has less void",
-                                               "which of these",
                                                "what does the volume's test show",
                                                "compared with the hull",
                                                "how many edges count",
@@ -497,6 +608,8 @@ const std::vector<std::string>& from_what_is_given() {
                                                "left after the cut",
                                                "how many does it reject",
                                                "from the point",
+                                               "may a mesh that bounds a solid",
+                                               "how many pairs of points",
                                                "what follows"};
   return all;
 }
@@ -524,10 +637,14 @@ const std::vector<std::string>& from_what_is_known() {
                                                "of the count is left",
                                                "of c++ return",
                                                "becomes of the expected cost",
-                                               "which is the fastest",
+                                               "by the time measured",
                                                "naive test",
                                                "how many roundings",
+                                               "how many further signs",
                                                "let a wrong sign through",
+                                               "miss both triangles",
+                                               "what does it compute there",
+                                               "which point must be tested",
                                                "errs most",
                                                "does the exact call take",
                                                "dominated"};
@@ -634,6 +751,8 @@ TEST_CASE("a condition that joins several inequalities holds as they do, each wi
         const bool both = step.comparison->text.find(" or ") == std::string::npos;
         if (both)
           CHECK(step.comparison->holds == std::ranges::all_of(parts, &Comparison::holds));
+        else if (parts.size() == 2)
+          CHECK(step.comparison->holds == (parts[0].holds || parts[1].holds));
         else  // A or (B and C)
           CHECK(step.comparison->holds == (parts[0].holds || (parts[1].holds && parts[2].holds)));
       }
@@ -660,6 +779,7 @@ TEST_CASE("a digit answers where it is an answer, and loads no preset while a qu
   window.player().first();
   window.key(key::right);
   REQUIRE(window.player().quiz().asked());
+  window.player().show_choices();
   const Question question = *window.player().quiz().asked();
   const std::string preset = window.player().played().preset_id();
   REQUIRE(window.player().played().group().size() > 1);
@@ -692,7 +812,7 @@ TEST_CASE("with the panels hidden a question stands with the numbers it needs", 
   REQUIRE(window.player().quiz().asked());
   REQUIRE(window.has("known values"));
   const Rect card = window.rect("question over scene"), known = window.rect("known values");
-  CHECK((known.top > card.top && known.bottom < window.rect("choice 0").top));
+  CHECK((known.top > card.top && known.bottom < window.rect("answer").top));
 }
 
 TEST_CASE("Right to a question about the next edge lights and names that edge", "[window]") {
@@ -738,6 +858,8 @@ TEST_CASE("with the panels hidden the question stands over the scene, and is ans
   window.key(key::right);
   window.frames(2);
   REQUIRE(window.player().quiz().asked());
+  window.player().show_choices();
+  window.frames(2);
   REQUIRE(window.has("question over scene"));
   REQUIRE(window.has("choice 1"));
   const Rect card = window.rect("question over scene"), choice = window.rect("choice 1"), scene = window.rect("scene");
@@ -787,7 +909,7 @@ TEST_CASE("while a question is open the step before it is told no more, as the p
   REQUIRE(window.player().step().line == 4);
   CHECK(ground() != marked);
   const Rect words = window.rect("lesson words");
-  CHECK(window.rect("choice 1").top < words.top + 0.4f * words.height());  // nothing but the prompt stands above it
+  CHECK(window.rect("answer").top < words.top + 0.4f * words.height());  // nothing but the prompt stands above it
   window.player().answer(0);
   window.frames(2);
   CHECK(window.has("what came of it"));

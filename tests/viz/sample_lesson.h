@@ -93,6 +93,57 @@ inline Lesson lesson() {
   return l;
 }
 
+/// The same lesson, whose question asks for a number: 3/4.
+inline Lesson asking_for_a_number() {
+  Lesson l = lesson();
+  l.id = "point-number";
+  l.steps = [](const Parameters& values) {
+    Walk w = walk(values);
+    Question& question = *w.steps[2].question;
+    question.prompt = "What is *t*?";
+    question.choices = {"−0.75", "0.75", "1.3333", "3"};
+    question.answer = 1;
+    question.number = Numeric{0.75, 3, {{4.0 / 3, "You divided the other way round."}, {3, "You did not divide."}}};
+    return w;
+  };
+  return l;
+}
+
+/// The same lesson, whose question asks for a line: the third.
+inline Lesson asking_for_a_line() {
+  Lesson l = lesson();
+  l.id = "point-line";
+  l.steps = [](const Parameters& values) {
+    Walk w = walk(values);
+    Question& question = *w.steps[2].question;
+    question.prompt = "Which line decides?";
+    question.choices = {w.pseudocode[1], w.pseudocode[2], "return IN"};
+    question.answer = 1;
+    question.line = LineAsked{2, {1, 2, 4}, {{4, "That line returns."}}};
+    return w;
+  };
+  return l;
+}
+
+/// The same lesson, whose question asks for an order: near, middle, far, which are the tiles a, c, b.
+inline Lesson asking_for_an_order() {
+  Lesson l = lesson();
+  l.id = "point-order";
+  l.steps = [](const Parameters& values) {
+    Walk w = walk(values);
+    Question& question = *w.steps[2].question;
+    question.prompt = "In which order?";
+    question.choices = {"near, middle, far", "near, far, middle", "far, middle, near"};
+    question.answer = 0;
+    question.order = OrderAsked{{"near", "far", "middle"},
+                                {0, 2, 1},
+                                {{0, 2, 1}, {0, 1, 2}, {1, 2, 0}},
+                                {{{1, 2, 0}, "That begins with the farthest."}}};
+    return w;
+  };
+  return l;
+}
+
 /// The same lesson under another name: a second one to go to.
 inline Lesson other_lesson() {
   Lesson l = lesson();

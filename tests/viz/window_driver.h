@@ -133,6 +133,13 @@ class WindowDriver {
     frames(2);
   }
 
+  /// Answers the open question by its choice's letter. Where more than a choice is asked for, it shows the choices
+  /// first.
+  void answer(int choice) {
+    player().show_choices();
+    type(std::string(1, static_cast<char>('a' + choice)));
+  }
+
   /// What the window looks like now.
   Picture picture() {
     const ImGuiIO& io = ImGui::GetIO();

@@ -61,23 +61,39 @@ bool meet(const Rect& a, const Rect& b) {
   return a.left < b.right - touch && b.left < a.right - touch && a.top < b.bottom - touch && b.top < a.bottom - touch;
 }
 
+/// Whether it belongs to the question, by which it is answered.
+bool is_of_question(const std::string& name) {
+  static const char* const starts[] = {"choice ", "answer", "tile ", "point ", "give answer", "show choices"};
+  return std::ranges::any_of(starts, [&](const char* start) { return name.starts_with(start); });
+}
+
 /// The part of a pseudocode line, a field or an answer that its scrolling area shows; empty if it is scrolled away.
 Rect visible(const WindowDriver& window, const std::string& full_name, Rect r) {
   const std::string name = within_pane(full_name), pane = full_name.substr(0, full_name.size() - name.size());
   static const std::pair<const char*, const char*> areas[] = {{"line ", "code lines"},
                                                               {"choice ", "lesson words"},
+                                                              {"answer", "lesson words"},
+                                                              {"tile ", "lesson words"},
+                                                              {"point ", "lesson words"},
+                                                              {"give answer", "lesson words"},
+                                                              {"show choices", "lesson words"},
+                                                              {"what was typed", "lesson words"},
+                                                              {"reply", "lesson words"},
+                                                              {"numbers again", "lesson words"},
                                                               {"save preset", "lesson words"},
                                                               {"again ", "lesson words"},
                                                               {"try ", "lesson words"},
                                                               {"solution ", "lesson words"},
                                                               {"see it fail", "lesson words"},
                                                               {"same idea ", "lesson words"},
+                                                              {"take review ", "lesson words"},
                                                               {"exercise", "lesson words"},
                                                               {"parameter ", "lesson fields"},
                                                               {"refused ", "lesson fields"},
                                                               {"meaning", "values"},
+                                                              {"condition ", "values"},
                                                               {"value ", "values"}};
-  if (name.starts_with("choice ") && window.has("question over scene")) {  // the card scrolls
+  if (is_of_question(name) && window.has("question over scene")) {  // the card scrolls
     const Rect card = window.rect("question over scene");
     return {r.left, std::max(r.top, card.top), r.right, std::min(r.bottom, card.bottom)};
   }
@@ -91,7 +107,7 @@ Rect visible(const WindowDriver& window, const std::string& full_name, Rect r) {
 
 /// Whether it lies under the card of the question, which appears where the lesson's panel has no room.
 bool covered(const WindowDriver& window, const std::string& name, const Rect& r) {
-  if (!window.has("question over scene") || name.starts_with("choice ")) return false;
+  if (!window.has("question over scene") || is_of_question(name)) return false;
   return meet(r, window.rect("question over scene"));
 }
 
@@ -557,8 +573,21 @@ TEST_CASE("with the panels hidden a question has room for all its answers, in th
     ++asked;
     window.frames(3);
     INFO(window.ui.title());
-    const Rect card = window.rect("question over scene"), scene = window.rect("scene");
+    Rect card = window.rect("question over scene");
+    const Rect scene = window.rect("scene");
     CHECK((card.top >= scene.top && card.bottom <= window.rect("transport").top));
+    if (window.player().quiz().asks_more()) {
+      for (const char* name : {"answer", "give answer", "show choices"}) {
+        if (question.line) break;  // below the pseudocode, to which the card scrolls
+        const Rect part = window.rect(name);
+        CHECK((part.top >= card.top && part.bottom <= card.bottom));
+        CHECK((part.left >= card.left && part.right <= card.right));
+      }
+      window.player().show_choices();
+      window.frames(3);
+      card = window.rect("question over scene");
+      CHECK((card.top >= scene.top && card.bottom <= window.rect("transport").top));
+    }
     for (std::size_t k = 0; k < question.choices.size(); ++k) {
       const Rect choice = window.rect("choice " + std::to_string(k));
       CHECK((choice.top >= card.top && choice.bottom <= card.bottom));

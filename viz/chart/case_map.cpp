@@ -233,7 +233,9 @@ class MapParts {
 
   std::optional<Chart> next() {
     if (sweep_.next()) return {};
-    for (const Preset& preset : lesson_.presets) mark(preset.parameters);
+    for (const Preset& preset : lesson_.presets)
+      if (!map_.own_group || preset.parameters.at(lesson_.group_by) == here_.at(lesson_.group_by))
+        mark(preset.parameters);
     return Chart{std::move(cases_)};
   }
 

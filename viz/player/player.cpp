@@ -44,7 +44,7 @@ void Player::choose(int step) {
 /// Changes the lesson or its parameters; nothing else does.
 void Player::show(Chosen next, bool same_lesson) {
   const Lesson& lesson = *lessons_[next.lesson];
-  const bool asks = quiz_.asked();
+  const bool asks = quiz_.asked(), chooses = asks && !quiz_.asks_more();
   quiz_ = {};
   played_ = std::make_shared<PlayedWalk>(lesson, next.parameters, same_lesson ? played_->overview() : nullptr);
   ++walks_;
@@ -52,6 +52,7 @@ void Player::show(Chosen next, bool same_lesson) {
   chosen_ = std::move(next);
   show_step(step_in(walk(), chosen_));
   ask(asks);
+  if (chooses) quiz_.show_choices();
   motion_.end();
   ++revision_;
   if (!same_lesson) camera_.jump(opening_view(), false);
@@ -129,9 +130,28 @@ bool Player::tells_title(int step) const { return step <= index() || (!quiz_.ask
 void Player::answer(int choice) {
   const Question* asked = quiz_.asked();
   if (!asked || choice < 0 || choice >= static_cast<int>(asked->choices.size())) return;
-  quiz_.keep(index() + 1, choice);
+  answer(GivenAnswer{choice});
+}
+
+void Player::answer(GivenAnswer given) {
+  quiz_.keep(index() + 1, std::move(given));
+  ++answers_;
   go_to(index() + 1);
   clock_.begin_answered_step();
+}
+
+void Player::answer_typed(const std::string& text) {
+  if (quiz_.asks_more()) answer(answer_from(walk(), index() + 1, text));
+}
+
+void Player::answer_line(int line) {
+  if (quiz_.wants_line()) answer(pointed_at(*quiz_.asked(), line));
+}
+
+void Player::show_choices() {
+  if (!quiz_.asks_more()) return;
+  quiz_.show_choices();
+  ++revision_;
 }
 
 void Player::ask_again(int step) {
@@ -269,6 +289,11 @@ void Player::go(const ReaderState& to) {
     next.go_to(to.step.value_or(0));
     if (to.camera) next.camera_.jump(*to.camera, true);
   });
+}
+
+void Player::return_as(Player kept) {
+  kept.revision_ = revision_ + 1, kept.walks_ = walks_ + 1, kept.answers_ = answers_;
+  *this = std::move(kept);
 }
 
 void Player::set_aspect(double aspect) {

@@ -68,8 +68,17 @@ class Player {
   /// Whether a step's title gives no answer away: its question, if any, has been passed.
   bool tells_title(int step) const;
   void answer(int choice);
+  /// Answers with what was typed, where more than a choice is asked for. Throws BadInput if it can't be read: then
+  /// nothing has changed.
+  void answer_typed(const std::string&);
+  /// Answers with a line of the pseudocode, from 0, where one is asked for.
+  void answer_line(int line);
+  /// Shows the choices of a question that asks for more than a choice, as a hint.
+  void show_choices();
   /// Goes to just before that step, which has a question, and asks it, whatever the answer was before.
   void ask_again(int step);
+  /// Returns how many answers were given so far.
+  unsigned answers_given() const { return answers_; }
 
   void toggle_play();
   /// Whether play goes on by itself: not while a question is open, if play stops at questions.
@@ -96,6 +105,8 @@ class Player {
   /// Moves the setting to a place on the lesson's map of cases; a place beyond the map is moved to its rim.
   void go_to_case(const Vec2&);
   void go(const ReaderState&);
+  /// Becomes what it was when `kept` was copied from it, with its history; the counts above go on.
+  void return_as(Player kept);
 
   /// Returns the exercise that is tried: by its index in the lesson, until another lesson is opened
   /// (viz/player/practice.h).
@@ -149,6 +160,7 @@ class Player {
   void begin_motion();  ///< from what is shown now
   bool can_ask() const { return !at_end() && walk().steps[index() + 1].question; }
   void ask(bool);  ///< about the next step, if it has a question
+  void answer(GivenAnswer);
   Camera opening_view() const { return camera_.opening(*played_, scene()); }
 
   std::vector<const Lesson*> lessons_;
@@ -156,7 +168,7 @@ class Player {
   std::shared_ptr<PlayedWalk> played_;  ///< shared with copies of this player
   int at_ = 0;                          ///< the step that is shown
   std::optional<int> exercise_;
-  unsigned revision_ = 0, walks_ = 0;
+  unsigned revision_ = 0, walks_ = 0, answers_ = 0;
 
   Quiz quiz_;
   PlayClock clock_;

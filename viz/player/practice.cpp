@@ -1,6 +1,7 @@
 #include "viz/player/practice.h"
 
 #include "viz/walk/closing.h"
+#include "viz/walk/other_numbers.h"
 
 namespace isect::viz {
 
@@ -34,6 +35,17 @@ void begin_exercise(Player& player, int index) {
 bool exercise_solved(const Player& player) {
   const Exercise* e = player.exercise();
   return e && e->found && e->found(player.parameters());
+}
+
+bool ask_with_other_numbers(Player& player) {
+  if (!player.quiz().answered()) return false;
+  const std::optional<OtherSetting> other =
+      other_numbers(player.lesson(), player.parameters(), player.index(), player.answers_given());
+  if (!other) return false;
+  player.remember("");
+  player.set_parameters(other->parameters);
+  player.ask_again(other->step);
+  return true;
 }
 
 }  // namespace isect::viz

@@ -1,5 +1,5 @@
 #pragma once
-// Errors in print that a player shows, and exercises that are tried with it.
+// Errors in print that a player shows, exercises that are tried with it, and questions asked again.
 
 #include "viz/player/player.h"
 
@@ -14,5 +14,9 @@ void show_erratum(Player&);
 void begin_exercise(Player&, int index);
 /// Whether the exercise that was begun is solved.
 bool exercise_solved(const Player&);
+
+/// Asks the question that was answered once more, in another setting (viz/walk/other_numbers.h). Returns false if none
+/// was answered, or no such setting is found.
+bool ask_with_other_numbers(Player&);
 
 }  // namespace isect::viz

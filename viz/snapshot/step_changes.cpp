@@ -109,6 +109,9 @@ void compare_questions(const Json& was, const Json& is, Changes& changes) {
   changes.compare("choices", at(was, "choices"), at(is, "choices"));
   changes.compare_texts("reason of the answer", at(was, "because"), at(is, "because"));
   changes.compare("numbers given with the question", at(was, "given"), at(is, "given"));
+  changes.compare("number to type", at(was, "number"), at(is, "number"));
+  changes.compare("line to point at", at(was, "line to point at"), at(is, "line to point at"));
+  changes.compare("order to give", at(was, "order"), at(is, "order"));
 }
 
 }  // namespace

@@ -50,10 +50,35 @@ Json told(const Value& v) {
   return list;
 }
 
+Json told(const Numeric& n) {
+  Json object = {{"truth", digits(n.truth)}, {"digits", n.digits}, {"wrong", Json::array()}};
+  for (const WrongNumber& wrong : n.wrong) object["wrong"].push_back(Json::array({digits(wrong.value), wrong.reply}));
+  return object;
+}
+
+Json told(const LineAsked& l) {
+  Json object = {{"truth", l.truth + 1}, {"wrong", Json::array()}};
+  for (const WrongLine& wrong : l.wrong) object["wrong"].push_back(Json::array({wrong.line + 1, wrong.reply}));
+  return object;
+}
+
+Json told(const OrderAsked& o) {
+  Json object = {{"tiles", o.tiles}, {"ranks", o.ranks}, {"wrong", Json::array()}};
+  for (const WrongOrder& wrong : o.wrong) {
+    Json tiles = Json::array();
+    for (const int tile : wrong.order) tiles.push_back(o.tiles.at(static_cast<std::size_t>(tile)));
+    object["wrong"].push_back(Json::array({tiles, wrong.reply}));
+  }
+  return object;
+}
+
 Json told(const Question& q) {
   Json object = {{"prompt", q.prompt}, {"choices", q.choices}};
   if (q.answer >= 0 && q.answer < static_cast<int>(q.choices.size())) object["answer"] = q.choices[q.answer];
   object["because"] = q.because;
+  if (q.number) object["number"] = told(*q.number);
+  if (q.line) object["line to point at"] = told(*q.line);
+  if (q.order) object["order"] = told(*q.order);
   for (const Value& v : q.given) object["given"].push_back(told(v));
   return object;
 }

@@ -32,13 +32,14 @@ std::vector<Card::Row> card_rows(const Closing& c) {
   return {{"Result", c.result}, {"Cost", c.cost}, {"Choose it", c.choose}, {"Used", c.used}, {"Typical bug", c.bug}};
 }
 
-std::vector<Card::Row> card_rows(const Lesson& lesson) {
+std::vector<Card::Row> card_rows(const Lesson& lesson, std::size_t most_named) {
   std::vector<Card::Row> rows = card_rows(*lesson.closing);
   std::string text;
   for (const SharedIdea& shared : shared_ideas(lesson)) {
     text += (text.empty() ? "" : ". ") + heading(shared) + ": ";
-    for (const Lesson* other : shared.others)
-      text += (other == shared.others.front() ? "" : ", ") + short_title(*other);
+    const std::size_t all = shared.others.size(), named = all <= most_named ? all : most_named - 1;
+    for (std::size_t i = 0; i < named; ++i) text += (i == 0 ? "" : ", ") + short_title(*shared.others[i]);
+    if (named < all) text += " and " + std::to_string(all - named) + " more";
   }
   if (!text.empty()) rows.push_back({shared_head, text + "."});
   return rows;
@@ -82,7 +83,7 @@ Step closing_step(const Lesson& lesson, const Step& before) {
   step.comparison.reset(), step.question.reset();
   for (Value& value : step.values) value.fresh = false;
   step.scene = {};
-  step.scene.chart = std::make_shared<const Chart>(Chart{Card{card_rows(lesson)}});
+  step.scene.chart = std::make_shared<const Chart>(Chart{Card{card_rows(lesson, named_on_card)}});
   return step;
 }
 

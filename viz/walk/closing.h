@@ -26,8 +26,11 @@ int line_of(const Erratum&, const Walk&);
 
 /// Returns what the card says of the lesson itself, as pairs of a head and a text.
 std::vector<Card::Row> card_rows(const Closing&);
-/// Returns these rows, and one that says where the lesson's ideas occur again.
-std::vector<Card::Row> card_rows(const Lesson&);
+/// How many other lessons a card or a slide names for each idea that they share.
+inline constexpr std::size_t named_on_card = 4;
+/// Returns these rows, and one that says where the lesson's ideas occur again. At most `most_named` other lessons are
+/// named for each idea: where there are more, one less, and how many are left out.
+std::vector<Card::Row> card_rows(const Lesson&, std::size_t most_named = 1000);
 /// The head of the row of ideas that occur again.
 inline constexpr const char* shared_head = "Same idea";
 /// Returns the ideas that other lessons share with this one; empty if it stands alone.

@@ -7,6 +7,7 @@
 #include "viz/text/rich_text.h"
 #include "viz/walk/alt_text.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/given_order.h"
 #include "viz/walk/question_scene.h"
 
 namespace isect::viz {
@@ -34,6 +35,16 @@ std::optional<ComparisonText> comparison_text(const std::optional<Comparison>& c
   if (!c) return {};
   return ComparisonText{fmt::format("Is {}?", c->text), c->holds, c->holds ? "Yes" : "No",
                         fmt::format("({}){}{}.", compared_numbers(*c), c->meaning.empty() ? "" : ": ", c->meaning)};
+}
+
+/// Returns the right answer, in the form in which it is asked for on paper.
+std::string answer_text(const Walk& walk, const Question& q) {
+  if (q.line)
+    return fmt::format("Line {}: {}.", q.line->truth + 1,
+                       as_markup(unindented(walk.pseudocode.at(static_cast<std::size_t>(q.line->truth)))));
+  if (q.order) return right_order(*q.order) + ".";
+  const auto right = static_cast<std::size_t>(q.answer);
+  return fmt::format("({}) {}.", choice_letter(right), q.choices.at(right));
 }
 
 std::string with_given(const std::string& prompt, const std::vector<Value>& given) {
@@ -70,8 +81,9 @@ std::optional<QuestionText> question_text(const Walk& walk, int step) {
   text.known = values_text(known, {});
   text.choices = q.choices;
   text.right = static_cast<std::size_t>(q.answer);
-  text.answer = fmt::format("({}) {}.", choice_letter(text.right), q.choices.at(text.right));
+  text.answer = answer_text(walk, q);
   text.because = q.because;
+  text.asked = &q;
   return text;
 }
 

@@ -37,9 +37,10 @@ struct QuestionText {
   std::string whole_prompt;      ///< with all that is known of its step: for a page that has no other place for it
   std::vector<ValueText> known;  ///< what is known besides the numbers that it is given
   std::vector<std::string> choices;
-  std::size_t right;    ///< index into choices
-  std::string answer;   ///< "(b) It misses."
-  std::string because;  ///< the reason why
+  std::size_t right;                ///< index into choices
+  std::string answer;               ///< "(b) It misses.", "Line 4: return MISS.", "(c) far, then (a) near."
+  std::string because;              ///< the reason why
+  const Question* asked = nullptr;  ///< the question itself, of the walk
 };
 
 /// Where the pseudocode of a walk differs from the published one.

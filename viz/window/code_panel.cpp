@@ -120,11 +120,12 @@ void code_line(Player& player, Ui& ui, int line, const CodeLine& words, float pi
   const Palette& c = ui.palette;
   const Step& step = player.shown();
   const bool current = line == step.line;
+  const bool to_point_at = player.quiz().wants_line() && ui.side.empty();  // the question is the first pane's
   const int to = step_at_line(player, line);
   const Press p = press(ui, "line " + std::to_string(line + 1), r);
   if (current)
     filled(r, c.highlight.with_alpha(player.motion().light()), 5);
-  else if (p.hovered && to >= 0)
+  else if (p.hovered && (to >= 0 || to_point_at))
     filled(r, c.frame, 5);
 
   const bool lit = current && player.motion().light() > 0.5;  // until then the ink of other lines is easier to read
@@ -152,7 +153,11 @@ void code_line(Player& player, Ui& ui, int line, const CodeLine& words, float pi
     text(ui.fonts.small, r.right - 12, y, packed(lit ? c.on_highlight : *said ? c.hit : c.miss), word, 1);
     ui.rects[word + " " + std::to_string(line + 1)] = {r.right - 34, y - 9, r.right - 8, y + 9};
   }
-  if (p.clicked && to >= 0) player.go_to(to);  // last, as it destroys the step that is shown
+  // last, as it destroys the step that is shown
+  if (p.clicked && to_point_at)
+    player.answer_line(line);
+  else if (p.clicked && to >= 0)
+    player.go_to(to);
 }
 
 void code(Player& player, Ui& ui, const std::vector<CodeLine>& lines, const Rect& r, float pitch, int parted_line) {

@@ -22,7 +22,15 @@ struct Column {
 
 /// Draws the question before the next step, or the result of the one before this step. `fresh`: it was not there in the
 /// last frame. `values`: it names those that are known, which no panel shows. (question.cpp)
-void question(Column&, Player&, bool fresh, bool values);
+void question(Column&, Player&, AnswerField&, bool fresh, bool values);
+/// Draws the field for what is asked for besides a choice, the tiles of an order, and a button that shows the choices
+/// instead. `code`: and the lines to point at, which no panel shows. (answer_field.cpp)
+void answer_field(Column&, Player&, AnswerField&, bool code);
+/// Draws the tiles of an order, in rows; each is taken, or put back, at a press. What the field holds is the order.
+/// (answer_tiles.cpp)
+void order_tiles(Column&, const OrderAsked&, AnswerField&);
+/// Draws the pseudocode in rows to point at. Returns the line that was pressed; -1: none. (answer_tiles.cpp)
+int lines_to_point_at(Column&, const Walk&);
 /// Draws, where the current line errs as published, what it should be and a button to see it fail. (practice.cpp)
 void erratum(Column&, Player&, Toast&);
 /// Draws, on the closing card, what was answered wrong, to be answered again. (practice.cpp)
@@ -32,6 +40,8 @@ void missed(Column&, Player&, const Settings&);
 void exercises(Column&, Player&, std::set<const Exercise*>& shown, Toast&);
 /// Draws the lessons in which this one's ideas occur again, each to be opened. (practice.cpp)
 void same_ideas(Column&, Player&, Toast&);
+/// Draws, on the closing card of every fifth lesson, the review of these lessons. (review.cpp)
+void review_offer(Column&, const Player&, Requests&);
 /// Draws the exercise that is being tried, and whether its setting has been found. (practice.cpp)
 void exercise_on_hand(Column&, Player&);
 

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "viz/player/camera_moves.h"
 #include "viz/player/practice.h"
@@ -28,7 +30,17 @@ void paste(WindowSession& s) {
   });
 }
 
+void resizing_keys(double& size) {
+  if (pressed(key::plus, true) || pressed(key::equal, true) || pressed(key::keypad_plus, true)) size += 0.1;
+  if (pressed(key::minus, true) || pressed(key::keypad_minus, true)) size -= 0.1;
+  if (pressed(key::zero) || pressed(key::keypad_0)) size = 1;
+  size = std::clamp(std::round(10 * size) / 10, least_size, most_size);
+}
+
 void with_control(WindowSession& s) {
+  if (pressed(key::q)) s.requests.close = may_leave(s);
+  resizing_keys(s.settings.size);
+  if (s.review) return;
   if (pressed(key::o)) s.requests.sheet = Sheet::picker;
   const bool again = pressed(key::y) || (pressed(key::z) && ImGui::GetIO().KeyShift);
   attempt(s.toast, [&] {
@@ -40,12 +52,6 @@ void with_control(WindowSession& s) {
   });
   if (pressed(key::v)) paste(s);
   if (pressed(key::s)) save_back(s);
-  if (pressed(key::q)) s.requests.close = may_leave(s);
-  double& size = s.settings.size;
-  if (pressed(key::plus, true) || pressed(key::equal, true) || pressed(key::keypad_plus, true)) size += 0.1;
-  if (pressed(key::minus, true) || pressed(key::keypad_minus, true)) size -= 0.1;
-  if (pressed(key::zero) || pressed(key::keypad_0)) size = 1;
-  size = std::clamp(std::round(10 * size) / 10, least_size, most_size);
   if (!pressed(key::c)) return;
   ReaderState state = s.player.reader_state();
   if (two_panes(s.player, s.settings)) state.beside = OtherSide{s.settings.beside->method, s.settings.beside->preset};
@@ -96,6 +102,16 @@ void moving_keys(WindowSession& s) {
   }
 }
 
+/// The keys of a review: on, and out of it. Letters and digits answer.
+void review_keys(WindowSession& s) {
+  const bool done = s.review->result.has_value() && s.ui.focus.name().empty();
+  const bool entered = done && (pressed(key::enter) || pressed(key::keypad_enter));
+  if (entered || (pressed(key::right) && !ImGui::GetIO().KeyShift)) next_in_review(s);
+  if (pressed(key::f1)) s.requests.sheet = Sheet::keys;
+  if (pressed(key::f11)) s.full_screen = !s.full_screen;
+  if (pressed(key::escape)) leave_review(s);
+}
+
 void load_number(Player& player, Toast& toast, std::size_t number) {
   const std::vector<const Preset*> group = player.played().group();
   if (number <= group.size()) attempt(toast, [&] { player.load(*group[number - 1]); });
@@ -139,6 +155,13 @@ void command(WindowSession& s, char c) {
       return show_map(player, s.settings, s.toast);
     case 'r':
       return attempt(s.toast, [&] { player.restart(); });
+    case 'y':
+      s.step_words.answer.other = player.quiz().answered().has_value();
+      return;
+    case 't':
+      if (review_count(player.lessons()) == 0) return s.toast.say("A review needs a course of five lessons");
+      s.requests.sheet = Sheet::reviews;
+      return;
     case 'p':
       return set_perspective(player, true);
     case 'o':
@@ -167,9 +190,12 @@ void command(WindowSession& s, char c) {
 void character(WindowSession& s, char c) {
   if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   const Question* const asked = s.player.quiz().asked();
+  const bool letter = asked && c >= 'a' && c - 'a' < static_cast<int>(asked->choices.size());
+  if (letter && s.player.quiz().asks_more()) return s.player.show_choices();
   if (c >= '0' && c <= '9' && asked) return answer_with(s.player, c);
+  if (letter) return s.player.answer(c - 'a');
+  if (s.review && std::string_view("fop+=-?").find(c) == std::string_view::npos) return;  // nothing leads away
   if (c >= '0' && c <= '9') return load_number(s.player, s.toast, c == '0' ? 10 : static_cast<std::size_t>(c - '0'));
-  if (asked && c >= 'a' && c - 'a' < static_cast<int>(asked->choices.size())) return s.player.answer(c - 'a');
   command(s, c);
 }
 
@@ -190,6 +216,7 @@ void save_back(WindowSession& s) {
 }
 
 bool may_leave(WindowSession& s) {
+  if (s.review) leave_review(s);
   const bool saved =
       !keeps_file(s) || !s.player.played().preset_id().empty() || s.scene_file.told_unsaved == s.player.revision();
   if (saved) return true;
@@ -199,14 +226,23 @@ bool may_leave(WindowSession& s) {
 }
 
 void keys(WindowSession& s) {
+  if (std::exchange(s.step_words.answer.other, false))
+    attempt(s.toast, [&] {
+      if (!ask_with_other_numbers(s.player)) s.toast.say("No other setting asks this with other numbers");
+    });
   const ImGuiIO& io = ImGui::GetIO();
   const bool in_popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
   focus_keys(s.ui.focus, in_popup);
   if (io.WantTextInput || in_popup) return;
   if (io.KeyCtrl) return with_control(s);
-  moving_keys(s);
-  for (const ImWchar c : io.InputQueueCharacters)
-    if (c < 128) character(s, static_cast<char>(c));
+  (s.review ? review_keys : moving_keys)(s);
+  bool answered = false;
+  for (const ImWchar c : io.InputQueueCharacters) {
+    const bool of_answer = typed_into_answer(s.player, s.step_words.answer, c);
+    answered = answered || of_answer;
+    if (!of_answer && c < 128) character(s, static_cast<char>(c));
+  }
+  if (answered) ImGui::GetIO().InputQueueCharacters.resize(0);  // the field that opens would take them once more
 }
 
 }  // namespace isect::viz

@@ -79,11 +79,12 @@ void lesson_text(const LessonPanel& panel, const Rect& r, bool fresh, bool low) 
     }
     erratum(c, player, panel.toast);
   }
-  question(c, player, fresh, false);
+  question(c, player, panel.words.answer, fresh, false);
   if (step.slug == closing_slug) {
     missed(c, player, panel.settings);
     exercises(c, player, panel.words.solutions, panel.toast);
     same_ideas(c, player, panel.toast);
+    review_offer(c, player, panel.requests);
   } else {
     side_by_side(c, player, panel.requests);
   }

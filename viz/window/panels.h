@@ -49,12 +49,25 @@ void pass_questions(Player&, Settings&, Toast&);
 /// Draws the key sheet, the picker and the save sheet, over everything else. (sheets.cpp)
 void sheets(WindowSession&, const Rect& window);
 
-/// Keeps the answers that were given, and that a lesson was read to its end. (score.cpp)
-void keep_score(const Player&, Settings&);
+/// Keeps the answers that were given, and that a lesson was read to its end. (score.cpp) `answers_kept`: how many of
+/// the player's answers are in the record; it keeps the last one where that is new.
+void keep_score(const Player&, Settings&, unsigned& answers_kept);
 /// Returns the steps of this walk whose questions were answered wrong when they were asked last.
 std::vector<int> missed_questions(const Player&, const Settings&);
 /// Keeps the lessons opened last, the one on show first. (score.cpp)
 void keep_recent(const Player&, Settings&);
+
+/// Begins a review, whose questions the player then asks one after the other. (review.cpp)
+void begin_review(WindowSession&, int number);
+/// Returns to where the reader was.
+void leave_review(WindowSession&);
+/// Asks the next question; the one on show is skipped if it is not answered.
+void next_in_review(WindowSession&);
+/// Called in every frame: takes note of an answer, and asks again where a drag has taken the question away.
+void follow_review(WindowSession&);
+/// Draw the bars of a review, which replace those of a lesson, and what came of it.
+void review_bars(WindowSession&, const Rect& top, const Rect& bottom);
+void review_score(WindowSession&, const Rect&);
 
 /// Whether the lesson lies in a file that can be written to; save_back() writes the setting there, or else opens the
 /// sheet that saves figures. (keys.cpp)
@@ -62,6 +75,9 @@ bool keeps_file(const WindowSession&);
 /// Returns false once if numbers of a scene would be lost, with a message.
 bool may_leave(WindowSession&);
 void save_back(WindowSession&);
+/// Whether a character belongs to what answers the open question besides a choice: the first opens the field for it.
+/// (answer_field.cpp)
+bool typed_into_answer(const Player&, AnswerField&, ImWchar);
 /// Does what this frame's keys ask for. (keys.cpp)
 void keys(WindowSession&);
 

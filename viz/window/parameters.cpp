@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "viz/text/number_text.h"
 #include "viz/text/rich_text.h"
-#include "viz/window/number_text.h"
 #include "viz/window/panels.h"
 
 namespace isect::viz {

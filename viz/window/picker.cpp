@@ -16,7 +16,7 @@
 namespace isect::viz {
 namespace {
 
-constexpr float row_height = 28, heading_height = 30, gutter = 20;
+constexpr float row_height = 25, heading_height = 27, gutter = 20;
 
 /// A row of the picker: a heading, a lesson, or a saved preset.
 struct Entry {

@@ -45,8 +45,9 @@ bool choice_button(Ui& ui, const Choice& choice, const Rect& r) {
   return p.clicked && choice.open;
 }
 
-/// Draws the question's answers, side by side if they fit. Returns the one that was pressed, or -1.
-int choices(Column& c, const Question& question, int given) {
+/// Draws the question's answers, side by side if they fit. Returns the one that was pressed, or -1. Where it is not
+/// `open` any more, `given` was chosen; -1: none.
+int choices(Column& c, const Question& question, bool open, int given) {
   Ui& ui = c.ui;
   const int n = static_cast<int>(question.choices.size());
   float widest = 0;
@@ -60,7 +61,7 @@ int choices(Column& c, const Question& question, int given) {
     const float width = in_a_row ? share : c.width;
     const float lines = ui.texts.size_of(choice_words(ui, question.choices[i], width, ui.palette.text)).y;
     const Rect r{x, c.y, x + width, c.y + std::max(36.0f, lines + 12)};
-    const Choice choice{"choice " + std::to_string(i), question.choices[i], static_cast<char>('A' + i), given < 0,
+    const Choice choice{"choice " + std::to_string(i), question.choices[i], static_cast<char>('A' + i), open,
                         i == question.answer,          i == given};
     if (choice_button(ui, choice, r)) pressed = i;
     if (!in_a_row || i + 1 == n) c.y = r.bottom + (i + 1 < n ? 6.0f : 0.0f);
@@ -70,7 +71,7 @@ int choices(Column& c, const Question& question, int given) {
 
 }  // namespace
 
-void question(Column& c, Player& player, bool fresh, bool values) {
+void question(Column& c, Player& player, AnswerField& field, bool fresh, bool values) {
   const Palette& ink = c.ui.palette;
   if (const Question* asked = player.quiz().asked()) {
     c.y += 24;
@@ -84,7 +85,8 @@ void question(Column& c, Player& player, bool fresh, bool values) {
       c.ui.rects["known values"] = {c.x, top, c.x + c.width, c.y};
     }
     c.y += 10;
-    const int pressed = choices(c, *asked, -1);
+    if (player.quiz().asks_more()) return answer_field(c, player, field, values);
+    const int pressed = choices(c, *asked, true, -1);
     if (pressed >= 0) player.answer(pressed);
     return;
   }
@@ -99,9 +101,22 @@ void question(Column& c, Player& player, bool fresh, bool values) {
   c.paragraph(right ? "Right" : "Not quite", colour, 15, 23, true);
   c.x -= 22, c.width += 22;
   c.ui.rects["what came of it"] = {c.x, begin, c.x + c.width, c.y};
+  const Rect again{c.x + c.width - 92, begin - 1, c.x + c.width, begin + 23};
+  if (chip(c.ui, "numbers again", again, "Again (Y)", false, c.ui.fonts.small)) field.other = true;
+  if (ImGui::IsItemHovered()) tooltip(c.ui, "The same question with other numbers");
   c.paragraph(answered->question->prompt, ink.muted);
+  if (!answered->told.empty()) {
+    const float top = c.y;
+    c.paragraph(answered->told, ink.text);
+    c.ui.rects["what was typed"] = {c.x, top, c.x + c.width, c.y};
+  }
+  if (const std::string reply = answered->reply(); !reply.empty()) {
+    const float top = c.y;
+    c.paragraph(reply, ink.text);
+    c.ui.rects["reply"] = {c.x, top, c.x + c.width, c.y};
+  }
   c.y += 8;
-  choices(c, *answered->question, answered->choice);
+  choices(c, *answered->question, false, answered->choice);
   c.y += 10;
   c.paragraph(answered->question->because, ink.text);
   if (!fresh) return;
@@ -123,7 +138,7 @@ void question_within(Player& player, Ui& ui, StepWords& step_words, bool values,
   outlined(r, ui.palette.rule, 1.5f, 0);
   const float top = ImGui::GetCursorScreenPos().y;
   Column c{ui, r.left + margin, top - 12, r.width() - 2 * margin};
-  question(c, player, false, values);
+  question(c, player, step_words.answer, false, values);
   step_words.question_height = c.y - top + margin;
   ImGui::SetCursorScreenPos({r.left, c.y});
   ImGui::Dummy({1, margin});

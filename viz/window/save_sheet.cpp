@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "viz/formats/formats.h"
+#include "viz/text/number_text.h"
 #include "viz/text/rich_text.h"
-#include "viz/window/number_text.h"
 #include "viz/window/sheets.h"
 
 namespace isect::viz {

@@ -250,13 +250,15 @@ void changed_text(const Player& player, const Ui& ui, const Rect& scene) {
     tooltip(ui, "Parameters were changed by hand. Here or R: back to the preset. Ctrl+Z: one change back");
 }
 
-void projection_name(Player& player, Ui& ui, const Rect& scene) {
+void projection_name(Player& player, Ui& ui, const View& view, const Rect& scene, const std::vector<Handle>& handles) {
+  if (meets_handle(handles, view, projection_rect(player, ui, scene))) return;
   if (press(ui, "projection", projection_rect(player, ui, scene)).clicked)
     set_perspective(player, !player.camera().goal().perspective);
 }
 
 void projection_text(const Player& player, Ui& ui, const Rect& scene, const std::vector<PlacedLabel>& labels) {
   const Rect r = projection_rect(player, ui, scene);
+  if (!ui.rects.contains("projection")) return;
   if (meets_label({r.left + 8, r.top + 4, r.right - 4, r.bottom - 4}, scene, labels)) return;
   ui.rects["projection text"] = r;
   const bool hovered = ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r));

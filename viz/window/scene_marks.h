@@ -26,9 +26,9 @@ void verdict_chip(const Player&, Ui&, const Rect& scene);
 void alarm_chip(const Player&, Ui&, const Rect& scene);
 /// Draws the directions of the axes at the bottom left, unless a label or a handle stands there.
 void tripod(Ui&, const View&, const Rect& scene, const std::vector<PlacedLabel>&, const std::vector<Handle>&);
-/// Draw the projection's name at the bottom right: a button (before the scene's own), and its text (over the picture,
-/// unless a label stands there).
-void projection_name(Player&, Ui&, const Rect& scene);
+/// Draw the projection's name at the bottom right: a button (before the scene's own), unless a handle stands there, and
+/// its text (over the picture, unless a label does).
+void projection_name(Player&, Ui&, const View&, const Rect& scene, const std::vector<Handle>&);
 void projection_text(const Player&, Ui&, const Rect& scene, const std::vector<PlacedLabel>&);
 /// A mark above it, where parameters were changed by hand: a button, with its text, that leads back to the preset.
 /// Charts and pages, whose words reach everywhere, leave a strip of this height below them for it; not if a drag makes

@@ -342,7 +342,7 @@ void SceneView::show(const ScenePane& s, const Rect& r) {
   const View before(player.camera().now(), r.width(), height, corner);
 
   const bool lead = s.pane == Pane::lead, in_space = !player.scene().chart && !has_drawings(player.scene());
-  if (lead && in_space && !player.lesson().flat) projection_name(player, ui, r);
+  if (lead && in_space && !player.lesson().flat) projection_name(player, ui, before, r, s.handles());
   if (lead) changed_mark(player, ui, s.toast, r);
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::InvisibleButton("picture", {r.width(), r.height()},

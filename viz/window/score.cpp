@@ -1,23 +1,29 @@
 // A reader's progress that is kept: answers, lessons read to their ends, lessons opened last.
 
+#include <utility>
+
 #include "viz/walk/closing.h"
+#include "viz/walk/review.h"
 #include "viz/window/panels.h"
 
 namespace isect::viz {
 namespace {
 
-std::string question_name(const Player& player, int step) {
-  std::string name = player.played().method() + "/" + player.walk().steps[step].slug;
-  std::erase_if(name, [](char c) { return c >= '0' && c <= '9'; });  // the same question in every round of a loop
-  return name;
+std::string question_at(const Player& player, int step) {
+  return question_name(player.lesson(), player.parameters(), player.walk().steps[step]);
 }
 
 }  // namespace
 
-void keep_score(const Player& player, Settings& settings) {
+void keep_score(const Player& player, Settings& settings, unsigned& answers_kept) {
   Score& score = settings.scores[player.lesson().id];
-  if (const auto answered = player.quiz().answered())
-    score.answers[question_name(player, player.index())] = answered->right();
+  const bool fresh = std::exchange(answers_kept, player.answers_given()) != player.answers_given();
+  if (const auto answered = player.quiz().answered()) {
+    const std::string question = question_at(player, player.index());
+    score.answers[question] = answered->right();
+    if (fresh && player.lesson().made_from.empty())
+      settings.record.keep(player.lesson().id, question, answered->right());
+  }
   if (player.step().slug == closing_slug) score.finished = true;
 }
 
@@ -28,7 +34,7 @@ std::vector<int> missed_questions(const Player& player, const Settings& settings
   std::set<std::string> seen;
   for (int i = 1; i < player.count(); ++i) {
     if (!player.walk().steps[i].question) continue;
-    const std::string name = question_name(player, i);
+    const std::string name = question_at(player, i);
     const auto answer = score->second.answers.find(name);
     if (answer != score->second.answers.end() && !answer->second && seen.insert(name).second) missed.push_back(i);
   }

@@ -75,12 +75,40 @@ std::map<std::string, Score> scores_field(const Json& from) {
   return scores;
 }
 
+/// Returns the record of answers. Throws BadInput where it is damaged. A file from before there was one knows at least
+/// how each question was answered the last time.
+AnswerRecord record_field(const Json& from, const std::map<std::string, Score>& scores) {
+  if (const auto found = from.find("record"); found != from.end()) return answer_record_from(found->dump());
+  AnswerRecord record;
+  for (const auto& [lesson, score] : scores)
+    for (const auto& [question, right] : score.answers) record.lessons[lesson][question] = {right, 1, right ? 0 : 1, 0};
+  return record;
+}
+
+/// Returns why the record can't be read; empty if it can.
+std::string damage_of_record(const Json& from) {
+  try {
+    record_field(from, {});
+    return {};
+  } catch (const BadInput& damage) {
+    return damage.what();
+  }
+}
+
 Json json_of(const std::map<std::string, Score>& scores) {
   Json all = Json::object();
   for (const auto& [lesson, score] : scores)
     if (score.finished || !score.answers.empty())
       all[lesson] = {{"finished", score.finished}, {"answers", score.answers}};
   return all;
+}
+
+/// Returns a new name beside a file, for one that is damaged.
+std::string name_aside(const std::string& file) {
+  std::error_code error;
+  std::string aside = file + ".damaged";
+  for (int i = 2; std::filesystem::exists(aside, error); ++i) aside = fmt::format("{}.damaged-{}", file, i);
+  return aside;
 }
 
 /// Returns the parsed file; empty if it is no JSON object.
@@ -124,6 +152,11 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
   s.reader_state = place_field(json, lessons);
   s.beside = beside_field(json);
   s.scores = scores_field(json);
+  try {
+    s.record = record_field(json, s.scores);
+  } catch (const BadInput&) {  // told, and kept, by set_spoilt_settings_aside
+    s.record = {};
+  }
   s.recent = field(json, "recent", s.recent);
   std::erase_if(s.recent, [&](const std::string& id) {
     return std::ranges::none_of(lessons, [&](const Lesson* l) { return l->id == id; });
@@ -137,9 +170,16 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
 std::string set_spoilt_settings_aside(const std::string& file) {
   namespace fs = std::filesystem;
   std::error_code error;
-  if (file.empty() || !fs::exists(file, error) || !parsed(file).is_null()) return {};
-  std::string aside = file + ".damaged";
-  for (int i = 2; fs::exists(aside, error); ++i) aside = fmt::format("{}.damaged-{}", file, i);
+  if (file.empty() || !fs::exists(file, error)) return {};
+  const std::string aside = name_aside(file);
+  if (const Json json = parsed(file); !json.is_null()) {
+    const std::string why = damage_of_record(json);
+    if (why.empty()) return {};
+    fs::copy_file(file, aside, error);
+    return fmt::format("The answers kept in {} can't be read ({}) and start afresh. {} {}", file, why,
+                       error ? "The file can't be copied:" : "A copy of the file is kept as",
+                       error ? error.message() : aside);
+  }
   fs::rename(file, aside, error);
   return error ? fmt::format("{} is damaged, and the window starts afresh. It can't be moved aside: {}", file,
                              error.message())
@@ -161,7 +201,8 @@ std::string text_of(const Settings& s) {
                {"save_width_cm", s.save_width_cm},
                {"recent", s.recent},
                {"saved", s.saved},
-               {"scores", json_of(s.scores)}};
+               {"scores", json_of(s.scores)},
+               {"record", Json::parse(text_of(s.record))}};
   if (const auto& b = s.beside) json["beside"] = {{"lesson", b->lesson}, {"method", b->method}, {"preset", b->preset}};
   if (s.reader_state) json["place"] = Json::parse(to_json(*s.reader_state));
   return json.dump(2) + "\n";

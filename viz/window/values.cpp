@@ -194,7 +194,7 @@ void comparison_card(Ui& ui, const Comparison& comparison, const Rect& r) {
   for (const Comparison& part : inequalities(comparison)) {
     if (!comparison.parts.empty()) {
       truth(ui, part, ui.fonts.mono_small, x0, bar_y - 2);
-      ui.rects["condition " + std::to_string(++part_number)] = {x0, bar_y - 12, x1, bar_y + 8};
+      ui.rects["condition " + std::to_string(++part_number)] = {x0, bar_y - 10, x1, bar_y + 8};
       bar_y += part_head;
     }
     if (const std::string numbers = in_full(part); !numbers.empty()) {

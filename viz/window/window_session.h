@@ -13,6 +13,7 @@
 #include "viz/course.h"
 #include "viz/formats/formats.h"
 #include "viz/player/player.h"
+#include "viz/walk/review.h"
 #include "viz/window/widgets.h"
 
 namespace isect::viz {
@@ -61,6 +62,7 @@ struct Settings {
   std::optional<ReaderState> reader_state = {};
   std::optional<Beside> beside = {};
   std::map<std::string, Score> scores = {};  ///< by lesson
+  AnswerRecord record = {};                  ///< all answers: what reviews are drawn from
   std::vector<std::string> recent = {};      ///< ids of the lessons last opened
   std::vector<std::string> saved = {};       ///< whole paths of presets, the last saved first, wherever they lie
 };
@@ -69,8 +71,9 @@ struct Settings {
 std::string settings_file();
 /// Reads the settings. A missing or damaged file gives the defaults, a damaged field its default.
 Settings read_settings(const std::string& file, const std::vector<const Lesson*>&);
-/// Renames a file that can't be read as settings, which would be overwritten at the end, to a new name beside it.
-/// Returns the message about it; empty if there was nothing to do.
+/// Renames a file that can't be read as settings, which would be overwritten at the end, to a new name beside it; keeps
+/// a copy there of one whose record of answers alone can't be read. Returns the message about it; empty if there was
+/// nothing to do.
 std::string set_spoilt_settings_aside(const std::string& file);
 /// Returns the settings as the file holds them.
 std::string text_of(const Settings&);
@@ -78,7 +81,7 @@ std::string text_of(const Settings&);
 void write_settings(const std::string& file, const Settings&);
 
 /// The sheets that may cover the window.
-enum class Sheet { none, keys, picker, save, terms };
+enum class Sheet { none, keys, picker, save, terms, reviews };
 
 /// What keys and buttons ask for, to be done between two frames.
 struct Requests {
@@ -87,6 +90,7 @@ struct Requests {
   bool save_preset = false;   ///< the setting as a preset file
   bool save_back = false;     ///< the setting into the scene's file
   bool close = false;         ///< the reader wants to close the window
+  int review = 0;             ///< to be begun: its number
   double zoom = 1;
 };
 
@@ -131,11 +135,24 @@ struct Fields {
   float height = 0;  ///< as the last frame found it
 };
 
+/// The field for what a question asks for besides a choice: a number, a line's number, the letters of an order.
+struct AnswerField {
+  std::pair<unsigned, int> of = {};  ///< the walk and the step whose question it is
+  std::string text = {};
+  bool typing = false;       ///< it has the keyboard, or gets it in one of the next frames
+  bool begun = false;        ///< it has had it
+  bool at_end = false;       ///< the cursor was set behind the text
+  int frames = 0;            ///< without the keyboard, so far
+  std::string refused = {};  ///< why the text can't be read; empty: it was not tried
+  bool other = false;        ///< the question that was answered is wanted once more, with other numbers
+};
+
 /// The words of a step, beside its scene or below it.
 struct StepWords {
   unsigned seen = 0;                         ///< the revision whose words are shown
   float question_height = 120;               ///< of the question over the scene, as the last frame found it
   std::set<const Exercise*> solutions = {};  ///< those that are shown
+  AnswerField answer = {};
   /// The words below the scene, as high as the fullest step of the lesson so far, so that the scene keeps its size.
   struct Lecture {
     const Lesson* lesson = nullptr;
@@ -173,6 +190,19 @@ void attempt(Toast& toast, Action&& action) {
   }
 }
 
+/// A review that is on. (review.cpp)
+struct Reviewing {
+  int number = 0;
+  std::vector<ReviewPrompt> prompts = {};
+  std::vector<std::optional<bool>> results = {};  ///< of those that are done: right or not; none: skipped
+  unsigned answers_before = 0;                    ///< that had been given when the question on show was asked
+  std::optional<bool> result = {};                ///< of the question on show, once it is answered
+  Player before;                                  ///< as the reader left it
+  std::optional<Beside> beside = {};              ///< as it was then
+  bool over() const { return results.size() == prompts.size(); }
+  int right() const { return static_cast<int>(std::ranges::count(results, std::optional<bool>(true))); }
+};
+
 /// All that the parts of the window share. The window itself, its keys and what opens its sheets take it whole; a panel
 /// takes what it needs of it.
 struct WindowSession {
@@ -190,6 +220,8 @@ struct WindowSession {
   Fields fields = {};
   StepWords step_words = {};
   Toast toast = {};
+  std::optional<Reviewing> review = {};
+  unsigned answers_kept = 0;  ///< how many of the player's answers are in the record
 };
 
 }  // namespace isect::viz

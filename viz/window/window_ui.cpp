@@ -189,17 +189,28 @@ struct WindowUi::Impl {
   WindowLayout layout() {
     const ImVec2& whole = ImGui::GetIO().DisplaySize;
     const WindowLayout at = window_layout(whole.x, whole.y);
-    if (session.panels) return at;
+    if (session.panels || session.review) return at;
     const float room = at.transport.top - at.top.bottom;
     return window_layout_without_panels(
         whole.x, whole.y,
         two_panes(player, settings) ? 0 : lecture_height(player, ui, session.step_words, whole.x, room));
   }
 
+  /// Shows a question of a review as its lesson does; at the end what came of all.
+  void show_review(const WindowLayout& at, const ScenePane& pane, const LessonPanel& lesson) {
+    panes.leave(player, settings);
+    if (session.review->over())
+      return review_score(session, {at.top.left, at.top.bottom, at.top.right, at.transport.top});
+    scene.show(pane, at.scene);
+    lesson_panel(lesson, at.lesson);
+    code_panel(player, ui, at.code);
+  }
+
   /// Shows all between the two bars.
   void show_step(const WindowLayout& at) {
     const ScenePane pane{player, ui, session.toast, session.requests.zoom};
     const LessonPanel lesson{player, ui, settings, session.fields, session.step_words, session.requests, session.toast};
+    if (session.review) return show_review(at, pane, lesson);
     if (two_panes(player, settings)) {
       const PanesLayout two = panes_layout(at);
       panes.show(pane, settings, scene, two);
@@ -266,6 +277,7 @@ void WindowUi::frame() {
   if (std::exchange(w.session.requests.save_preset, false)) w.keep_setting();
   w.draw_preview();
   w.draw_pictured();
+  follow_review(w.session);
 
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
@@ -274,11 +286,16 @@ void WindowUi::frame() {
   ImGui::PushFont(w.ui.fonts.body);
   ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);  // Tab is the window's own
   keys(w.session);
+  follow_review(w.session);
   w.learn_names();
   const WindowLayout at = w.layout();
   w.show_step(at);
-  top_bar(w.player, w.ui, w.settings, w.session.requests, w.session.toast, at.top);
-  transport(w.player, w.ui, w.settings, w.session.toast, at.transport);
+  if (w.session.review) {
+    review_bars(w.session, at.top, at.transport);
+  } else {
+    top_bar(w.player, w.ui, w.settings, w.session.requests, w.session.toast, at.top);
+    transport(w.player, w.ui, w.settings, w.session.toast, at.transport);
+  }
   sheets(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
   focus_ring(w.ui);
   w.ui.light.end_frame(io.DeltaTime, w.settings.reduced_motion || w.reduced_motion, moved, w.ui.focus.moved());
@@ -287,8 +304,8 @@ void WindowUi::frame() {
       name.empty() ? name : sum_of(w.player.lesson(), w.player.parameters(), w.player.walk(), w.player.index(), name);
   tell_sum(w.ui, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
   w.ui.focus.end_frame();
-  keep_score(w.player, w.settings);
-  keep_recent(w.player, w.settings);
+  keep_score(w.player, w.settings, w.session.answers_kept);
+  if (!w.session.review) keep_recent(w.player, w.settings);
   ImGui::PopItemFlag();
   ImGui::PopFont();
   ImGui::Render();
@@ -321,8 +338,10 @@ std::string WindowUi::title() const {
 
 double WindowUi::rest() const {
   const Player& p = impl_->player;
+  const bool scene_is_shown = !impl_->session.review || !impl_->session.review->over();
   if (p.camera().moving() || p.motion().share() < 1 || p.motion().light() < 1 || impl_->ui.light.changing() ||
-      impl_->scene.behind() || impl_->panes.behind() || impl_->ui.texts.waiting() || impl_->preparing)
+      (scene_is_shown && impl_->scene.behind()) || impl_->panes.behind() || impl_->ui.texts.waiting() ||
+      impl_->preparing)
     return 0;
   double rest = std::numeric_limits<double>::infinity();
   if (p.running()) rest = std::min(rest, std::max(p.clock().seconds_to_step(), 0.0));
@@ -353,10 +372,13 @@ Player& WindowUi::player() { return impl_->player; }
 
 Settings WindowUi::settings() const {
   Settings settings = impl_->settings;
-  settings.speed = impl_->player.clock().speed();
-  if (!impl_->player.lesson().made_from.empty()) return settings;  // from a file that the next run does not know
-  settings.reader_state = impl_->player.reader_state();
-  if (!impl_->player.camera().moved()) settings.reader_state->camera.reset();  // presets keep framing themselves
+  const std::optional<Reviewing>& review = impl_->session.review;
+  const Player& player = review ? review->before : impl_->player;
+  if (review) settings.beside = review->beside;
+  settings.speed = player.clock().speed();
+  if (!player.lesson().made_from.empty()) return settings;  // from a file that the next run does not know
+  settings.reader_state = player.reader_state();
+  if (!player.camera().moved()) settings.reader_state->camera.reset();  // presets keep framing themselves
   return settings;
 }
 

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include <isect/capsule_capsule.h>
+#include <isect/methods/nearest_features.h>
 
 namespace isect::capsule_capsule {
 
@@ -35,12 +36,6 @@ template <class S, int N>
 using MethodEvent = std::variant<Lines<S>, Closest<S, N>, Compared<S>>;
 
 namespace detail {
-/// num / den clamped to [0, 1], den >= 0; 0 if num is 0 or NaN.
-template <class S>
-S clamped_quotient(const S& num, const S& den) {
-  return !(num > S(0)) ? S(0) : num >= den ? S(1) : num / den;
-}
-
 template <class S, int N, class Trace>
 bool within(const Capsule<S, N>& a, const Capsule<S, N>& b, const S& s, const S& t, Trace&& trace) {
   const Point<S, N> on_a = a.p + s * (a.q - a.p), on_b = b.p + t * (b.q - b.p);
@@ -58,19 +53,10 @@ bool within(const Capsule<S, N>& a, const Capsule<S, N>& b, const S& s, const S&
 /// epsilon.
 template <class S, int N, class Trace = NoTrace>
 bool clamped(const Capsule<S, N>& a, const Capsule<S, N>& b, Trace&& trace = {}) {
-  const Vector<S, N> u = a.q - a.p, v = b.q - b.p, w = b.p - a.p;
-  const S uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), uw = u.dot(w), vw = v.dot(w);
-  const S determinant = uu * vv - uv * uv;
-  const bool parallel = !(determinant > S(0));
-  trace(Lines<S>{determinant, parallel});
-
-  S s = parallel ? S(0) : detail::clamped_quotient<S>(uw * vv - uv * vw, determinant);
-  const S along = uv * s - vw;  // t times |v|^2
-  const S t = detail::clamped_quotient<S>(along, vv);
-  if (along <= S(0))
-    s = detail::clamped_quotient<S>(uw, uu);
-  else if (along >= vv)
-    s = detail::clamped_quotient<S>(uv + uw, uu);
+  const auto lines = [&](const auto& event) {
+    if constexpr (requires { event.determinant; }) trace(Lines<S>{event.determinant, event.parallel});
+  };
+  const auto [s, t] = nearest_features::places<S, N>(Segment<S, N>{a.p, a.q}, Segment<S, N>{b.p, b.q}, lines);
   return detail::within<S, N>(a, b, s, t, trace);
 }
 

@@ -113,9 +113,10 @@ std::optional<Hit<S>> signed_volumes(const Ray<S, 3>& ray, const Triangle<S, 3>&
 /// fallback to double for a product of 0.
 template <class S, class Trace = NoTrace>
 std::optional<Hit<S>> woop(const Ray<S, 3>& ray, const Triangle<S, 3>& triangle, Trace&& trace = {}) {
+  using std::abs;
   int z = 0;  // the axis along which the ray is steepest
   for (int i = 1; i < 3; ++i)
-    if (std::abs(ray.direction[i]) > std::abs(ray.direction[z])) z = i;
+    if (abs(ray.direction[i]) > abs(ray.direction[z])) z = i;
   const S along = ray.direction[z];
   int x = (z + 1) % 3, y = (z + 2) % 3;
   if (along < S(0)) std::swap(x, y);  // the winding stays

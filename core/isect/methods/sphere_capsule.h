@@ -7,6 +7,7 @@
 
 #include <variant>
 
+#include <isect/methods/nearest_features.h>
 #include <isect/sphere_capsule.h>
 
 namespace isect::sphere_capsule {
@@ -38,14 +39,11 @@ bool within(const S& distance2, const S& reach, Trace&& trace) {
 /// (2005), 5.1.2, ClosestPtPointSegment.
 template <class S, int N, class Trace = NoTrace>
 bool clamped(const Sphere<S, N>& sphere, const Capsule<S, N>& capsule, Trace&& trace = {}) {
-  const Vector<S, N> d = capsule.q - capsule.p, w = sphere.center - capsule.p;
-  const S along = w.dot(d), length2 = d.dot(d);
-  const S t = !(along > S(0)) ? S(0) : along >= length2 ? S(1) : along / length2;  // no 0 / 0 where p equals q
-  const Point<S, N> at = capsule.p + t * d;
-  trace(Foot<S, N>{t, at});
-
-  const Vector<S, N> f = sphere.center - at;
-  return detail::within<S>(f.dot(f), sphere.radius + capsule.radius, trace);
+  const auto foot = [&](const auto& event) {
+    if constexpr (requires { event.at; }) trace(Foot<S, N>{event.t, event.at});
+  };
+  const S distance2 = nearest_features::distance2<S, N>(sphere.center, Segment<S, N>{capsule.p, capsule.q}, foot);
+  return detail::within<S>(distance2, sphere.radius + capsule.radius, trace);
 }
 
 /// Finds the square distance alone, by Pythagoras: between the ends two squares nearly cancel where the center lies far

@@ -1,3 +1,4 @@
+#include <isect/counted.h>
 #include <isect/methods/ray_triangle.h>
 
 #include "bench/ray_triangle/families.h"
@@ -58,6 +59,18 @@ TEST_CASE("a ray in the plane has no t", "[ray_triangle_methods]") {
   const Ray<double, 3> ray = {{-1, 1, 0}, {1, 0, 0}};
   CHECK_FALSE(signed_volumes(ray, tile));
   CHECK_FALSE(woop(ray, tile));
+}
+
+TEST_CASE("the texts run on scalars that count, and both divide a few times alone", "[ray_triangle_methods]") {
+  using C = Counted<double>;
+  const Ray<C, 3> ray = cast<C>(Ray<double, 3>{{1, 1, 2}, {0, 0, -1}});
+  const Triangle<C, 3> counted = cast<C>(tile);
+  tally() = {};
+  CHECK(signed_volumes(ray, counted));
+  CHECK(tally().div == 3);
+  tally() = {};
+  CHECK(woop(ray, counted));
+  CHECK(tally().div == 6);
 }
 
 TEST_CASE("the events tell the volumes, the shear and each corner", "[ray_triangle_methods]") {

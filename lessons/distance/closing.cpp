@@ -1,0 +1,93 @@
+// What a reader takes along from distances, and what there is to do.
+
+#include "lessons/distance/picture.h"
+
+namespace isect::lessons::distance_lesson {
+
+using namespace viz;
+
+namespace {
+
+bool now_second_end(const Parameters& p) {
+  const Setup s = setup(p);
+  return s.is("point") && s.pairs.front().on_a == Nearest::q;
+}
+bool now_interval(const Parameters& p) {
+  const Setup s = setup(p);
+  return s.is("segments") && s.kind() == Kind::interval;
+}
+bool now_corners(const Parameters& p) {
+  const Setup s = setup(p);
+  return s.is("boxes") && s.kind() == Kind::ends;
+}
+bool now_misled(const Parameters& p) {
+  const Setup s = setup(p);
+  return s.is("capsules") && s.beyond > 0 &&
+         nearest_features::within_by_squares(s.capsule(0), s.capsule(1), s.clearance);
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "How far apart are two shapes, and where are they nearest? Whoever must keep a clearance asks more than whether "
+      "shapes meet.\n"
+      "The idea: find the features that contain the nearest points. Squared distances are compared, without a root.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "The distance of two convex sets is one number, but many pairs of points may be that far apart. "
+          "Compare squares: *d*^2 with the square of a bound that is at least 0.",
+      .cost =
+          "A point and a segment: one division at most. Two segments: three at most. Two boxes: three squares. "
+          "No root until the number itself is wanted.",
+      .choose =
+          "If a bound is known, compare squares. Take the root for a clearance or a safe step. For general convex "
+          "shapes use GJK.",
+      .used =
+          "Clearance of parts in CAD and of robots, conservative advancement of moving bodies. "
+          "Sphere tracing and soft shadows step along a ray by such a distance.",
+      .bug = "Clamping both places of two lines each by itself. After one has moved, the other has to be found anew.",
+      .bug_preset = "clamped-once",
+      .reading =
+          {"Christer Ericson, *Real-Time Collision Detection*, 2005, section 5.1: closest-point computations.",
+           "Vladimir Lumelsky, On Fast Computation of Distance Between Line Segments, *Information Processing Letters* "
+           "21, 1985, pages 55–61.",
+           "Brian Mirtich, *Impulse-based Dynamic Simulation of Rigid Body Systems*, dissertation, University of "
+           "California at Berkeley, 1996: conservative advancement.",
+           "John C. Hart, Sphere Tracing: A Geometric Method for the Antialiased Ray Tracing of Implicit Surfaces, "
+           "*The Visual Computer* 12, 1996, pages 527–545.",
+           "Inigo Quilez, Soft Shadows in Raymarched SDFs, *iquilezles.org*."},
+      .exercises = {
+          {"Move **c** until the second end of the segment is nearest.",
+           "(**c** − **p**_a) · **d** must be at least **d** · **d**. (3, 1, 0) is such a place.",
+           "interior",
+           now_second_end,
+           {{"c", "3,1,0"}}},
+          {"Place b so that a whole interval of pairs is nearest.",
+           "b must be parallel to a, and lie beside it, such as from (0, 1, 0) to (3, 1, 0).",
+           "end-and-interior",
+           now_interval,
+           {{"p_b", "0,1,0"}, {"q_b", "3,1,0"}}},
+          {"Move a corner of the box b, until two corners are nearest.",
+           "There must be a gap on each axis. The lower corner (0.75, 1, 1) has three, if the upper one is above it.",
+           "faces",
+           now_corners,
+           {{"b_min", "0.75,1,1"}, {"b_max", "2.5,2,2"}}},
+          {"A capsule from (0, 0, 0) to (4, 0, 0) has radius 1, one from (2, 3, 4) to (2, 6, 8) radius 2. How far "
+           "apart "
+           "are their surfaces?",
+           "The end (2, 3, 4) is nearest, to (2, 0, 0): *d* = 5. The surfaces are 5 − 3 = 2 apart."},
+          {"Find a clearance for which squares alone say near, and wrongly so.",
+           "The bound must be below 0 and large in size: with a clearance of −2.5 it is −1.75, while *d* is 1.25.",
+           "near",
+           now_misled,
+           {{"clearance", "-2.5"}}},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::distance_lesson

@@ -1,0 +1,83 @@
+// What a reader takes along from two triangles, and what there is to do.
+
+#include "lessons/triangle_triangle/picture.h"
+
+namespace isect::lessons::triangle_triangle_lesson {
+
+using namespace viz;
+
+namespace {
+
+bool now_touching(const Parameters& p) { return setup(p).truth == Relation::touching; }
+bool now_neighbours(const Parameters& p) {
+  const Setup s = setup(p);
+  return s.both_have_area() && s.shared_corners() == 2 && !s.clash();
+}
+bool now_misled(const Parameters& p) {
+  const Setup s = setup(p);
+  return s.both_have_area() && triangle_triangle::by_intervals(s.a(), s.b()) != s.meet();
+}
+
+}  // namespace
+
+const std::string& opening() {
+  static const std::string text =
+      "Do two triangles in space meet? Surfaces are meshes of triangles. So this test finds where two surfaces cross, "
+      "and whether one crosses itself.\n"
+      "The idea: two planes meet in a line. On that line each triangle is an interval.";
+  return text;
+}
+
+const Closing& closing() {
+  static const Closing closing = {
+      .result =
+          "Two triangles are disjoint if one lies on one side of the other's plane. Else they meet if and only if "
+          "their intervals on the line of both planes share a number.",
+      .cost =
+          "Six heights, then four divisions, or two more signs of volumes. A pair beside a plane ends after three or "
+          "six heights.",
+      .choose =
+          "Signs of volumes, exactly, where a mesh must be free of faults. Intervals in doubles where a wrong "
+          "answer near a touch does no harm.",
+      .used =
+          "Collision of meshes after a broad phase, Boolean operations on solids, checks of meshes for "
+          "self-intersection.",
+      .bug =
+          "Taking “they meet” for a fault in a mesh: it is true of all neighbours. The relation and the shared "
+          "corners must be known.",
+      .bug_preset = "neighbours",
+      .reading =
+          {"Tomas Möller, A Fast Triangle-Triangle Intersection Test, *Journal of Graphics Tools* 2, 1997, pages "
+           "25–30.",
+           "Philippe Guigue and Olivier Devillers, Fast and Robust Triangle-Triangle Overlap Test Using "
+           "Orientation Predicates, *Journal of Graphics Tools* 8, 2003, pages 25–32.",
+           "Christer Ericson, *Real-Time Collision Detection*, 2005, section 5.2.10: testing triangle against "
+           "triangle."},
+      .exercises = {
+          {"Lower b by one of its corners, until the triangles touch.",
+           "A corner of b must lie in a, and the others above it: **b**_0 = (0, 0, 0) is one such place.",
+           "above",
+           now_touching,
+           {{"b0", "0,0,0"}}},
+          {"Make the two triangles neighbours that share an edge, with no fault.",
+           "Two corners of b must be corners of a, such as **a**_0 and **a**_1, and the third lie beside a.",
+           "vertex-on-face",
+           now_neighbours,
+           {{"b0", "-2,0,1.5"}, {"b1", "2,0,1.5"}, {"b2", "0,1.5,2"}}},
+          {"Which three signs show, without any division, that two triangles are disjoint?",
+           "The sides of one triangle's three corners, seen from the other's plane, if all are + or all −."},
+          {"Why is a point that both triangles share on the line of both planes?",
+           "It lies in the plane of a and in the plane of b. All points of both planes make that line, unless the "
+           "planes "
+           "are equal."},
+          {"Find a place of **b**_0 with decimals at which rounding misleads the intervals.",
+           "As decimals, (−0.56, 0.26, −0.32) lies on the edge from **a**_0 to **a**_1. But these decimals are no "
+           "doubles.",
+           "decimals",
+           now_misled,
+           {{"b0", "-0.56,0.26,-0.32"}}},
+      }};
+  return closing;
+}
+
+}  // namespace isect::lessons::triangle_triangle_lesson

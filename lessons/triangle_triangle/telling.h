@@ -1,0 +1,43 @@
+#pragma once
+// The two walks of two triangles, and what they share: the corners' sides, the verdict, and what a mesh needs.
+
+#include <isect/counted.h>
+#include "lessons/shared/script.h"
+#include "lessons/triangle_triangle/picture.h"
+
+namespace isect::lessons::triangle_triangle_lesson {
+
+viz::Walk intervals(const Setup&);  ///< by the parts of the line of both planes
+viz::Walk signs(const Setup&);      ///< by the signs of volumes alone
+
+/// "**a**_0"
+std::string corner_name(int which, int i);
+/// "a", "b"
+inline std::string triangle_name(int which) { return which == 0 ? "a" : "b"; }
+
+class Teller {
+ protected:
+  Teller(const Setup&, const std::string& title, const std::string& source, std::vector<std::string> pseudocode);
+
+  viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
+                 const std::string& formula = {});
+  void two_triangles(int line);
+  /// How the corners of one triangle lie to the other's plane, as `signs` say.
+  std::string told_sides(int which, const triangle_triangle::Signs& signs) const;
+  /// Asks what follows from the sides of the corners of a. `given` tells them.
+  viz::Question sides_question(const triangle_triangle::Signs& signs, const std::string& given) const;
+  /// Says whether a side of one has the other beyond it, by the last of the events.
+  void in_plane(int line, const triangle_triangle::InPlane& last);
+  /// Adds the last two steps: what the exact test says, and what that is to a mesh. `found`: what the method says.
+  void end(int line, bool found);
+
+  const Setup& s_;
+  Script script_;
+  Known known_;
+
+ private:
+  std::string reason(bool found) const;
+  std::string in_a_mesh(bool found) const;
+};
+
+}  // namespace isect::lessons::triangle_triangle_lesson

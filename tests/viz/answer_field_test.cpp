@@ -1,0 +1,172 @@
+// The field for a number that a question asks for.
+
+#include "tests/catch.h"
+#include "tests/viz/sample_lesson.h"
+#include "tests/viz/window_driver.h"
+
+namespace answer_field_test {
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+const Lesson number = sample::asking_for_a_number(), plain_choice = sample::other_lesson();
+const std::vector<const Lesson*> both = {&number, &plain_choice};
+
+/// The window at the question.
+struct Asked {
+  explicit Asked(float height = 800) : window(both, 1280, height) {
+    window.player().go_to(1);
+    window.key(key::right);
+    window.frames(2);
+    REQUIRE(window.player().quiz().wants_number());
+  }
+  /// Types as a reader does, a character a frame or more.
+  void type(const std::string& text) {
+    for (const char c : text) window.type(std::string(1, c));
+    window.frames(4);
+  }
+  void enter() {
+    window.key(key::enter);
+    window.frames(3);
+  }
+  WindowDriver window;
+};
+
+}  // namespace
+
+TEST_CASE("a number is typed at once, and Enter answers with it", "[answer_field]") {
+  Asked at;
+  REQUIRE((at.window.has("answer") && at.window.has("give answer") && at.window.has("show choices")));
+  CHECK_FALSE(at.window.has("choice 0"));
+  at.type("3/4");
+  CHECK(at.window.player().quiz().wants_number());
+  at.enter();
+  REQUIRE(at.window.player().quiz().answered());
+  CHECK(at.window.player().quiz().answered()->right());
+  CHECK(at.window.player().quiz().answered()->typed == "3/4");
+  CHECK((at.window.has("what was typed") && at.window.has("choice 1") && !at.window.has("reply")));
+}
+
+TEST_CASE("all that is typed at once arrives in order", "[answer_field]") {
+  for (const char* text : {"0.75", "−4/3", "√9", "(1+2)/4"}) {
+    INFO(text);
+    Asked at;
+    at.window.type(text);
+    at.window.frames(4);
+    at.enter();
+    REQUIRE(at.window.player().quiz().answered());
+    CHECK(at.window.player().quiz().answered()->typed == text);
+  }
+}
+
+TEST_CASE("digits, signs and letters typed into the answer are no commands", "[answer_field]") {
+  Asked at;
+  const std::string preset = at.window.player().played().preset_id();
+  at.type("2*pi-1e5");
+  CHECK(at.window.player().played().preset_id() == preset);
+  CHECK(at.window.player().quiz().wants_number());
+  at.window.key(key::right);  // moves the cursor
+  CHECK(at.window.player().quiz().asked());
+  at.enter();
+  REQUIRE(at.window.player().quiz().answered());
+  CHECK(at.window.player().quiz().answered()->typed == "2*pi-1e5");
+}
+
+TEST_CASE("a usual wrong number is answered with its mistake", "[answer_field]") {
+  Asked at;
+  at.type("1.333");
+  at.enter();
+  REQUIRE(at.window.player().quiz().answered());
+  CHECK_FALSE(at.window.player().quiz().answered()->right());
+  CHECK(at.window.player().quiz().answered()->reply() == "You divided the other way round.");
+  REQUIRE((at.window.has("reply") && at.window.has("what was typed")));
+  CHECK(at.window.rect("reply").bottom <= at.window.rect("choice 0").top);
+}
+
+TEST_CASE("what is no number is refused below the field, which stays open", "[answer_field]") {
+  Asked at;
+  at.type("1/0");
+  at.enter();
+  CHECK(at.window.player().quiz().wants_number());
+  REQUIRE(at.window.has("unread answer"));
+  CHECK(at.window.rect("unread answer").top >= at.window.rect("answer").bottom);
+  at.window.frames(4);
+  at.type("+3/4");
+  at.enter();
+  CHECK(at.window.player().quiz().wants_number());  // 1/0+3/4
+  CHECK(at.window.has("unread answer"));
+}
+
+TEST_CASE("the field opens by click and by keyboard, and a button answers, too", "[answer_field]") {
+  Asked at;
+  at.window.click("answer");
+  at.window.frames(4);
+  at.type("0,75");
+  at.window.click("give answer");
+  at.window.frames(2);
+  REQUIRE(at.window.player().quiz().answered());
+  CHECK(at.window.player().quiz().answered()->right());
+
+  Asked again;
+  for (int i = 0; i < 60 && again.window.ui.focus() != "answer"; ++i) again.window.key(key::down);
+  REQUIRE(again.window.ui.focus() == "answer");
+  again.enter();
+  again.type("abc");
+  again.enter();
+  CHECK(again.window.has("unread answer"));
+}
+
+TEST_CASE("a button or a letter shows the choices, which then are answered as before", "[answer_field]") {
+  Asked at;
+  at.window.click("show choices");
+  at.window.frames(2);
+  REQUIRE(at.window.has("choice 0"));
+  CHECK_FALSE(at.window.has("answer"));
+  at.window.click("choice 2");
+  REQUIRE(at.window.player().quiz().answered());
+  CHECK(at.window.player().quiz().answered()->reply() == "You divided the other way round.");
+
+  Asked by_letter;
+  by_letter.window.type("b");
+  REQUIRE(by_letter.window.player().quiz().asked());
+  CHECK_FALSE(by_letter.window.player().quiz().wants_number());
+  by_letter.window.type("b");
+  REQUIRE(by_letter.window.player().quiz().answered());
+  CHECK(by_letter.window.player().quiz().answered()->right());
+}
+
+TEST_CASE("Right steps past a question for a number that nobody answers", "[answer_field]") {
+  Asked at;
+  at.window.key(key::right);
+  CHECK(at.window.player().index() == 2);
+  CHECK_FALSE(at.window.player().quiz().answered());
+}
+
+TEST_CASE("what was typed for one question does not stand in the field of another", "[answer_field]") {
+  Asked at;
+  at.type("5");
+  at.window.key(key::escape);
+  at.window.frames(2);
+  at.window.player().ask_again(2);
+  at.window.player().edit("r", 2.0);
+  at.window.frames(2);
+  at.type("3/4");
+  at.enter();
+  REQUIRE(at.window.player().quiz().answered());
+  CHECK(at.window.player().quiz().answered()->typed == "3/4");
+}
+
+TEST_CASE("with the panels hidden the number is typed over the scene", "[answer_field]") {
+  Asked at(600);
+  at.window.key(key::tab);
+  at.window.frames(3);
+  const Rect card = at.window.rect("question over scene"), field = at.window.rect("answer");
+  CHECK((field.top > card.top && field.bottom < card.bottom && field.right < card.right));
+  at.type("0.75");
+  at.enter();
+  REQUIRE(at.window.player().quiz().answered());
+  CHECK(at.window.player().quiz().answered()->right());
+}
+
+}  // namespace answer_field_test

@@ -1,0 +1,98 @@
+#include "viz/walk/given_order.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace isect::viz {
+namespace {
+
+std::string count_in_words(int count) {
+  constexpr std::array words = {"no", "one", "two", "three", "four", "five", "six", "seven", "eight"};
+  return count < static_cast<int>(words.size()) ? words.at(static_cast<std::size_t>(count)) : std::to_string(count);
+}
+
+int rank_of(const OrderAsked& asked, int tile) { return asked.ranks.at(static_cast<std::size_t>(tile)); }
+
+std::vector<int> sorted_ranks(const OrderAsked& asked) {
+  std::vector<int> ranks = asked.ranks;
+  std::ranges::sort(ranks);
+  return ranks;
+}
+
+bool has_ties(const OrderAsked& asked) {
+  const std::vector<int> ranks = sorted_ranks(asked);
+  return std::ranges::adjacent_find(ranks) != ranks.end();
+}
+
+}  // namespace
+
+std::vector<int> order_from(const std::string& typed, int tiles) {
+  std::vector<int> order;
+  for (const char typed_letter : typed) {
+    const char c = static_cast<char>(std::tolower(static_cast<unsigned char>(typed_letter)));
+    if (c == ' ' || c == ',') continue;
+    const int tile = c - 'a';
+    if (tile < 0 || tile >= tiles) throw BadInput(fmt::format("the letters are a to {}", tile_letter(tiles - 1)));
+    if (std::ranges::count(order, tile) > 0) throw BadInput(fmt::format("{} is there twice", c));
+    order.push_back(tile);
+  }
+  for (int tile = 0; tile < tiles; ++tile)
+    if (std::ranges::count(order, tile) == 0) throw BadInput(fmt::format("{} is missing", tile_letter(tile)));
+  return order;
+}
+
+std::string how_to_order(const OrderAsked& asked) {
+  return std::string("Take one tile after the other, or type the letters.") +
+         (has_ties(asked) ? " Of equal ones, any may come first." : "");
+}
+
+int first_wrong(const OrderAsked& asked, const std::vector<int>& order) {
+  const std::vector<int> ranks = sorted_ranks(asked);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (rank_of(asked, order[i]) != ranks.at(i)) return static_cast<int>(i);
+  return -1;
+}
+
+std::string reply_to(const OrderAsked& asked, const std::vector<int>& order) {
+  const int place = first_wrong(asked, order);
+  if (place < 0) return {};
+  const auto known = std::ranges::find(asked.wrong, order, &WrongOrder::order);
+  if (known != asked.wrong.end()) return known->reply;
+  const std::string& name = asked.tiles.at(static_cast<std::size_t>(order[static_cast<std::size_t>(place)]));
+  if (place == 0) return fmt::format("The first is not {}.", name);
+  return fmt::format("The first {} right. The next is not {}.", place == 1 ? "is" : count_in_words(place) + " are",
+                     name);
+}
+
+std::string tiles_in(const OrderAsked& asked, const std::vector<int>& order) {
+  std::vector<std::string> names;
+  for (const int tile : order) names.push_back(asked.tiles.at(static_cast<std::size_t>(tile)));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string right_order(const OrderAsked& asked) {
+  std::vector<int> ranks = sorted_ranks(asked);
+  ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+  std::vector<std::string> groups;
+  for (const int rank : ranks) {
+    std::vector<std::string> names;
+    for (int tile = 0; tile < static_cast<int>(asked.tiles.size()); ++tile)
+      if (rank_of(asked, tile) == rank)
+        names.push_back(fmt::format("({}) {}", tile_letter(tile), asked.tiles[static_cast<std::size_t>(tile)]));
+    groups.push_back(fmt::format("{}{}", fmt::join(names, " and "), names.size() > 1 ? " in any order" : ""));
+  }
+  return fmt::format("{}", fmt::join(groups, ", then "));
+}
+
+int choice_of_order(const Question& question, const std::vector<int>& order) {
+  if (first_wrong(*question.order, order) < 0) return question.answer;
+  const std::vector<std::vector<int>>& offered = question.order->offered;
+  const auto found = std::ranges::find(offered, order);
+  return found == offered.end() ? -1 : static_cast<int>(found - offered.begin());
+}
+
+}  // namespace isect::viz
