@@ -20,10 +20,12 @@ class CapsulesTeller : Teller {
   explicit CapsulesTeller(const Setup& s)
       : Teller(s, "two capsules and a bound", "Ericson, Real-Time Collision Detection (2005), 4.5.1 and 5.1.9",
                {"bound ← r_a + r_b + clearance",              // 0
-                "if bound < 0: return FAR",                   // 1
-                "d² ← the squared distance of the segments",  // 2
-                "if d² > bound²: return FAR",                 // 3
-                "return NEAR"}) {}                            // 4
+                "if bound < 0",                               // 1
+                "    return FAR",                             // 2
+                "d² ← the squared distance of the segments",  // 3
+                "if d² > bound²",                             // 4
+                "    return FAR",                             // 5
+                "return NEAR"}) {}                            // 6
 
   Walk tell() {
     known_.radii = true;
@@ -66,7 +68,7 @@ class CapsulesTeller : Teller {
     const bool never = bound_ < 0;
     if (never) settle();
     Step& sign =
-        add("sign", "Is the bound below 0?", 1,
+        add("sign", "Is the bound below 0?", never ? 2 : 1,
             never ? "No distance is below 0. So the answer is no, before anything else is computed." + misled(false)
                   : std::string("It is not, so both sides may be squared: that keeps their order."),
             fmt::format("bound = {}", shown(bound_)));
@@ -79,7 +81,7 @@ class CapsulesTeller : Teller {
                                0,
                                "A square loses the sign. So the sign is asked before."};
     else
-      script_.refuse(1, {});
+      script_.refuse(1, {2});
   }
 
   void say(const nearest_features::Lines<C>&) {}  // the walk of two segments tells how d is found
@@ -89,7 +91,7 @@ class CapsulesTeller : Teller {
     known_.ways = {{Vec3(e.on_a[0].value, e.on_a[1].value, e.on_a[2].value),
                     Vec3(e.on_b[0].value, e.on_b[1].value, e.on_b[2].value)}};
     script_.value("*d*^2", squared, "area", Role::highlight);
-    add("squared", "The segments' distance, squared", 2,
+    add("squared", "The segments' distance, squared", 3,
         "The walk of two segments tells how this is found. The radii play no part in it.", "*d*^2 = " + shown(squared));
   }
 
@@ -97,11 +99,10 @@ class CapsulesTeller : Teller {
     const double squared = e.distance2.value, bound2 = e.bound2.value;
     const bool far = !(squared <= bound2);
     script_.value("bound^2", bound2, "area", Role::first);
-    if (!far) script_.refuse(3, {});
     settle();
-    last_ = far ? 3 : 4, near_ = !far;
+    last_ = far ? 5 : 6, near_ = !far;
     const std::string sign = far ? " > " : squared < bound2 ? " < " : " = ";
-    Step& step = add("compare", "Two squares", last_, compared(),
+    Step& step = add("compare", "Two squares", 4, compared(),
                      "*d*^2 = " + digits(squared, bound2) + sign + digits(bound2, squared) + " = bound^2");
     Script::decide(step,
                    {"*d*^2 > bound^2", squared, bound2, far, far ? "farther than the bound" : "within the bound"});
@@ -112,6 +113,7 @@ class CapsulesTeller : Teller {
                   "nothing, before the root of *d*^2 is taken"},
                  far ? 1 : 0,
                  "For numbers of at least 0, squares have the order of the numbers. So the bound is squared."};
+    if (!far) script_.refuse(4, {5});
   }
 
   /// What follows from the squares, as the core decides.
@@ -136,7 +138,7 @@ class CapsulesTeller : Teller {
     const auto& squares = std::get<nearest_features::Compared<double>>(record.events.back());
     script_.value("*d*^2", squares.distance2, "area", Role::highlight);
     script_.value("bound^2", squares.bound2, "area", Role::first);
-    add("squares", "Squares alone", 1,
+    add("squares", "Squares alone", 2,
         near ? "A test of squares alone would say yes here: the square of the bound has lost its sign."
              : "Here a test of squares alone would say no, too. For nearer segments it would say yes.",
         "*d*^2 = " + digits(squares.distance2, squares.bound2) + (near ? " ≤ " : " > ") +
@@ -165,7 +167,7 @@ class CapsulesTeller : Teller {
   }
 
   double bound_ = 0;
-  int last_ = 1;
+  int last_ = 2;
   bool near_ = false;
 };
 

@@ -85,7 +85,7 @@ void Teller::end(int line, bool found) {
   const bool line_is_shown = s_.part(0) && s_.part(1);
   known_.line = line_is_shown, known_.part = {line_is_shown, line_is_shown};
   script_.settle(verdict_kind(s_.truth), relation_words(s_.truth, "the triangles"));
-  add("verdict", "The exact relation", line, reason(found));
+  add("relation", "The exact relation", line, reason(found));
   known_.part = {};
   Step& step = add("mesh", "In a mesh", line, in_a_mesh(found));
   if (!s_.meet() || !s_.both_have_area()) return;
