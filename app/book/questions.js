@@ -108,7 +108,15 @@ function isect_questions(told, changed = () => {}) {
     }
     ask.querySelector("details").open = true;
     isect_answers.keep(ask.dataset.asked, right);
+    tell_damage(ask);
     told(right, ask);
+  }
+  /// A record that could not be read is told once, where the first answer after it is given.
+  function tell_damage(ask) {
+    if (!isect_answers.told) return;
+    const damage = document.createElement("p");
+    damage.className = "damage", damage.setAttribute("role", "status"), damage.textContent = isect_answers.told;
+    ask.append(damage), isect_answers.told = "";
   }
   /// Returns what a key does to a question: "typed", as it goes into the field, "taken", or nothing.
   function key(ask, pressed) {

@@ -58,7 +58,7 @@ class ShearTeller : SignsTeller {
     corners_[e.index] = {e.x.value, e.y.value};
     if (e.index < 2) return;
     Step& step =
-        script_.add("corners", "Seen along the ray", 2,
+        script_.add("corners", "Where the vertices go", 2,
                     "After the shear only *x* and *y* count: we look along the ray, which is the point "
                     "(0, 0).\n"
                     "In this projection **a**′, **b**′ and **c**′ are the vertices. A vertex of several triangles "

@@ -58,10 +58,7 @@ class IntervalsTeller : Teller {
           found_ = triangle_triangle::by_intervals(counted_triangle(s_.a()), counted_triangle(s_.b()), record);
         },
         [&](const auto& event) { say(event); });
-    if (last_side_) in_plane(7, *last_side_);
-    if (!found_) script_.leave_early();
-    end(line_, found_);
-    return std::move(script_.walk());
+    return end();
   }
 
  private:
@@ -245,9 +242,7 @@ class IntervalsTeller : Teller {
 
   std::array<std::array<double, 3>, 2> heights_ = {};
   std::array<Interval<double>, 2> interval_ = {};
-  std::optional<InPlane> last_side_;
-  int axis_ = 0, line_ = 13;
-  bool found_ = false;
+  int axis_ = 0;
 };
 
 }  // namespace

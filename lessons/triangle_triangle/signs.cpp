@@ -40,10 +40,7 @@ class SignsTeller : Teller {
     script_.tell<triangle_triangle::SignsEvent>(
         [&](auto& record) { found_ = triangle_triangle::by_signs(s_.a(), s_.b(), record); },
         [&](const auto& event) { say(event); });
-    if (last_side_) in_plane(7, *last_side_);
-    if (!found_) script_.leave_early();
-    end(line_, found_);
-    return std::move(script_.walk());
+    return end();
   }
 
  private:
@@ -145,9 +142,6 @@ class SignsTeller : Teller {
 
   std::array<Alone, 2> alone_ = {};
   std::array<std::array<int, 3>, 2> order_ = {};
-  std::optional<InPlane> last_side_;
-  int line_ = 13;
-  bool found_ = false;
 };
 
 }  // namespace

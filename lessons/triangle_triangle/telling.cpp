@@ -80,29 +80,32 @@ void Teller::in_plane(int line, const triangle_triangle::InPlane& last) {
   known_.lit.clear();
 }
 
-void Teller::end(int line, bool found) {
+Walk Teller::end() {
+  if (last_side_) in_plane(7, *last_side_);
+  if (!found_) script_.leave_early();
   known_.plane = -1, known_.heights = false, known_.settled = true;
   const bool line_is_shown = s_.part(0) && s_.part(1);
   known_.line = line_is_shown, known_.part = {line_is_shown, line_is_shown};
   script_.settle(verdict_kind(s_.truth), relation_words(s_.truth, "the triangles"));
-  add("relation", "The exact relation", line, reason(found));
+  add("relation", "The exact relation", line_, reason());
   known_.part = {};
-  Step& step = add("mesh", "In a mesh", line, in_a_mesh(found));
-  if (!s_.meet() || !s_.both_have_area()) return;
-  step.question =
-      Question{"May a mesh that bounds a solid have these two triangles?",
-               {"yes: all that they share is corners and edges of both",
-                "no: they share more than corners and edges of both", "no: no two triangles of a mesh share a point"},
-               s_.clash() ? 1 : 0,
-               "Neighbours share a corner, or two corners and the edge between them. More than that is a fault."};
+  Step& step = add("mesh", "In a mesh", line_, in_a_mesh());
+  if (s_.meet() && s_.both_have_area())
+    step.question =
+        Question{"May a mesh that bounds a solid have these two triangles?",
+                 {"yes: all that they share is corners and edges of both",
+                  "no: they share more than corners and edges of both", "no: no two triangles of a mesh share a point"},
+                 s_.clash() ? 1 : 0,
+                 "Neighbours share a corner, or two corners and the edge between them. More than that is a fault."};
+  return std::move(script_.walk());
 }
 
-std::string Teller::reason(bool found) const {
+std::string Teller::reason() const {
   const std::string exactly = s_.meet() ? "they meet" : "they are disjoint";
-  if (found != s_.meet() && !s_.both_have_area())
+  if (found_ != s_.meet() && !s_.both_have_area())
     return "A triangle without area has no plane, so this method fails, whatever the rounding. Exactly, " + exactly +
            ".\nThe exact test takes such a triangle for the segment or the point that it is.";
-  if (found != s_.meet())
+  if (found_ != s_.meet())
     return "Rounding has misled this method: exactly, " + exactly +
            ".\nThe exact test takes the true signs of determinants in the given numbers.";
   switch (s_.truth) {
@@ -125,10 +128,10 @@ std::string Teller::reason(bool found) const {
   return "All of b belongs to a.";
 }
 
-std::string Teller::in_a_mesh(bool found) const {
+std::string Teller::in_a_mesh() const {
   std::string neighbours =
       "Neighbours in a mesh share corners and edges. So “they meet” is true of all neighbours, and shows no fault.\n";
-  if (found != s_.meet()) neighbours += "A check by rounded numbers alone would be misled here.\n";
+  if (found_ != s_.meet()) neighbours += "A check by rounded numbers alone would be misled here.\n";
   if (!s_.both_have_area())
     return neighbours + "A triangle without area is a fault by itself: such a mesh bounds no solid.";
   if (!s_.meet()) return neighbours + "These two have no common point: no fault.";

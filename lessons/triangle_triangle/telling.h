@@ -28,16 +28,20 @@ class Teller {
   viz::Question sides_question(const triangle_triangle::Signs& signs, const std::string& given) const;
   /// Says whether a side of one has the other beyond it, by the last of the events.
   void in_plane(int line, const triangle_triangle::InPlane& last);
-  /// Adds the last two steps: what the exact test says, and what that is to a mesh. `found`: what the method says.
-  void end(int line, bool found);
+  /// Adds the last steps: the last side that was asked, if in one plane, what the exact test says, and what that is to
+  /// a mesh.
+  viz::Walk end();
 
   const Setup& s_;
   Script script_;
   Known known_;
+  std::optional<triangle_triangle::InPlane> last_side_;
+  int line_ = 13;       ///< where the method ends
+  bool found_ = false;  ///< what the method says
 
  private:
-  std::string reason(bool found) const;
-  std::string in_a_mesh(bool found) const;
+  std::string reason() const;
+  std::string in_a_mesh() const;
 };
 
 }  // namespace isect::lessons::triangle_triangle_lesson

@@ -211,6 +211,11 @@ try {
     await again();
     const damage = await browser.ask(`[document.querySelector(".damage")?.textContent ?? "", localStorage.getItem("isect answers, damaged")]`);
     check(damage[0].includes("damaged") && damage[1] === "{", `review: a damaged record is lost: ${damage}`);
+    await browser.ask(`localStorage.setItem("isect answers", "[")`);
+    await browser.open(address(lesson));
+    await browser.ask(`document.querySelectorAll(".ask").forEach(ask => ask.querySelector(".choices button").click())`);
+    const told = await browser.ask(`[[...document.querySelectorAll(".damage")].map(p => p.textContent), localStorage.getItem("isect answers, damaged 2")]`);
+    check(told[0].length === 1 && told[0][0].includes("damaged 2") && told[1] === "[", `a lesson's page loses a damaged record: ${told}`);
     await browser.ask(`localStorage.clear()`);
     await browser.look({ width: 360, scripts: false });
     await browser.open(page);

@@ -1,8 +1,8 @@
 // The field for a number that a question asks for.
 
 #include "tests/catch.h"
+#include "tests/viz/at_question.h"
 #include "tests/viz/sample_lesson.h"
-#include "tests/viz/window_driver.h"
 
 namespace answer_field_test {
 using namespace isect;
@@ -13,24 +13,8 @@ namespace {
 const Lesson number = sample::asking_for_a_number(), plain_choice = sample::other_lesson();
 const std::vector<const Lesson*> both = {&number, &plain_choice};
 
-/// The window at the question.
-struct Asked {
-  explicit Asked(float height = 800) : window(both, 1280, height) {
-    window.player().go_to(1);
-    window.key(key::right);
-    window.frames(2);
-    REQUIRE(window.player().quiz().wants_number());
-  }
-  /// Types as a reader does, a character a frame or more.
-  void type(const std::string& text) {
-    for (const char c : text) window.type(std::string(1, c));
-    window.frames(4);
-  }
-  void enter() {
-    window.key(key::enter);
-    window.frames(3);
-  }
-  WindowDriver window;
+struct Asked : AtQuestion {
+  explicit Asked(float height = 800) : AtQuestion(both, height) { REQUIRE(window.player().quiz().wants_number()); }
 };
 
 }  // namespace
@@ -79,7 +63,7 @@ TEST_CASE("a usual wrong number is answered with its mistake", "[answer_field]")
   at.enter();
   REQUIRE(at.window.player().quiz().answered());
   CHECK_FALSE(at.window.player().quiz().answered()->right());
-  CHECK(at.window.player().quiz().answered()->reply() == "You divided the other way round.");
+  CHECK(at.window.player().quiz().answered()->reply == "You divided the other way round.");
   REQUIRE((at.window.has("reply") && at.window.has("what was typed")));
   CHECK(at.window.rect("reply").bottom <= at.window.rect("choice 0").top);
 }
@@ -125,7 +109,7 @@ TEST_CASE("a button or a letter shows the choices, which then are answered as be
   CHECK_FALSE(at.window.has("answer"));
   at.window.click("choice 2");
   REQUIRE(at.window.player().quiz().answered());
-  CHECK(at.window.player().quiz().answered()->reply() == "You divided the other way round.");
+  CHECK(at.window.player().quiz().answered()->reply == "You divided the other way round.");
 
   Asked by_letter;
   by_letter.window.type("b");

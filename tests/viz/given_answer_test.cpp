@@ -137,7 +137,7 @@ TEST_CASE("a player takes a line and an order, and what can't be read leaves the
     CHECK((player.index() == 1 && player.quiz().asks_more()));
     player.answer_typed(lesson == &lines ? "3" : "acb");
     REQUIRE(player.quiz().answered());
-    CHECK((player.index() == 2 && player.quiz().answered()->right() && player.quiz().answered()->reply().empty()));
+    CHECK((player.index() == 2 && player.quiz().answered()->right() && player.quiz().answered()->reply.empty()));
     player.ask_again(2);
     player.show_choices();
     CHECK_FALSE(player.quiz().asks_more());
@@ -145,7 +145,7 @@ TEST_CASE("a player takes a line and an order, and what can't be read leaves the
     CHECK(player.quiz().asked());
     player.answer(2);
     REQUIRE(player.quiz().answered());
-    CHECK_FALSE(player.quiz().answered()->reply().empty());
+    CHECK_FALSE(player.quiz().answered()->reply.empty());
   }
 }
 

@@ -1,8 +1,8 @@
 // Questions for a line of the pseudocode and for an order, in the window.
 
 #include "tests/catch.h"
+#include "tests/viz/at_question.h"
 #include "tests/viz/sample_lesson.h"
-#include "tests/viz/window_driver.h"
 
 namespace lines_and_orders_test {
 using namespace isect;
@@ -12,28 +12,8 @@ namespace {
 
 const Lesson line = sample::asking_for_a_line(), order = sample::asking_for_an_order();
 
-/// The window at the question.
-struct Asked {
-  explicit Asked(const Lesson& lesson) : lessons{&lesson}, window(lessons, 1280, 800) {
-    window.player().go_to(1);
-    window.key(key::right);
-    window.frames(2);
-    REQUIRE(window.player().quiz().asks_more());
-  }
-  void type(const std::string& text) {
-    for (const char c : text) window.type(std::string(1, c));
-    window.frames(4);
-  }
-  void enter() {
-    window.key(key::enter);
-    window.frames(3);
-  }
-  const Answered& answered() {
-    REQUIRE(window.player().quiz().answered());
-    return *window.player().quiz().answered();
-  }
-  std::vector<const Lesson*> lessons;
-  WindowDriver window;
+struct Asked : AtQuestion {
+  explicit Asked(const Lesson& lesson) : AtQuestion({&lesson}) {}
 };
 
 }  // namespace
@@ -52,14 +32,14 @@ TEST_CASE("a line that is clicked is the answer", "[window]") {
   wrong.window.click("line 5");
   wrong.window.frames(2);
   CHECK_FALSE(wrong.answered().right());
-  CHECK(wrong.answered().reply() == "That line returns.");
+  CHECK(wrong.answered().reply == "That line returns.");
   CHECK(wrong.window.has("reply"));
   CHECK(wrong.window.player().index() == 2);  // and not at the step of line 5
 
   Asked other(line);
   other.window.click("line 4");
   other.window.frames(2);
-  CHECK(other.answered().reply() == "Line 4 stands in a branch that was not taken.");
+  CHECK(other.answered().reply == "Line 4 stands in a branch that was not taken.");
 }
 
 TEST_CASE("a line's number is typed, and a number beyond the lines is refused", "[window]") {
@@ -103,7 +83,7 @@ TEST_CASE("an order is typed by its letters, after tiles that were clicked, too"
   Asked typed(order);
   typed.type("bca");
   typed.enter();
-  CHECK(typed.answered().reply() == "That begins with the farthest.");
+  CHECK(typed.answered().reply == "That begins with the farthest.");
   CHECK(typed.window.has("reply"));
 
   Asked both(order);
@@ -137,7 +117,7 @@ TEST_CASE("the choices of a line and of an order are a hint", "[window]") {
     at.window.click("choice 2");
     at.window.frames(2);
     CHECK_FALSE(at.answered().right());
-    CHECK_FALSE(at.answered().reply().empty());
+    CHECK_FALSE(at.answered().reply.empty());
   }
 }
 

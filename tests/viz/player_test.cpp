@@ -134,16 +134,16 @@ TEST_CASE("a number is typed in any form, and what is none leaves the question o
     check(*player.quiz().answered());
   };
   for (const char* right : {"3/4", "0.75", "0,75", ".750", "75e-2", "7.5·10^-1"})
-    answer(right, [](const Answered& given) { CHECK((given.right() && given.reply().empty())); });
+    answer(right, [](const Answered& given) { CHECK((given.right() && given.reply.empty())); });
   answer("4/3", [](const Answered& given) {
     CHECK(given.choice == 2);
-    CHECK(given.reply() == "You divided the other way round.");
+    CHECK(given.reply == "You divided the other way round.");
   });
   answer("17", [](const Answered& given) {
     CHECK(given.choice == -1);
-    CHECK((!given.right() && given.reply().empty()));
+    CHECK((!given.right() && given.reply.empty()));
   });
-  answer("-3/4", [](const Answered& given) { CHECK(given.reply() == "The sign is the opposite."); });
+  answer("-3/4", [](const Answered& given) { CHECK(given.reply == "The sign is the opposite."); });
 
   Player player({&lesson});
   player.go_to(1);
@@ -173,7 +173,7 @@ TEST_CASE("the choices of a question for a number are shown as a hint, and stay 
   CHECK(player.quiz().asked());
   player.answer(3);
   REQUIRE(player.quiz().answered());
-  CHECK(player.quiz().answered()->reply() == "You did not divide.");
+  CHECK(player.quiz().answered()->reply == "You did not divide.");
   player.ask_again(2);
   CHECK(player.quiz().wants_number());
 }

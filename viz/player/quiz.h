@@ -17,11 +17,9 @@ struct Answered {
   const Question* question;
   int choice;  ///< as in GivenAnswer
   std::string typed;
-  std::string told = {};  ///< "You typed 3/4 = 0.75.", as markup; empty: a choice was pressed
-  std::string said = {};  ///< see reply()
+  std::string told = {};   ///< "You typed 3/4 = 0.75.", as markup; empty: a choice was pressed
+  std::string reply = {};  ///< what is said to a wrong answer, as markup; empty if the mistake behind it is not known
   bool right() const { return choice == question->answer; }
-  /// Returns what is said to a wrong answer, as markup; empty if the mistake behind it is not known.
-  const std::string& reply() const { return said; }
 };
 
 class Quiz {

@@ -4,16 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
+
+#include "viz/text/count_words.h"
 
 namespace isect::viz {
 namespace {
-
-std::string count_in_words(int count) {
-  constexpr std::array words = {"no", "one", "two", "three", "four", "five", "six", "seven", "eight"};
-  return count < static_cast<int>(words.size()) ? words.at(static_cast<std::size_t>(count)) : std::to_string(count);
-}
 
 int rank_of(const OrderAsked& asked, int tile) { return asked.ranks.at(static_cast<std::size_t>(tile)); }
 
@@ -64,8 +60,7 @@ std::string reply_to(const OrderAsked& asked, const std::vector<int>& order) {
   if (known != asked.wrong.end()) return known->reply;
   const std::string& name = asked.tiles.at(static_cast<std::size_t>(order[static_cast<std::size_t>(place)]));
   if (place == 0) return fmt::format("The first is not {}.", name);
-  return fmt::format("The first {} right. The next is not {}.", place == 1 ? "is" : count_in_words(place) + " are",
-                     name);
+  return fmt::format("The first {} right. The next is not {}.", place == 1 ? "is" : in_words(place) + " are", name);
 }
 
 std::string tiles_in(const OrderAsked& asked, const std::vector<int>& order) {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "viz/text/count_words.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::viz {
@@ -16,11 +16,6 @@ constexpr double of_expressions = 1e-9;
 
 /// How near a number with too few digits is, relative to the truth.
 constexpr double too_few_digits = 0.02;
-
-std::string digits_in_words(int digits) {
-  constexpr std::array words = {"no", "one", "two", "three", "four", "five"};
-  return words.at(static_cast<std::size_t>(digits));
-}
 
 }  // namespace
 
@@ -37,7 +32,7 @@ bool agree(const Numeric& number, double typed, double value) {
 }
 
 std::string exactness(const Numeric& number) {
-  return number.digits == 0 ? "a whole number" : "to " + digits_in_words(number.digits) + " digits";
+  return number.digits == 0 ? "a whole number" : "to " + in_words(number.digits) + " digits";
 }
 
 std::string what_to_type(const Numeric& number) {

@@ -110,9 +110,9 @@ void question(Column& c, Player& player, AnswerField& field, bool fresh, bool va
     c.paragraph(answered->told, ink.text);
     c.ui.rects["what was typed"] = {c.x, top, c.x + c.width, c.y};
   }
-  if (const std::string reply = answered->reply(); !reply.empty()) {
+  if (!answered->reply.empty()) {
     const float top = c.y;
-    c.paragraph(reply, ink.text);
+    c.paragraph(answered->reply, ink.text);
     c.ui.rects["reply"] = {c.x, top, c.x + c.width, c.y};
   }
   c.y += 8;
