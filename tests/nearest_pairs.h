@@ -4,13 +4,20 @@
 #include <algorithm>
 #include <vector>
 
-#include <isect/methods/nearest_features.h>
+#include <isect/nearest_features.h>
 #include "bench/capsule_capsule/oracle.h"
+#include "bench/random.h"
 
 namespace isect::tests {
 
 using oracle::Rational;
 using Stretch3 = oracle::Stretch<3>;
+
+/// Whole coordinates up to 3 in size: ends that coincide, parallel segments and ties are frequent.
+inline Point<double, 3> whole_point(bench::Random& random) {
+  return {double(random.integer(-3, 3)), double(random.integer(-3, 3)), double(random.integer(-3, 3))};
+}
+inline Segment<double, 3> whole_segment(bench::Random& random) { return {whole_point(random), whole_point(random)}; }
 
 inline Stretch3 stretch(const Segment<double, 3>& x) { return oracle::stretch(Capsule<double, 3>{x.p, x.q, 0}); }
 

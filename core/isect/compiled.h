@@ -3,7 +3,7 @@
 //
 //   using isect::compiled::Shape3;
 //   const Shape3 ball = Shape3::sphere({0, 0, 0}, 1), box = Shape3::aabb({0.5, 0, 0}, {2, 1, 1});
-//   if (ask(ball, box)->meet) ...
+//   const bool meet = ask(ball, box)->meet;  // an optional: some pairs in space have no test
 //
 // A file that includes this header compiles in half a second: Eigen and all tests stay in the library. A call also
 // looks up the pair, which the pair's own header does when it is compiled. The shapes are those of isect/shapes.h in

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <isect/methods/nearest_features.h>
+#include <isect/nearest_features.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons::distance_lesson {

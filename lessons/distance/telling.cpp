@@ -27,14 +27,7 @@ std::string told_distance(const Setup& s) {
 }
 
 Teller::Teller(const Setup& s, const std::string& title, const std::string& source, std::vector<std::string> pseudocode)
-    : s_(s), script_({source, fmt::format("{}: {}.", shapes(s), told_distance(s)), std::move(pseudocode), title}) {}
-
-Step& Teller::add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-                  const std::string& formula) {
-  Step& step = script_.add(slug, title, line, caption, formula);
-  step.scene = picture(s_, known_);
-  return step;
-}
+    : PictureTeller(s, {source, fmt::format("{}: {}.", shapes(s), told_distance(s)), std::move(pseudocode), title}) {}
 
 void Teller::settle() {
   if (s_.is("capsules"))

@@ -3,7 +3,7 @@
 
 #include <isect/counted.h>
 #include "lessons/distance/picture.h"
-#include "lessons/shared/script.h"
+#include "lessons/shared/teller.h"
 
 namespace isect::lessons::distance_lesson {
 
@@ -12,20 +12,14 @@ viz::Walk segments(const Setup&);  ///< two segments
 viz::Walk boxes(const Setup&);     ///< two axis-aligned boxes
 viz::Walk capsules(const Setup&);  ///< two capsules, compared with a bound
 
-class Teller {
+class Teller : protected PictureTeller<Setup, Known> {
  protected:
   Teller(const Setup&, const std::string& title, const std::string& source, std::vector<std::string> pseudocode);
 
-  viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-                 const std::string& formula = {});
   /// Sets the verdict: whether they meet, else how far apart they are.
   void settle();
   /// How many pairs of nearest points there are, as the core decides.
   viz::Question pairs_question() const;
-
-  const Setup& s_;
-  Script script_;
-  Known known_;
 };
 
 /// How far apart they are, in words.

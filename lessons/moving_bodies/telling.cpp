@@ -56,16 +56,8 @@ std::optional<Question> velocity_question(const Setup& s) {
 }  // namespace
 
 Teller::Teller(const Setup& s, const std::string& title, const std::string& source, std::vector<std::string> pseudocode)
-    : s_(s),
-      script_({source, fmt::format("Two {}, a and b, which move: {}.", s.bodies(), plain(outcome_text(s))),
-               std::move(pseudocode), title}) {}
-
-Step& Teller::add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-                  const std::string& formula) {
-  Step& step = script_.add(slug, title, line, caption, formula);
-  step.scene = picture(s_, known_);
-  return step;
-}
+    : PictureTeller(s, {source, fmt::format("Two {}, a and b, which move: {}.", s.bodies(), plain(outcome_text(s))),
+                        std::move(pseudocode), title}) {}
 
 void Teller::two_bodies(int line) {
   script_.value("duration", s_.duration);

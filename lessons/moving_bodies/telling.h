@@ -3,7 +3,7 @@
 
 #include <isect/counted.h>
 #include "lessons/moving_bodies/picture.h"
-#include "lessons/shared/script.h"
+#include "lessons/shared/teller.h"
 
 namespace isect::lessons::moving_bodies_lesson {
 
@@ -15,12 +15,10 @@ viz::Walk conservative(const Setup&);  ///< two balls, by steps that no contact 
 /// How many conservative steps are taken at most.
 inline constexpr int most_steps = 10000;
 
-class Teller {
+class Teller : protected PictureTeller<Setup, Known> {
  protected:
   Teller(const Setup&, const std::string& title, const std::string& source, std::vector<std::string> pseudocode);
 
-  viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-                 const std::string& formula = {});
   /// Both bodies with their velocities, then b as a sees it.
   void two_bodies(int line);
   void seen_from_a(int line);
@@ -29,10 +27,6 @@ class Teller {
 
   /// Why they meet, or do not, as the core decides: a sentence or two.
   std::string reason() const;
-
-  const Setup& s_;
-  Script script_;
-  Known known_;
 };
 
 }  // namespace isect::lessons::moving_bodies_lesson

@@ -39,16 +39,8 @@ std::string verdict_text(const Setup& s) {
 }
 
 Teller::Teller(const Setup& s, const std::string& title, const std::string& source, std::vector<std::string> pseudocode)
-    : s_(s),
-      script_({source, fmt::format("A {} and a triangle in space: {}.", s.what(), plain(verdict_text(s))),
-               std::move(pseudocode), title}) {}
-
-Step& Teller::add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-                  const std::string& formula) {
-  Step& step = script_.add(slug, title, line, caption, formula);
-  step.scene = picture(s_, known_);
-  return step;
-}
+    : PictureTeller(s, {source, fmt::format("A {} and a triangle in space: {}.", s.what(), plain(verdict_text(s))),
+                        std::move(pseudocode), title}) {}
 
 std::string Teller::unless(bool as_exactly, const std::string& truth) const {
   return as_exactly ? std::string() : "\nRounding decides wrongly here: exactly, " + truth + ".";

@@ -7,7 +7,7 @@
 
 #include <isect/methods/ray_triangle.h>
 #include "lessons/ray_triangle/picture.h"
-#include "lessons/shared/script.h"
+#include "lessons/shared/teller.h"
 
 namespace isect::lessons::ray_triangle_lesson {
 
@@ -19,7 +19,7 @@ viz::Walk seam(const Setup&);     ///< two triangles, and all neighbours of a ra
 /// "the ray hits the triangle at *t* = 2"
 std::string verdict_text(const Setup&);
 
-class Teller {
+class Teller : protected PictureTeller<Setup, Known> {
  protected:
   using C = Counted<double>;
 
@@ -33,8 +33,6 @@ class Teller {
     script_.tell<Event>([&](auto& record) { found_ = method(ray, triangle, record); }, say);
   }
 
-  viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-                 const std::string& formula = {});
   /// Asks on `line` whether n . d, or what stands for it, is 0.
   void parallel(int line, const std::string& name, double value);
   /// Asks on `line` whether t lies in the range.
@@ -44,9 +42,6 @@ class Teller {
   /// "\nRounding decides wrongly here: exactly, ...", unless the method decides as the exact test does.
   std::string unless(bool as_exactly, const std::string& truth) const;
 
-  const Setup& s_;
-  Script script_;
-  Known known_;
   std::optional<ray_triangle::Hit<C>> found_;
 
  private:

@@ -11,11 +11,8 @@ namespace {
 
 int branch(const Parameters& p) { return static_cast<int>(setup(p).lie()); }
 
-/// From the corner a_0 to b_0, seen along z.
-Vec2 place(const Parameters& p) {
-  const Setup s = setup(p);
-  return (s.corner(1, 0) - s.corner(0, 0)).head<2>();
-}
+/// From the corner a_0 to b_0, seen along z. A map asks so often that nothing is set up for it.
+Vec2 place(const Parameters& p) { return (std::get<Vec3>(p.at("b0")) - std::get<Vec3>(p.at("a0"))).head<2>(); }
 Parameters moved(const Parameters& p, const Vec2& to) {
   const Vec2 by = to - place(p);
   Parameters there = p;

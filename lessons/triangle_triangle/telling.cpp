@@ -15,16 +15,8 @@ using triangle_triangle::Signs;
 std::string corner_name(int which, int i) { return fmt::format("**{}**_{}", triangle_name(which), i); }
 
 Teller::Teller(const Setup& s, const std::string& title, const std::string& source, std::vector<std::string> pseudocode)
-    : s_(s),
-      script_({source, "Two triangles in space, a and b: " + relation_words(s.truth, "they") + ".",
-               std::move(pseudocode), title}) {}
-
-Step& Teller::add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-                  const std::string& formula) {
-  Step& step = script_.add(slug, title, line, caption, formula);
-  step.scene = picture(s_, known_);
-  return step;
-}
+    : PictureTeller(s, {source, "Two triangles in space, a and b: " + relation_words(s.truth, "they") + ".",
+                        std::move(pseudocode), title}) {}
 
 void Teller::two_triangles(int line) {
   add("two-triangles", "Two triangles in space", line,

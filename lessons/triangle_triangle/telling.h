@@ -2,7 +2,7 @@
 // The two walks of two triangles, and what they share: the corners' sides, the verdict, and what a mesh needs.
 
 #include <isect/counted.h>
-#include "lessons/shared/script.h"
+#include "lessons/shared/teller.h"
 #include "lessons/triangle_triangle/picture.h"
 
 namespace isect::lessons::triangle_triangle_lesson {
@@ -15,12 +15,10 @@ std::string corner_name(int which, int i);
 /// "a", "b"
 inline std::string triangle_name(int which) { return which == 0 ? "a" : "b"; }
 
-class Teller {
+class Teller : protected PictureTeller<Setup, Known> {
  protected:
   Teller(const Setup&, const std::string& title, const std::string& source, std::vector<std::string> pseudocode);
 
-  viz::Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption,
-                 const std::string& formula = {});
   void two_triangles(int line);
   /// How the corners of one triangle lie to the other's plane, as `signs` say.
   std::string told_sides(int which, const triangle_triangle::Signs& signs) const;
@@ -32,9 +30,6 @@ class Teller {
   /// a mesh.
   viz::Walk end();
 
-  const Setup& s_;
-  Script script_;
-  Known known_;
   std::optional<triangle_triangle::InPlane> last_side_;
   int line_ = 13;       ///< where the method ends
   bool found_ = false;  ///< what the method says

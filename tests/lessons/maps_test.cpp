@@ -1,13 +1,16 @@
-// The maps of cases of all lessons: names lie in what they name, and lengths are drawn at one scale.
+// The maps of cases of all lessons: names lie in what they name, lengths are drawn at one scale, and making one takes
+// little work.
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
+#include <utility>
 
 #include "tests/catch.h"
 #include "tests/lessons/asked_for.h"
 #include "tests/viz/drawn.h"
+#include "tests/viz/scarce_memory.h"
 #include "viz/chart/case_map.h"
 #include "viz/chart/chart.h"
 #include "viz/compose/labels.h"
@@ -208,6 +211,32 @@ void a_circle_of_lengths_is_a_circle(const Lesson& lesson, const Drawn& map) {
   if (!not_lengths.contains(lesson.id)) CHECK(std::abs(map.unit().x() / map.unit().y() - 1) < 1e-9);
 }
 
+/// What making a map takes, on any machine: how often the lesson is asked for a branch, and how often memory is asked
+/// for. A lesson that sets up or computes too much for its answer shows there: exact arithmetic and lists are on the
+/// heap.
+struct Work {
+  int questions;
+  long allocations;
+};
+
+const CaseMap* asked = nullptr;  // by way of the map that counts
+int questions = 0;
+
+Work work_of(const Lesson& lesson, const Parameters& setting) {
+  asked = lesson.map, questions = 0;
+  CaseMap counted = *lesson.map;
+  counted.branch = [](const Parameters& p) {
+    ++questions;
+    return asked->branch(p);
+  };
+  Lesson counting = lesson;
+  counting.map = &counted;
+  constexpr long plenty = 1'000'000'000;
+  tests::allocations_left = plenty;
+  const Chart map = case_map(counting, setting);
+  return {questions, plenty - std::exchange(tests::allocations_left, -1)};
+}
+
 /// Between equally good places of names order decides, not rounding.
 void places_stay(const Drawn& map, const Drawn& moved_a_little) {
   REQUIRE(map.labels().size() == moved_a_little.labels().size());
@@ -256,6 +285,19 @@ TEST_CASE("no leader of a map grazes another name or crosses another leader", "[
           CAPTURE(faults);
           CHECK(faults.empty());
         }
+    }
+}
+
+TEST_CASE("making a map asks the lesson at most 20,000 times, and for memory at most 4,000,000 times",
+          "[every lesson]") {
+  for (const Lesson* lesson : those_asked_for())
+    for (const Preset& preset : lesson->presets) {
+      if (!lesson->map || !spot_on(*lesson->map, preset.parameters)) continue;
+      INFO(lesson->id << ' ' << preset.id);
+      const Work work = work_of(*lesson, preset.parameters);
+      CHECK(work.questions > 1000);
+      CHECK(work.questions <= 20'000);
+      CHECK(work.allocations <= 4'000'000);
     }
 }
 

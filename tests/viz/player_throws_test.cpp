@@ -14,6 +14,7 @@
 
 namespace player_throws_test {
 using namespace isect::viz;
+using isect::tests::allocations_left;
 
 namespace {
 

@@ -3,12 +3,12 @@
 #include <cstdlib>
 #include <new>
 
-namespace player_throws_test {
+namespace isect::tests {
 thread_local long allocations_left = -1;
 }
 
 void* operator new(std::size_t size) {
-  using player_throws_test::allocations_left;
+  using isect::tests::allocations_left;
   if (allocations_left == 0) throw std::bad_alloc();
   if (allocations_left > 0) --allocations_left;
   if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;

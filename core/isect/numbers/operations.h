@@ -87,21 +87,6 @@ class ToldOperations {
     if (!a.known || !b.known) return {};
     return applied(kind, Exact(a.quick.value()), Exact(b.quick.value()));
   }
-  template <class W>
-  static W applied(Kind kind, const W& a, const W& b) {
-    switch (kind) {
-      case Kind::plus:
-        return a + b;
-      case Kind::minus:
-        return a - b;
-      case Kind::times:
-        return a * b;
-      case Kind::opposite:
-        return -a;
-      default:
-        return abs(a);
-    }
-  }
 
   static Operation told(const Step& step, int a, int b, const Found& found, const Exact& once) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();

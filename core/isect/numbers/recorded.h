@@ -25,6 +25,24 @@ struct Step {
   double x = 0, y = 0;  // for a number, and for a difference of two
   int a = -1, b = -1;   // for the others: the steps whose results they use
 };
+
+/// The result of an operation; one with a single operand takes it as `a`.
+template <class W>
+W applied(Step::Kind kind, const W& a, const W& b) {
+  switch (kind) {
+    case Step::Kind::plus:
+      return a + b;
+    case Step::Kind::minus:
+      return a - b;
+    case Step::Kind::times:
+      return a * b;
+    case Step::Kind::opposite:
+      return -a;
+    default:
+      return abs(a);
+  }
+}
+
 /// The steps being recorded, if any are.
 inline thread_local std::vector<Step>* recording = nullptr;
 }  // namespace detail
@@ -102,19 +120,7 @@ class Recording {
   W found(const detail::Step& step, const std::vector<W>& at) const {
     if (step.kind == Kind::number) return W(step.x);
     if (step.kind == Kind::difference) return isect::difference<W>(step.x, step.y);
-    const W &a = at[place_[step.a]], &b = at[place_[step.b]];
-    switch (step.kind) {
-      case Kind::plus:
-        return a + b;
-      case Kind::minus:
-        return a - b;
-      case Kind::times:
-        return a * b;
-      case Kind::opposite:
-        return -a;
-      default:
-        return abs(a);
-    }
+    return detail::applied(step.kind, at[place_[step.a]], at[place_[step.b]]);
   }
 
   /// Chooses where each step puts its result: a place that no later step needs, as an exact number is large.

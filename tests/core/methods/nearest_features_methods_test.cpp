@@ -13,9 +13,10 @@ using namespace isect;
 using namespace isect::nearest_features;
 using oracle::Rational;
 using tests::not_a_number;
-using tests::pairs_in_rationals;
 using tests::stretch;
 using tests::Stretch3;
+using tests::whole_point;
+using tests::whole_segment;
 
 namespace {
 
@@ -23,50 +24,20 @@ using Segment3 = Segment<double, 3>;
 using Capsule3 = Capsule<double, 3>;
 using Box3 = Aabb<double, 3>;
 
-/// Whole coordinates up to 3 in size: ends that coincide, parallel segments and ties are frequent.
-Point<double, 3> whole(bench::Random& random) {
-  return {double(random.integer(-3, 3)), double(random.integer(-3, 3)), double(random.integer(-3, 3))};
-}
-Segment3 segment(bench::Random& random) { return {whole(random), whole(random)}; }
-
-bool same(std::vector<Pair> x, const std::vector<Pair>& y) {
-  return x.size() == y.size() &&
-         std::is_permutation(x.begin(), x.end(), y.begin(), [](const Pair& p, const Pair& q) { return p == q; });
-}
-
 }  // namespace
-
-TEST_CASE("two segments: the nearest pairs of features are those of rationals, ties included",
-          "[nearest_features_methods]") {
-  bench::Random random(tests::seed());
-  int ties = 0, interiors = 0, ends = 0, meet = 0;
-  for (int i = 0; i < tests::cases(3000, 100000); ++i) {
-    INFO("seed " << tests::seed() << ", case " << i);
-    const Segment3 a = segment(random), b = segment(random);
-    const std::vector<Pair> found = nearest_pairs(a, b);
-    REQUIRE(same(found, pairs_in_rationals(stretch(a), stretch(b))));
-    ties += found.size() == 2;
-    interiors += found.front() == Pair{Nearest::between, Nearest::between};
-    ends += found.front().on_a != Nearest::between && found.front().on_b != Nearest::between;
-    const Rational truth = oracle::distance2<3>(stretch(a), stretch(b));
-    CHECK(rounded_distance2(a, b) == Approx(oracle::real(truth).nearest).epsilon(1e-14));
-    meet += truth == 0;
-  }
-  for (const int seen : {ties, interiors, ends, meet}) CHECK(seen > 0);
-}
 
 TEST_CASE("two segments: the distance in doubles is that of rationals but for rounding", "[nearest_features_methods]") {
   bench::Random random(tests::seed());
   int too_large = 0;
   for (int i = 0; i < tests::cases(3000, 100000); ++i) {
     INFO("seed " << tests::seed() << ", case " << i);
-    const Segment3 a = segment(random), b = segment(random);
+    const Segment3 a = whole_segment(random), b = whole_segment(random);
     const double truth = oracle::real(oracle::distance2<3>(stretch(a), stretch(b))).nearest;
     CHECK(distance2(a, b) == Approx(truth).margin(1e-12));
     const double once = distance2_clamped_once(a, b);
     CHECK(once >= truth - 1e-12);
     too_large += once > truth + 1e-6;
-    const Point<double, 3> c = whole(random);
+    const Point<double, 3> c = whole_point(random);
     const Stretch3 at = {oracle::rational(c), oracle::rational(Vector<double, 3>(0, 0, 0))};
     CHECK(distance2(c, a) == Approx(oracle::real(oracle::distance2<3>(at, stretch(a))).nearest).margin(1e-12));
   }
@@ -114,24 +85,20 @@ TEST_CASE("two boxes: the squared distance is the sum of the squared gaps", "[ne
   CHECK((z.axis == 2 && z.gap == 1 && z.distance2 == 10));
 }
 
-TEST_CASE("two capsules: a clearance is exact in signs, and a bound below 0 is no", "[nearest_features_methods]") {
+TEST_CASE("two capsules: within a clearance but for rounding, and a bound below 0 is no",
+          "[nearest_features_methods]") {
   bench::Random random(tests::seed());
-  int at_bound = 0, below = 0, misled = 0;
+  int misled = 0;
   for (int i = 0; i < tests::cases(3000, 100000); ++i) {
     INFO("seed " << tests::seed() << ", case " << i);
-    const Segment3 x = segment(random), y = segment(random);
+    const Segment3 x = whole_segment(random), y = whole_segment(random);
     const Capsule3 a = {x.p, x.q, double(random.integer(0, 2))}, b = {y.p, y.q, double(random.integer(0, 2))};
-    const double clearance = random.integer(-4, 3);
-    const Rational bound = Rational(a.radius) + Rational(b.radius) + Rational(clearance);
-    const Rational excess = oracle::distance2<3>(stretch(x), stretch(y)) - bound * bound;
-    const int truth = bound < 0 ? 1 : oracle::sign(excess);
-    REQUIRE(order(a, b, clearance) == truth);
-    if (abs(excess) > 1e-9 || bound < 0) CHECK(within(a, b, clearance) == (truth <= 0));
-    if (clearance == 0 && truth != 0) CHECK(intersects(a, b) == (truth < 0));
-    at_bound += truth == 0, below += bound < 0;
+    const double clearance = random.integer(-4, 3), bound = a.radius + b.radius + clearance;
+    const Rational excess = oracle::distance2<3>(stretch(x), stretch(y)) - Rational(bound * bound);
+    if (abs(excess) > 1e-9 || bound < 0) CHECK(within(a, b, clearance) == (bound >= 0 && excess < 0));
     misled += bound < 0 && within_by_squares(a, b, clearance);
   }
-  for (const int seen : {at_bound, below, misled}) CHECK(seen > 0);
+  CHECK(misled > 0);
 }
 
 TEST_CASE("NaN is in no distance's way", "[nearest_features_methods]") {
