@@ -186,7 +186,8 @@ std::vector<double> numbers_in(const std::string& text) {
 struct OnShow {
   std::vector<double> told;
   std::map<std::string, double> values;
-  std::string code;  ///< the pseudocode beside it
+  std::string code = {};    ///< the pseudocode beside it
+  std::string prompt = {};  ///< in plain words
   double operator()(const std::string& name) const { return values.at(name); }
 };
 
@@ -235,6 +236,13 @@ const std::vector<std::pair<std::string, double (*)(const OnShow&)>>& ways() {
       {"When do these extents meet",
        [](const OnShow& o) {
          return std::min((o.told[0] - o.told[3]) / o.told[4], (o.told[1] - o.told[2]) / o.told[4]);
+       }},
+      {"-component of the velocity of b",
+       [](const OnShow& o) {
+         std::string words = o.prompt;  // 500 000 is one number
+         for (std::size_t at; (at = words.find("\u2009")) != words.npos;) words.erase(at, 3);
+         const std::vector<double> n = numbers_in(words);
+         return words.find("x-component") != words.npos ? n[2] - n[0] : n[3] - n[1];
        }},
       {"For how long do they share points", [](const OnShow& o) { return (o.told[0] + o.told[1]) / o.told[2]; }},
       {"What is it at the hit",
@@ -285,7 +293,7 @@ TEST_CASE("an answer that is a computed number follows from what is on show whil
     const std::string prompt = plain(question.prompt);
     const auto way = std::ranges::find_if(ways(), [&](const auto& w) { return prompt.find(w.first) != prompt.npos; });
     REQUIRE(way != ways().end());
-    OnShow on_show = {numbers_in(prompt), {}, {}};
+    OnShow on_show = {numbers_in(prompt), {}, {}, prompt};
     for (const std::string& line : walk.pseudocode) on_show.code += line + "\n";
     for (const Value& value : asking_step(walk, k).values) on_show.values[plain(value.name)] = value.value;
     const double found = way->second(on_show);
@@ -484,13 +492,6 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
        }},
       {"what does the pixel show", [](const Question& q, const std::string&,
                                       const OnShow& o) { return choice(q, nearest(o, plain_choices(q), "the sky")); }},
-      {"with what velocity does b move",
-       [](const Question& q, const std::string& prompt, const OnShow&) {
-         std::string words = prompt;  // 500 000 is one number
-         for (std::size_t at; (at = words.find("\u2009")) != words.npos;) words.erase(at, 3);
-         const Numbers n = numbers_in(words);
-         return choice(q, "(" + shown(n[2] - n[0]) + ", " + shown(n[3] - n[1]) + ")");
-       }},
       {"when do the boxes first meet",
        [](const Question& q, const std::string&, const OnShow& o) {
          const Numbers& n = o.told;  // the times on x, those on y, and those of the motion
@@ -668,7 +669,7 @@ TEST_CASE("every question can be answered without its picture", "[question_scene
         const Question& question = *step.question;
         std::string prompt = plain(question.prompt);
         INFO(lesson->id << " " << preset.id << ", " << step.slug << ": " << prompt);
-        OnShow on_show = {numbers_in(prompt), {}, {}};
+        OnShow on_show = {numbers_in(prompt), {}, {}, prompt};
         for (const Value& value : asking_step(walk, k).values) on_show.values[plain(value.name)] = value.value;
         std::ranges::transform(prompt, prompt.begin(), [](unsigned char c) { return std::tolower(c); });
         const auto way =
