@@ -244,6 +244,15 @@ const std::vector<std::pair<std::string, double (*)(const OnShow&)>>& ways() {
          const std::vector<double> n = numbers_in(words);
          return words.find("x-component") != words.npos ? n[2] - n[0] : n[3] - n[1];
        }},
+      {"How long is what they share",  // the interval of a, and that of b
+       [](const OnShow& o) { return std::min(o.told[1], o.told[3]) - std::max(o.told[0], o.told[2]); }},
+      {"What is the volume of what the boxes share",
+       [](const OnShow& o) {
+         const double length = std::min(o.told[1], o.told[3]) - std::max(o.told[0], o.told[2]);
+         return o("common length on x") * o("common length on y") * std::max(length, 0.0);
+       }},
+      {"What is the weight of a", [](const OnShow& o) { return 1 - o.told[0] - o.told[1]; }},
+      {"What does it compute there", [](const OnShow& o) { return -o.told[0]; }},
       {"For how long do they share points", [](const OnShow& o) { return (o.told[0] + o.told[1]) / o.told[2]; }},
       {"What is it at the hit",
        [](const OnShow& o) {
@@ -498,12 +507,6 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
          const double begin = std::max({n[0], n[2], n[4]}), end = std::min({n[1], n[3], n[5]});
          return choice(q, begin <= end ? shown(begin) : "not within the motion");
        }},
-      {"how much do they share",
-       [](const Question&, const std::string&, const OnShow& o) {
-         const Numbers& n = o.told;  // the interval of a, and that of b
-         const double lo = std::max(n[0], n[2]), hi = std::min(n[1], n[3]);
-         return lo > hi ? 0 : lo == hi ? 1 : 2;
-       }},
       {"which point of the segment is nearest to c",
        [](const Question&, const std::string&, const OnShow& o) {
          return o.told[0] <= 0 ? 0 : o.told[0] >= o.told[1] ? 1 : 2;
@@ -520,6 +523,16 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
       {"the wedges that are left reach",
        [](const Question& q, const std::string&, const OnShow& o) {
          return choice_of_line(q, cross(o.told, 2, 4, 0) < -1e-5 ? 6 : 7);
+       }},
+      {"comparisons of the ends",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         const Numbers& n = o.told;  // the box, p, q
+         bool inside = true, beyond = false;
+         for (const std::size_t k : {0U, 1U}) {
+           beyond = beyond || (n[4 + k] < n[k] && n[6 + k] < n[k]) || (n[4 + k] > n[2 + k] && n[6 + k] > n[2 + k]);
+           for (const std::size_t end : {4U, 6U}) inside = inside && n[end + k] >= n[k] && n[end + k] <= n[2 + k];
+         }
+         return choice_of_line(q, inside ? 0 : beyond ? 2 : 1);
        }},
       {"cuts the range at",
        [](const Question& q, const std::string& prompt, const OnShow& o) {
@@ -559,6 +572,11 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
          return by_key(q, [&](const std::string& t) {
            return t == "0" ? 0 : t == "s" ? s : t == "s − q" ? s - half : s + half;
          });
+       }},
+      {"does the ray first meet the sphere",
+       [](const Question&, const std::string&, const OnShow& o) {
+         const bool haines = o.values.contains("q");  // of both roots one lies in the range
+         return (haines ? o("s") - o("q") : o("t₁")) >= 0 ? 0 : 1;
        }},
       {"what does n · l tell",
        [](const Question&, const std::string&, const OnShow& o) {
@@ -603,7 +621,6 @@ const std::vector<std::string>& from_what_is_given() {
                                                "each counts once for every slab",
                                                "where is p =",
                                                "boxes are active then",
-                                               "comparisons of the ends",
                                                "comparisons of the vertices",
                                                "side do to the range",
                                                "left after the cut",
