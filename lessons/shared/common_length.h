@@ -26,7 +26,7 @@ inline bool read_well(double read, double truth) {
 inline double common_length(const Interval<double>& a, const Interval<double>& b) {
   return std::min(a.hi, b.hi) - std::max(a.lo, b.lo);
 }
-/// The same, from the ends as they are shown.
+/// That length, from the ends as they are shown.
 inline double common_length_read(const Interval<double>& a, const Interval<double>& b) {
   return common_length({as_read(a.lo), as_read(a.hi)}, {as_read(b.lo), as_read(b.hi)});
 }
