@@ -111,7 +111,7 @@ bool PolygonTeller::trivial() {
                     : "All vertices lie beyond one side, so its condition holds. The line below it runs, too."},
        {2, any == 0 ? "All vertices lie in the box: line 1 has returned."
                     : "No side has all vertices beyond it, so nothing is returned yet."}},
-      any == 0   ? "No vertex lies beyond a side, so line 1 returns the polygon."
+      any == 0   ? "No vertex lies beyond a side, so the first line returns the polygon."
       : all != 0 ? "One side has all vertices beyond it."
                  : "The condition of line 2 is asked, and does not hold. So the polygon must be cut.");
   if (trivial_) script_.leave_early();

@@ -82,7 +82,7 @@ void SegmentTeller::say(const clip_segment::Outcodes& e) {
                   : "Both ends lie beyond one side, so its condition holds. The line below it runs, too."},
        {2, inside ? "Both ends lie in the box: line 1 has returned."
                   : "No side has both ends beyond it, so nothing is returned yet."}},
-      inside   ? "No end lies beyond a side, so line 1 returns the whole range."
+      inside   ? "No end lies beyond a side, so the first line returns the whole range."
       : beyond ? "One side has both ends beyond it."
                : "The condition of line 2 is asked, and does not hold. So *t* must be computed.");
   trivial_ = inside || beyond;
