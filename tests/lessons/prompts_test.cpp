@@ -37,7 +37,11 @@ std::vector<std::string> displayed(const Lesson& lesson, const Walk& walk, int s
     if (const Label* label = std::get_if<Label>(&item)) all.push_back(label->text);
     if (const Heading* heading = std::get_if<Heading>(&item)) all.push_back(heading->text);
   }
-  for (std::string& markup : all) markup = plain(markup);
+  for (std::string& part : all) {
+    part = plain(part);
+    for (const std::string quote : {"“", "”"})  // a quoted word is whole
+      for (std::size_t at; (at = part.find(quote)) != std::string::npos;) part.replace(at, quote.size(), " ");
+  }
   return all;
 }
 
