@@ -5,6 +5,7 @@
 
 #include "lessons/aabb_aabb/picture.h"
 #include "lessons/shared/axis_names.h"
+#include "lessons/shared/common_length.h"
 #include "lessons/shared/digits.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/relation.h"
@@ -74,6 +75,14 @@ class Teller {
     Script::decide(step, {a_later ? a_after_b : b_after_a, lo, hi, e.disjoint,
                           e.disjoint ? "a gap on " + axis
                                      : "nor " + (a_later ? b_after_a : a_after_b) + ", so no gap on " + axis});
+    disjoint_ = e.disjoint;
+    ++asked_;
+    if (e.axis > 0 && !empty(s_.a) && !empty(s_.b)) {
+      const std::string told = fmt::format("On {} a reaches from {} to {}, b from {} to {}.", axis, shown(a.lo),
+                                           shown(a.hi), shown(b.lo), shown(b.hi));
+      step.question = e.axis == 1 ? common_length_question(told, a, b) : volume_question(told);
+      if (step.question) return;
+    }
     // OVERLAP too early: that one common interval is enough, the note's slip.
     step.question = Question{fmt::format("The intervals on {} are compared. What follows?", axis),
                              {"DISJOINT", "OVERLAP", "nothing yet"},
@@ -87,9 +96,29 @@ class Teller {
                             {"a.max" + i, a.hi, "length", Role::first},
                             {"b.min" + i, b.lo, "length", Role::second},
                             {"b.max" + i, b.hi, "length", Role::second}};
-    disjoint_ = e.disjoint;
-    ++asked_;
   }
+
+  /// Asks for the volume that the boxes share, after the last axis. None where the lengths, as shown, do not give it.
+  std::optional<Question> volume_question(const std::string& told) const {
+    double lengths[3] = {}, sum = 0, volume = 1, read = 1;
+    for (const int i : {0, 1, 2}) {
+      const Interval<double> a = s_.a.along(i), b = s_.b.along(i);
+      lengths[i] = std::max(common_length(a, b), 0.0);
+      sum += lengths[i], volume *= lengths[i];
+      read *= i < 2 ? as_read(lengths[i]) : std::max(common_length_read(a, b), 0.0);
+    }
+    if (!std::isfinite(volume) || !read_well(read, volume)) return {};
+    return which_value(told + " What is the volume of what the boxes share?", volume,
+                       {{lengths[2], "That is the common length on *z* alone."},
+                        {lengths[0] * lengths[1], "That leaves out *z*."},
+                        {sum, "That adds the common lengths."},
+                        {s_.a.along(2).lo < s_.b.along(2).lo ? volume_of(s_.a) : volume_of(s_.b),
+                         "That is the volume of one of the boxes."}},
+                       volume == 0 ? "On some axis they share no length, and so no volume."
+                                   : "It is a box: the product of the common lengths on the three axes.");
+  }
+  static double volume_of(const Box& box) { return (box.hi - box.lo).prod(); }
+
   void say(const aabb_aabb::Common<C, 3>&) {}  // of relate, which the lesson does not run
 
   std::string axis_caption(int axis, bool disjoint, const Interval<double>& a, const Interval<double>& b) const {

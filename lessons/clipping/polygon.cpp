@@ -9,6 +9,7 @@
 #include <isect/point_convex_polygon.h>
 #include <isect/point_polygon.h>
 #include <isect/segment_segment.h>
+#include "lessons/shared/line_question.h"
 
 namespace isect::lessons::clipping_lesson {
 
@@ -102,12 +103,17 @@ bool PolygonTeller::trivial() {
                              : "Some vertices lie outside, but not all beyond one side. So the polygon must be cut.");
   step.decides = true;
   step.scene = picture(known_);
-  step.question = {"What do comparisons of the vertices with the sides show?",
-                   {"all is kept", "nothing is kept", "not enough: the polygon must be cut"},
-                   any == 0   ? 0
-                   : all != 0 ? 1
-                              : 2,
-                   "Each vertex is compared with the four sides, and nothing is computed."};
+  ask_for_line(
+      script_.walk(),
+      "Lines 1 to 3 need no more than comparisons of the vertices with the sides. Which of them runs last?",
+      {{0, "Not all vertices lie in the box, so the test goes on."},
+       {1, any == 0 ? "All vertices lie in the box: line 1 has returned."
+                    : "All vertices lie beyond one side, so its condition holds. The line below it runs, too."},
+       {2, any == 0 ? "All vertices lie in the box: line 1 has returned."
+                    : "No side has all vertices beyond it, so nothing is returned yet."}},
+      any == 0   ? "No vertex lies beyond a side, so the first line returns the polygon."
+      : all != 0 ? "One side has all vertices beyond it."
+                 : "The condition of line 2 is asked, and does not hold. So the polygon must be cut.");
   if (trivial_) script_.leave_early();
   if (all != 0) known_.ring.clear();
   return trivial_;

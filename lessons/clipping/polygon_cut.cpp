@@ -8,29 +8,12 @@
 #include <isect/methods/clip_polygon.h>
 #include "lessons/clipping/polygon.h"
 #include "lessons/shared/plural.h"
+#include "lessons/shared/questions.h"
 
 namespace isect::lessons::clipping_lesson {
 
 using namespace viz;
 using C = Counted<double>;
-
-namespace {
-
-/// Offers the true count, the count before and neighbours of the true one, smallest first.
-void choices(Question& q, int before, int after) {
-  std::vector<int> numbers = {before, after};
-  for (int k = 1; numbers.size() < 4; ++k)
-    for (const int n : {after + k, after - k})
-      if (n >= 0 && numbers.size() < 4) numbers.push_back(n);
-  std::ranges::sort(numbers);
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  for (const int n : numbers) {
-    if (n == after) q.answer = static_cast<int>(q.choices.size());
-    q.choices.push_back(std::to_string(n));
-  }
-}
-
-}  // namespace
 
 void PolygonTeller::cut(const Side& side) {
   Cut cut = {side, known_.ring, {}, {}};
@@ -59,11 +42,14 @@ void PolygonTeller::cut(const Side& side) {
                                        plural(static_cast<long long>(known_.ring.size()), "vertex")));
   step.decides = true;
   step.scene = picture(known_, &cut);
-  step.question = {"How many vertices are left after the cut at " + name_of(side) + "?",
-                   {},
-                   0,
-                   "Outside vertices are removed; each crossing edge adds one."};
-  choices(*step.question, static_cast<int>(cut.before.size()), static_cast<int>(known_.ring.size()));
+  const auto before = static_cast<double>(cut.before.size()), added = static_cast<double>(cut.fresh.size());
+  step.question = which_count("How many vertices are left after the cut at " + name_of(side) + "?",
+                              static_cast<double>(known_.ring.size()),
+                              {{before, "That is the count before the cut."},
+                               {before - static_cast<double>(out), "That leaves out the new vertices, on the side."},
+                               {before + added, "That keeps the vertices beyond the side."},
+                               {added, "That counts the new vertices alone."}},
+                              "Outside vertices are removed; each crossing edge adds one.");
   Rest untouched = known_;
   untouched.ring = cut.before;
   step.question->over = picture(untouched);

@@ -8,6 +8,7 @@
 
 #include <isect/methods/ray_aabb.h>
 #include "lessons/shared/digits.h"
+#include "lessons/shared/line_question.h"
 #include "lessons/shared/order_question.h"
 
 namespace isect::lessons::clipping_lesson {
@@ -70,12 +71,20 @@ void SegmentTeller::say(const clip_segment::Outcodes& e) {
       fmt::format("**p**: {:04b},  **q**: {:04b},  and: {:04b},  or: {:04b}", e.p, e.q, e.p & e.q, e.p | e.q));
   step.decides = true;
   step.scene = picture(known_);
-  step.question = {"What do comparisons of the ends with the sides show?",
-                   {"all is kept", "nothing is kept", "not enough: *t* must be computed"},
-                   inside   ? 0
-                   : beyond ? 1
-                            : 2,
-                   "Each end is compared with the four sides, and nothing is computed."};
+  ask_for_line(
+      script_.walk(),
+      fmt::format("The box reaches from {} to {}, the segment from **p** = {} to **q** = {}. Lines 1 to 3 need no more "
+                  "than comparisons of the ends with the sides. Which of them runs last?",
+                  coordinates(box_.lo), coordinates(box_.hi), coordinates(known_.segment.p),
+                  coordinates(known_.segment.q)),
+      {{0, "Not both ends lie in the box, so the test goes on."},
+       {1, inside ? "Both ends lie in the box: line 1 has returned."
+                  : "Both ends lie beyond one side, so its condition holds. The line below it runs, too."},
+       {2, inside ? "Both ends lie in the box: line 1 has returned."
+                  : "No side has both ends beyond it, so nothing is returned yet."}},
+      inside   ? "No end lies beyond a side, so the first line returns the whole range."
+      : beyond ? "One side has both ends beyond it."
+               : "The condition of line 2 is asked, and does not hold. So *t* must be computed.");
   trivial_ = inside || beyond;
   if (trivial_) script_.leave_early();
   if (trivial_) return;

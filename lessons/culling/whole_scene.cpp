@@ -125,12 +125,15 @@ class WholeScene {
     step.decides = gone > 0;
     step.scene = picture(plane, false, false);
     add_plane(view_, plane, step.scene);
-    step.question = {fmt::format("Only volumes that no earlier plane rejected are tested. Inside the {} plane is {}. "
-                                 "How many does it reject?",
-                                 name, inner_side(view_.planes[plane])),
-                     {"0", "1", "2", "3 or more"},
-                     std::min(gone, 3),
-                     "Those that lie wholly beyond it."};
+    step.question =
+        which_count(fmt::format("Only volumes that no earlier plane rejected are tested. Inside the {} plane is {}. "
+                                "How many does it reject?",
+                                name, inner_side(view_.planes[plane])),
+                    gone,
+                    {{static_cast<double>(rejected_), "That counts those that earlier planes have rejected, too."},
+                     {static_cast<double>(left), "That is how many it leaves."},
+                     {0, "At least one of those left lies wholly beyond it."}},
+                    "Those that lie wholly beyond it.");
     give_before(script_.walk(), {"outside"});
   }
 

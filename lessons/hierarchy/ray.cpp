@@ -140,12 +140,14 @@ class Shooting {
     step.decides = true;
     if (asked_question_) return;
     asked_question_ = true;
-    step.question = Question{how_many(node),
-                             {"none", "one", "both"},
-                             2 - static_cast<int>(missed.size()),
-                             missed.empty()       ? "The ray meets the boxes of both."
-                             : missed.size() == 1 ? "The ray meets the box of one, and misses the other's."
-                                                  : "The ray misses the boxes of both."};
+    step.question =
+        which_count(how_many(node), 2 - static_cast<double>(missed.size()),
+                    {{0, "The ray meets the box of at least one."},
+                     {1, missed.empty() ? "The ray meets the other box, too." : "The ray misses both boxes."},
+                     {2, "The ray misses at least one of the boxes."}},
+                    missed.empty()       ? "The ray meets the boxes of both."
+                    : missed.size() == 1 ? "The ray meets the box of one, and misses the other's."
+                                         : "The ray misses the boxes of both.");
     Drawn asked = drawn_;
     for (const int child : {node.first, node.first + 1}) asked.states[child] = State::waiting;
     step.question->over = picture(asked);

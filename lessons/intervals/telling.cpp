@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lessons/intervals/picture.h"
+#include "lessons/shared/common_length.h"
 #include "lessons/shared/digits.h"
 #include "lessons/shared/questions.h"
 #include "lessons/shared/relation.h"
@@ -72,6 +73,14 @@ class Teller {
                              low + " = " + digits(lo, hi) + (e.holds ? " > " : " ≤ ") + digits(hi, lo) + " = " + high);
     step.scene = picture(s_, Vec2(lo, hi), false);
     Script::decide(step, {low + " > " + high, lo, hi, e.holds, e.holds ? "DISJOINT" : "no gap on this side"});
+    line_ = e.holds ? (first ? 1 : 3) : 4;
+    if (!e.holds) script_.refuse(first ? 0 : 2, {first ? 1 : 3});
+    if (!first && !one_is_empty(s_) && !points(s_)) {
+      step.question = common_length_question(fmt::format("a reaches from {} to {}, b from {} to {}.", shown(s_.a.lo),
+                                                         shown(s_.a.hi), shown(s_.b.lo), shown(s_.b.hi)),
+                                             s_.a, s_.b);
+      if (step.question) return;
+    }
     // OVERLAP after one comparison: that one side decides all.
     step.question = Question{fmt::format("{} is compared with {}. What does the note's test conclude?", low, high),
                              {"DISJOINT", "OVERLAP", "nothing yet"},
@@ -83,8 +92,6 @@ class Teller {
                                      : "Neither begins after the other has ended."};
     step.question->given = {{low, lo, "length", first ? Role::first : Role::second},
                             {high, hi, "length", first ? Role::second : Role::first}};
-    line_ = e.holds ? (first ? 1 : 3) : 4;
-    if (!e.holds) script_.refuse(first ? 0 : 2, {first ? 1 : 3});
   }
   void say(const interval_interval::Common<C>&) {}  // of relate, which the lesson does not run
 

@@ -142,7 +142,20 @@ class BoxesTeller : Teller {
     q.choices.emplace_back("not within the motion");
     q.answer = s_.first ? static_cast<int>(std::ranges::find(q.choices, shown(begin)) - q.choices.begin())
                         : static_cast<int>(q.choices.size()) - 1;
+    if (s_.first) ask_for_number(q, begin, 3, wrong_times());
     script_.walk().steps.back().question = q;
+  }
+
+  /// Times that are taken for first contact.
+  std::vector<WrongNumber> wrong_times() const {
+    std::vector<WrongNumber> all;
+    for (const std::size_t i : {0U, 1U})
+      all.push_back({times_[i].lo, times_[i].lo < 0
+                                       ? std::string("At that time the motion has not begun.")
+                                       : fmt::format("By then the extents share points on {}, but not yet on {}.",
+                                                     axis_names[i], axis_names[1 - i])});
+    all.push_back({std::min(times_[0].hi, times_[1].hi), "Then they part on one axis. First contact comes before."});
+    return all;
   }
 
   std::string told() const {

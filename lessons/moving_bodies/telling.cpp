@@ -1,7 +1,9 @@
 #include "lessons/moving_bodies/telling.h"
 
 #include <cmath>
+#include <set>
 
+#include "lessons/shared/axis_names.h"
 #include "lessons/shared/digits.h"
 #include "lessons/shared/questions.h"
 #include "viz/text/rich_text.h"
@@ -37,20 +39,25 @@ Verdict::Kind kind_of(const Setup& s) {
   return s.touching || s.truth == Meeting::grazing ? Verdict::Kind::on : Verdict::Kind::yes;
 }
 
-/// "With what velocity does b move, seen from a?", with the slips of a sign and of the other difference.
+/// Asks for one component of the velocity of b, seen from a: the one in which the slips of a sign, of the other
+/// difference and of no difference differ more. None where too few do.
 std::optional<Question> velocity_question(const Setup& s) {
-  Question q = {fmt::format("**v**_a = {} and **v**_b = {}. With what velocity does b move, seen from a?",
-                            coordinates(s.v_a), coordinates(s.v_b)),
-                {},
-                0,
-                "Subtract **v**_a from both velocities: a is left with 0, and b with **v**_b − **v**_a."};
-  const Vec2 sum = s.v_a + s.v_b, other = s.v_a - s.v_b;
-  const std::string right = coordinates(s.d());
-  for (const std::string& choice : {coordinates(sum), coordinates(other), right, coordinates(s.v_b)})
-    if (std::ranges::find(q.choices, choice) == q.choices.end()) q.choices.push_back(choice);
-  if (q.choices.size() < 3) return {};
-  q.answer = static_cast<int>(std::ranges::find(q.choices, right) - q.choices.begin());
-  return q;
+  const Vec2 d = s.d(), sum = s.v_a + s.v_b, other = s.v_a - s.v_b;
+  const auto told_apart = [&](int i) -> std::size_t {
+    const std::string right = shown(d[i]);
+    if (right.size() > 3 && shown(s.duration).find(right) != std::string::npos) return 0;  // the page before says it
+    return std::set<std::string>{right, shown(sum[i]), shown(other[i]), shown(s.v_b[i])}.size();
+  };
+  const int i = told_apart(1) > told_apart(0) ? 1 : 0;
+  if (told_apart(i) < 3) return {};
+  return which_value(
+      fmt::format("**v**_a = {} and **v**_b = {}. What is the {}-component of the velocity of b, seen from a?",
+                  coordinates(s.v_a), coordinates(s.v_b), axis_names[i]),
+      d[i],
+      {{sum[i], "That adds the velocities. Seen from a, that of a is subtracted."},
+       {other[i], "That is how a moves, seen from b: the sign is the opposite."},
+       {s.v_b[i], "That is how b moves, seen by someone at rest. Seen from a, the velocity of a is subtracted."}},
+      "Subtract **v**_a from both velocities: a is left with 0, and b with **v**_b − **v**_a.");
 }
 
 }  // namespace

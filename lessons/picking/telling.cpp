@@ -106,7 +106,24 @@ class Teller {
                   left,
                   "Those whose bounding ball the ray meets."};
     for (int i = 0; i <= s_.size(); ++i) s.question->choices.push_back(std::to_string(i));
+    ask_for_number(*s.question, left, 0,
+                   {{static_cast<double>(s_.size() - left), "That is how many are ruled out."},
+                    {static_cast<double>(left - touched()), "A ball that the ray only touches is met, too."},
+                    {static_cast<double>(s_.size()), "That looks at every object: the balls would rule out none."},
+                    {left > 1 ? 1.0 : left, "Only one is picked, but each whose ball is met may be it."}});
     keep_picture(script_.walk());
+  }
+
+  /// How far the centre of a bounding ball is off the ray.
+  double off_ray(const Sphere<double, 3>& ball) const {
+    const Vec3 d = s_.ray.direction, l = ball.center - s_.ray.origin;
+    return (l - std::max(l.dot(d) / d.squaredNorm(), 0.0) * d).norm();
+  }
+  /// How many bounding balls the ray meets, but only touches, as far as one can read.
+  int touched() const {
+    int sum = 0;
+    for (int i = 0; i < s_.size(); ++i) sum += s_.met(i) && shown(off_ray(s_.balls[i])) == shown(s_.balls[i].radius);
+    return sum;
   }
 
   /// "1.5 and 0.3 (the crate), ..."
@@ -114,8 +131,7 @@ class Teller {
     std::string all;
     for (int i = 0; i < s_.size(); ++i) {
       const Sphere<double, 3>& ball = s_.balls[i];
-      const Vec3 d = s_.ray.direction, l = ball.center - s_.ray.origin;
-      const double off = (l - std::max(l.dot(d) / d.squaredNorm(), 0.0) * d).norm();
+      const double off = off_ray(ball);
       all += fmt::format("{}{} and {} ({})", i > 0 ? ", " : "", digits(ball.radius, off), digits(off, ball.radius),
                          name(i));
     }

@@ -129,10 +129,13 @@ class Teller {
     const Flat flat = flattened(s_, point_, chosen_);
     step.formula = fmt::format("**r**′ = ({}, {})", shown(flat.point.x()), shown(flat.point.y()));
     step.scene = crossings(s_, flat, passing_);
-    step.question = {"How many edges does the point have on its right?",
-                     {"none", "one", "two", "more"},
-                     static_cast<int>(std::min<std::ptrdiff_t>(count, 3)),
-                     "An odd number means inside; the lesson on crossings shows why."};
+    const auto both_sides = static_cast<double>(passing_.size()), on_right = static_cast<double>(count);
+    step.question =
+        which_count("How many edges does the point have on its right?", on_right,
+                    {{both_sides, "That counts the edges at its level on both sides."},
+                     {both_sides - on_right, "That counts the edges on its left."},
+                     {static_cast<double>(flat.ring.size()), "That counts all edges, at its level or not."}},
+                    "An odd number means inside; the lesson on crossings shows why.");
   }
 
   Question where_question() const {

@@ -4,6 +4,7 @@
 
 #include <isect/methods/ray_sphere.h>
 #include "lessons/ray_sphere/telling.h"
+#include "lessons/shared/common_length.h"
 #include "lessons/shared/order_question.h"
 #include "lessons/shared/questions.h"
 
@@ -139,12 +140,15 @@ class HainesTeller : Teller {
                   e.holds != (line_roots() == 0) ? "by rounding"
                   : e.holds                      ? "the line misses the ball"
                                                  : "the line meets the ball"});
-    step.question = roots_question(setup_);
+    const int as_shown = e.holds ? 0 : e.m2.value == r2_ ? 1 : 2;
+    step.question =
+        roots_question(setup_, as_shown == line_roots() && (as_shown == 1 || shown(e.m2.value) != shown(r2_)));
     if (!e.holds) script_.refuse(6, {7});
   }
 
   void say(const HalfChord<C>& e) {
     known_.half_chord = true;
+    q_ = e.q.value;
     script_.value("*q*", e.q.value, "length");
     Step& step =
         add("half-chord", "Half the chord", 8,
@@ -195,7 +199,10 @@ class HainesTeller : Teller {
                   .parts = {{"*l*^2 > *r*^2", e.l2.value, e.r2.value, e.l2.value > e.r2.value, ""},
                             {"*l*^2 = *r*^2", e.l2.value, e.r2.value, on, ""},
                             {"*s* > 0", s_, 0, s_ > 0, ""}}});
-    step.question = first_hit_question(setup_, {"*s* − *q*", "*s* + *q*"});
+    step.question = first_hit_question(setup_, {"*s* − *q*", "*s* + *q*"},
+                                       Interval<double>{as_read(s_) - as_read(q_), as_read(s_) + as_read(q_)});
+    if (step.question && setup_.segment())
+      step.question->given = {{"*t*_{max} |**d**|", setup_.ray.range.hi, "length", Role::first}};
     if (e.holds) {
       script_.refuse(11, {12});
     } else {
@@ -266,7 +273,7 @@ class HainesTeller : Teller {
   int line_roots() const { return setup_.truth.line_roots; }
 
   bool from_outside_ = false;
-  double s_ = 0, l2_ = 0, m2_ = 0, r2_ = 0;
+  double s_ = 0, l2_ = 0, m2_ = 0, r2_ = 0, q_ = 0;
 };
 
 }  // namespace

@@ -147,12 +147,13 @@ class QuadraticTeller : Teller {
                   : roots == 0 ? "no real root"
                   : roots == 1 ? "a double root"
                                : "two real roots"});
-    step.question = roots_question(setup_);
+    step.question = roots_question(setup_, as_true);
     if (!e.holds) script_.refuse(5, {6});
   }
 
   void say(const Root<C>& e) {
     const bool first = e.index == 0;
+    (first ? roots_.lo : roots_.hi) = e.t.value;
     known_.roots = e.index + 1;
     known_.half_chord = true;
     script_.value(first ? "*t*_1" : "*t*_2", e.t.value, "lengths of **d**", Role::hit);
@@ -180,7 +181,12 @@ class QuadraticTeller : Teller {
     decide(step, beyond ? Comparison{name + " ≤ *t*_{max}", t, limit, false, "beyond the segment's end"}
                         : Comparison{name + " ≥ 0", t, 0, t >= 0, t >= 0 ? "on the ray" : "behind the origin"});
     if (first) {
-      step.question = first_hit_question(setup_, {"the smaller one, *t*_1", "the larger one, *t*_2"});
+      const Interval<double>& exact = setup_.truth.roots;
+      const bool kept = digits_right(roots_.lo, exact.lo) >= 5 && digits_right(roots_.hi, exact.hi) >= 5;
+      step.question = first_hit_question(setup_, {"the smaller one, *t*_1", "the larger one, *t*_2"},
+                                         kept ? std::optional(roots_) : std::nullopt);
+      if (step.question && setup_.segment())
+        step.question->given = {{"*t*_{max}", limit, "lengths of **d**", Role::first}};
     }
     if (!e.holds) script_.refuse(first ? 9 : 11, {first ? 10 : 12});
     last_ = first ? 10 : 12;
@@ -263,6 +269,7 @@ class QuadraticTeller : Teller {
   const bool half_;
   int last_ = 10;
   double a_ = 0, b_ = 0, c_ = 0, root_ = 0;
+  Interval<double> roots_ = {0, 0};
 };
 
 }  // namespace

@@ -1,6 +1,10 @@
 #include "lessons/ray_sphere/telling.h"
 
 #include <cmath>
+#include <utility>
+
+#include "lessons/shared/common_length.h"
+#include "lessons/shared/questions.h"
 
 namespace isect::lessons::ray_sphere_lesson {
 
@@ -49,17 +53,44 @@ int digits_right(double found, double truth) {
   return error < 1 ? static_cast<int>(-std::log10(error)) : 0;
 }
 
-Question roots_question(const Setup& s) {
+Question roots_question(const Setup& s, bool is_told) {
   static const char* const because[] = {"It passes farther than *r* from the centre.",
                                         "It passes at exactly *r* from the centre: a double root.",
                                         "It passes nearer than *r* to the centre."};
-  return {"How many points does the whole line share with the sphere?",
-          {"none", "one", "two"},
-          s.truth.line_roots,
-          because[s.truth.line_roots]};
+  const int roots = s.truth.line_roots;
+  const std::string prompt = "How many points does the whole line share with the sphere?";
+  if (!is_told) return {prompt, {"none", "one", "two"}, roots, because[roots]};
+  Question q = {prompt, {"0", "1", "2"}, roots, because[roots]};
+  ask_for_number(q, roots, 0,
+                 {{0, roots == 1 ? "Touching counts: they share a point."
+                                 : "It passes nearer than *r* to the centre, so it enters the ball."},
+                  {1, roots == 0 ? "To touch, it would have to pass at exactly *r* from the centre."
+                                 : "The line enters the ball and leaves it again: each gives a point."},
+                  {2, roots == 0 ? "It passes farther than *r* from the centre."
+                                 : "Both roots are the same: a double root is one point."}});
+  return q;
 }
 
-std::optional<Question> first_hit_question(const Setup& s, const std::vector<std::string>& roots) {
+namespace {
+
+/// Asks for the *t* of the first hit instead of its root, where the roots as read from what is shown give it.
+void ask_for_t(Question& q, const Setup& s, const Interval<double>& read) {
+  const double lo = s.truth.roots.lo, hi = s.truth.roots.hi, t = *s.truth.surface;
+  const bool first = q.answer == 0;
+  if (shown(lo) == shown(hi) || !read_well(first ? read.lo : read.hi, t)) return;
+  Question asked = {
+      "At which *t* does the ray first meet the sphere?", {shown(lo), shown(hi), "neither"}, q.answer, q.because};
+  ask_for_number(asked, t, 3,
+                 {{first ? hi : lo, first ? "There the line leaves the ball. It has entered it before, in the range."
+                                          : "There the line enters the ball, but before the ray begins."},
+                  {(lo + hi) / 2, "That is half way between the roots, at the foot of the perpendicular."}});
+  if (asked.number) q = std::move(asked);
+}
+
+}  // namespace
+
+std::optional<Question> first_hit_question(const Setup& s, const std::vector<std::string>& roots,
+                                           const std::optional<Interval<double>>& read) {
   if (s.truth.line_roots == 1) return {};
   const bool first = s.truth.surface && *s.truth.surface == s.truth.roots.lo;
   const int answer = !s.truth.surface ? 2 : first ? 0 : 1;
@@ -67,7 +98,9 @@ std::optional<Question> first_hit_question(const Setup& s, const std::vector<std
                               : answer == 0
                                   ? "The smaller root lies in the ray's range."
                                   : "The smaller root lies behind the origin, and the larger one in the range.";
-  return Question{"Which root is the ray's first hit?", {roots[0], roots[1], "neither"}, answer, because};
+  Question q = {"Which root is the ray's first hit?", {roots[0], roots[1], "neither"}, answer, because};
+  if (answer != 2 && read) ask_for_t(q, s, *read);
+  return q;
 }
 
 std::string verdict_text(const Setup& s) {

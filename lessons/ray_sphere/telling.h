@@ -51,10 +51,13 @@ class Teller {
 
 /// How many leading decimal digits are right: at most 16, 0 if the error is as large as the number.
 int digits_right(double found, double truth);
-/// "How many points does the line share with the sphere?"
-viz::Question roots_question(const Setup&);
-/// "Which is the first hit?" with the names of the two roots; nothing for a double root.
-std::optional<viz::Question> first_hit_question(const Setup&, const std::vector<std::string>& roots);
+/// "How many points does the line share with the sphere?" `is_told`: what is shown decides it, so it is a count to
+/// type.
+viz::Question roots_question(const Setup&, bool is_told);
+/// "Which is the first hit?" with the names of the two roots; nothing for a double root. It asks for its t where there
+/// is one and what is shown gives it: the roots as `read` there, if their digits are right.
+std::optional<viz::Question> first_hit_question(const Setup&, const std::vector<std::string>& roots,
+                                                const std::optional<Interval<double>>& read);
 std::string verdict_text(const Setup&);
 std::string miss_caption(const Setup&);
 /// A sentence on what the solid ball adds to the answer for its surface.

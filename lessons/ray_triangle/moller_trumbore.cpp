@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lessons/ray_triangle/telling.h"
+#include "lessons/shared/common_length.h"
 #include "lessons/shared/questions.h"
 
 namespace isect::lessons::ray_triangle_lesson {
@@ -120,25 +121,26 @@ class CramerTeller : Teller {
                           .holds = !e.holds,
                           .meaning = e.holds ? "the line meets the triangle" : "outside of the triangle",
                           .parts = {below, above}});
-    step.question = region_question(u, v, e.holds);
+    step.question = third_weight_question(u, v, e.holds);
     if (e.holds) script_.refuse(8, {9});
   }
 
-  /// None where the numbers as shown do not tell.
-  std::optional<Question> region_question(double u, double v, bool holds) const {
-    constexpr double legible = 1e-3;
-    const double above = u + v - 1;
-    if ((v != 0 && std::abs(v) < legible) || (above != 0 && std::abs(above) < legible)) return {};
-    if (v < 0 && above > 0) return {};
-    return Question{fmt::format("*u* is {} and *v* is {}. What follows?", shown(u), shown(v)),
-                    {"a hit, if *t* lies in the range", "a miss, beyond the edge bc", "a miss, beyond the edge ab"},
-                    holds   ? 0
-                    : v < 0 ? 2
-                            : 1,
-                    holds   ? "All three weights, 1 − *u* − *v* among them, are at least 0."
-                    : v < 0 ? "*v* is negative: it is the weight of **c**, which is opposite ab."
-                            : "Both lie between 0 and 1, but 1 − *u* − *v* is negative. It is the weight of **a**, "
-                              "which is opposite bc."};
+  /// Asks for the weight that is left. None where the numbers as shown do not give it, or not the sign of v.
+  std::optional<Question> third_weight_question(double u, double v, bool holds) const {
+    const double w = 1 - u - v;
+    const auto tiny = [](double x) { return x != 0 && std::abs(x) < 1e-3; };
+    if (tiny(v) || tiny(w) || !read_well(1 - as_read(u) - as_read(v), w)) return {};
+    return which_value(
+        fmt::format("*u* is {} and *v* is {}. What is the weight of **a**?", shown(u), shown(v)), w,
+        {{u, "That is the weight of **b**."},
+         {v, "That is the weight of **c**."},
+         {u + v, "That is the sum of the other two. What is left of 1 is asked for."},
+         {1 - u, "That leaves out *v*."},
+         {1 - u + v, "That adds *v*. It is subtracted, as *u* is."}},
+        std::string("All three weights sum to 1. ") +
+            (holds   ? "None of them is negative: the point lies in the triangle."
+             : v < 0 ? "Here *v* is negative: it is the weight of **c**, which is opposite ab."
+                     : "This one is negative: **a** is opposite bc, so the point lies beyond that edge."));
   }
 
   void say(const InRange<C>& e) {

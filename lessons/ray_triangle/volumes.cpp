@@ -56,7 +56,7 @@ class VolumesTeller : SignsTeller {
       script_.value(name, w[i], "volume");
       add(slugs[i], fmt::format("The edge {}", edge_names[i]), 1 + i, edge_caption(i, w[i]),
           fmt::format("{} = {} = {}", name, formulas[i], shown(w[i])));
-      if (i == 0) neighbour();
+      if (i == 0) neighbour(w[0]);
     }
     known_.edge = -1;
     signs(4, w[0], w[1], w[2], e.holds);
@@ -79,7 +79,7 @@ class VolumesTeller : SignsTeller {
            side;
   }
 
-  void neighbour() {
+  void neighbour(double w) {
     known_.neighbour = true;
     Step& step =
         add("neighbour", "The neighbour at this edge", 1,
@@ -87,11 +87,19 @@ class VolumesTeller : SignsTeller {
             "**d** · (**c**′ × **b**′).\n"
             "That is −*w*_a to the last bit, as rounding treats both signs alike. At this edge the two agree.\n"
             "A fused multiply-add would break this: it rounds one of two products, and not the other.");
-    step.question = {
-        "A neighbour **c**, **b**, **q** has the same edge, from **c** to **b**. What does it compute there?",
-        {"*w*_a", "−*w*_a", "another number, as it rounds otherwise"},
-        1,
-        "Each product is the same, and each difference has the other sign. Rounding treats both alike."};
+    const std::string asked = "A neighbour **c**, **b**, **q** has it from **c** to **b**. What does it compute there?";
+    const std::string because =
+        "Each product is the same, and each difference has the other sign. Rounding treats both alike.";
+    step.question = Question{"The edge leads from **b** to **c**. " + asked,
+                             {"*w*_a", "−*w*_a", "another number, as it rounds otherwise"},
+                             1,
+                             because};
+    if (w != 0)
+      step.question = which_value(fmt::format("For the edge from **b** to **c**, *w*_a is {}. ", shown(w)) + asked, -w,
+                                  {{w, "That goes from **b** to **c**. The other way round the sign changes."},
+                                   {0, "The two numbers sum to 0, but this one is not 0."},
+                                   {2 * w, "That adds the numbers of both, as if their signs were the same."}},
+                                  because);
     known_.neighbour = false;
   }
 

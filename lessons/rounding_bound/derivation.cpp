@@ -103,6 +103,10 @@ class Derivation {
                              {"0", "1", "2", "3", "4"},
                              static_cast<int>(exact),
                              "Each was compared with the exact difference."};
+    ask_for_number(*step.question, static_cast<double>(exact), 0,
+                   {{static_cast<double>(4 - exact), "That is how many of them are rounded."},
+                    {4, "Not all of them are doubles themselves: at least one is rounded."},
+                    {0, "At least one of them is a double itself, and so is not rounded."}});
   }
 
   void say_products() {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lessons/shared/axis_names.h"
+#include "lessons/shared/common_length.h"
 #include "lessons/shared/digits.h"
 #include "lessons/shared/questions.h"
 #include "lessons/triangle_triangle/telling.h"
@@ -218,19 +219,13 @@ class IntervalsTeller : Teller {
       line_ = 12;
   }
 
-  /// Asks how much the intervals share, where the numbers on show tell.
+  /// Asks how long is what the intervals share, where the numbers on show tell.
   void ask_common(Step& step) const {
-    const auto [a, b] = interval_;
-    const double lo = std::max(a.lo, b.lo), hi = std::min(a.hi, b.hi);
-    if (lo != hi && std::abs(hi - lo) < 0.01) return;
-    step.question = Question{fmt::format("a covers {} to {} on the axis, b covers {} to {}. How much do they share?",
-                                         without_sign_of_zero(a.lo), without_sign_of_zero(a.hi),
-                                         without_sign_of_zero(b.lo), without_sign_of_zero(b.hi)),
-                             {"nothing", "one number", "an interval of some length"},
-                             lo > hi    ? 0
-                             : lo == hi ? 1
-                                        : 2,
-                             "They share the numbers from the larger lower end to the smaller upper end, if any."};
+    const auto& [a, b] = interval_;
+    step.question = common_length_question(
+        fmt::format("a covers {} to {} on the axis, b covers {} to {}.", without_sign_of_zero(a.lo),
+                    without_sign_of_zero(a.hi), without_sign_of_zero(b.lo), without_sign_of_zero(b.hi)),
+        a, b);
   }
 
   static std::vector<std::string> height_names() {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lessons/shared/questions.h"
 #include "lessons/triangle_triangle/telling.h"
 
 namespace isect::lessons::triangle_triangle_lesson {
@@ -104,13 +105,15 @@ class SignsTeller : Teller {
             fmt::format("a: {}, {}, {};  b: {}, {}, {}", name(0, 0), name(0, 1), name(0, 2), name(1, 0), name(1, 1),
                         name(1, 2)));
     known_.lit.clear();
-    step.question = Question{
-        "Two edges of a and two of b meet the line of both planes. How many further signs tell "
-        "whether the parts of the line share a point?",
-        {"two", "four", "nine"},
-        0,
-        "Two parts of a line share no point if one ends before the other begins, or the other way "
-        "round. Each takes one sign."};
+    step.question = which_count(
+        "Two edges of a and two of b meet the line of both planes. How many further signs tell whether the parts of "
+        "the line share a point?",
+        2,
+        {{1, "One sign tells that one part does not end before the other begins. The other way round is open."},
+         {4, "That pairs each of the two edges of a with each of those of b. Two pairs decide."},
+         {9, "That pairs all edges of a with all of b. Edges that do not meet the line tell nothing here."}},
+        "Two parts of a line share no point if one ends before the other begins, or the other way round. Each takes "
+        "one sign.");
   }
 
   void say(const Ends& e) {

@@ -105,7 +105,7 @@ TEST_CASE("a question stands before the title of its step, which may be the answ
   const std::tuple<const char*, const char*, const char*> all[] = {
       {"convex-hull/scattered", "How many points leave the chain?", ": drop one, then append"},
       {"crossings/grazed-two", "Which line settles it?", ": crossed on the right"},
-      {"clipping/both-ends-cut", "What do comparisons of the ends with the sides show?", "outcodes"}};
+      {"clipping/both-ends-cut", "Lines 1 to 3 need no more than", "outcodes"}};
   const Shell shell;
   for (const auto& [place, question, title] : all) {
     const std::string name = place, lesson = name.substr(0, name.find('/')), preset = name.substr(name.find('/') + 1);

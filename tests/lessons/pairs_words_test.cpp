@@ -2,6 +2,7 @@
 // those of oracles that look at points or compute in rationals.
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -67,6 +68,12 @@ std::string in_choices(Relation r) {
 
 bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
 
+/// Checks the number that is typed as the answer to a question, where it can be typed.
+void asks_for(const Question& question, const oracle::Rational& truth) {
+  const double exact = static_cast<double>(truth);
+  if (question.number) CHECK(std::abs(question.number->truth - exact) <= 1e-12 * std::abs(exact));
+}
+
 /// Compares what the end of the walk of two balls says with rationals.
 void said_of_balls(const Walk& walk, const Step& last, const Parameters& p) {
   const auto setup = lessons::sphere_sphere_lesson::setup(p);
@@ -113,8 +120,15 @@ TEST_CASE("what the interval lesson says is true of any two intervals, empty one
     for (const Step& step : walk.steps) {
       if (says(step.caption, "a common number")) CHECK(truth != Relation::disjoint);
       if (step.comparison) CHECK((step.comparison->meaning == "DISJOINT") == step.comparison->holds);
-      if (step.comparison && step.question) CHECK((answer(step) == "DISJOINT") == step.comparison->holds);
-      if (step.slug == "b-beyond-a" && step.question) CHECK((answer(step) == "OVERLAP") == !step.comparison->holds);
+      if (!step.comparison || !step.question) continue;
+      if (says(step.question->prompt, "How long is what they share")) {
+        CHECK((step.slug == "b-beyond-a" && !reversed));
+        asks_for(*step.question, std::min(oracle::Rational(a_max), oracle::Rational(b_max)) -
+                                     std::max(oracle::Rational(a_min), oracle::Rational(b_min)));
+        continue;
+      }
+      CHECK((answer(step) == "DISJOINT") == step.comparison->holds);
+      if (step.slug == "b-beyond-a") CHECK((answer(step) == "OVERLAP") == !step.comparison->holds);
     }
   });
 }
@@ -131,7 +145,16 @@ TEST_CASE("what the box lesson says is true of any two boxes, empty ones too", "
       if (step.question && step.slug.starts_with("axis-")) {
         const int axis = step.slug.back() - 'x';
         const bool gap = a.lo[axis] > b.hi[axis] || b.lo[axis] > a.hi[axis];
-        CHECK(answer(step) == (gap ? "DISJOINT" : axis == 2 ? "OVERLAP" : "nothing yet"));
+        const auto common = [&](int i) -> oracle::Rational {
+          return std::min(oracle::Rational(a.hi[i]), oracle::Rational(b.hi[i])) -
+                 std::max(oracle::Rational(a.lo[i]), oracle::Rational(b.lo[i]));
+        };
+        if (says(step.question->prompt, "How long is what they share"))
+          asks_for(*step.question, common(axis));
+        else if (says(step.question->prompt, "What is the volume"))
+          asks_for(*step.question, gap ? oracle::Rational(0) : common(0) * common(1) * common(2));
+        else
+          CHECK(answer(step) == (gap ? "DISJOINT" : axis == 2 ? "OVERLAP" : "nothing yet"));
       }
     CHECK(last.line == (note_finds_a_gap ? 2 : 3));
     CHECK(last.formula.starts_with("b ⊆ a") == (truth == Relation::b_inside_a));

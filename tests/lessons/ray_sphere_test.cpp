@@ -136,7 +136,7 @@ TEST_CASE("questions offer their answer, and the answer is the exact one", "[ray
       ++asked;
       REQUIRE(s.question->answer >= 0);
       REQUIRE(s.question->answer < static_cast<int>(s.question->choices.size()));
-      if (s.question->choices[0] == "none") CHECK(s.question->answer == truth.line_roots);
+      if (s.question->prompt.starts_with("How many points")) CHECK(s.question->answer == truth.line_roots);
       if (s.question->choices.back() == "neither") CHECK((s.question->answer == 2) == !truth.surface);
     }
   }

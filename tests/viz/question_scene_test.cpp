@@ -186,7 +186,8 @@ std::vector<double> numbers_in(const std::string& text) {
 struct OnShow {
   std::vector<double> told;
   std::map<std::string, double> values;
-  std::string code;  ///< the pseudocode beside it
+  std::string code = {};    ///< the pseudocode beside it
+  std::string prompt = {};  ///< in plain words
   double operator()(const std::string& name) const { return values.at(name); }
 };
 
@@ -236,6 +237,22 @@ const std::vector<std::pair<std::string, double (*)(const OnShow&)>>& ways() {
        [](const OnShow& o) {
          return std::min((o.told[0] - o.told[3]) / o.told[4], (o.told[1] - o.told[2]) / o.told[4]);
        }},
+      {"-component of the velocity of b",
+       [](const OnShow& o) {
+         std::string words = o.prompt;  // 500 000 is one number
+         for (std::size_t at; (at = words.find("\u2009")) != words.npos;) words.erase(at, 3);
+         const std::vector<double> n = numbers_in(words);
+         return words.find("x-component") != words.npos ? n[2] - n[0] : n[3] - n[1];
+       }},
+      {"How long is what they share",  // the interval of a, and that of b
+       [](const OnShow& o) { return std::min(o.told[1], o.told[3]) - std::max(o.told[0], o.told[2]); }},
+      {"What is the volume of what the boxes share",
+       [](const OnShow& o) {
+         const double length = std::min(o.told[1], o.told[3]) - std::max(o.told[0], o.told[2]);
+         return o("common length on x") * o("common length on y") * std::max(length, 0.0);
+       }},
+      {"What is the weight of a", [](const OnShow& o) { return 1 - o.told[0] - o.told[1]; }},
+      {"What does it compute there", [](const OnShow& o) { return -o.told[0]; }},
       {"For how long do they share points", [](const OnShow& o) { return (o.told[0] + o.told[1]) / o.told[2]; }},
       {"What is it at the hit",
        [](const OnShow& o) {
@@ -285,7 +302,7 @@ TEST_CASE("an answer that is a computed number follows from what is on show whil
     const std::string prompt = plain(question.prompt);
     const auto way = std::ranges::find_if(ways(), [&](const auto& w) { return prompt.find(w.first) != prompt.npos; });
     REQUIRE(way != ways().end());
-    OnShow on_show = {numbers_in(prompt), {}, {}};
+    OnShow on_show = {numbers_in(prompt), {}, {}, prompt};
     for (const std::string& line : walk.pseudocode) on_show.code += line + "\n";
     for (const Value& value : asking_step(walk, k).values) on_show.values[plain(value.name)] = value.value;
     const double found = way->second(on_show);
@@ -484,24 +501,11 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
        }},
       {"what does the pixel show", [](const Question& q, const std::string&,
                                       const OnShow& o) { return choice(q, nearest(o, plain_choices(q), "the sky")); }},
-      {"with what velocity does b move",
-       [](const Question& q, const std::string& prompt, const OnShow&) {
-         std::string words = prompt;  // 500 000 is one number
-         for (std::size_t at; (at = words.find("\u2009")) != words.npos;) words.erase(at, 3);
-         const Numbers n = numbers_in(words);
-         return choice(q, "(" + shown(n[2] - n[0]) + ", " + shown(n[3] - n[1]) + ")");
-       }},
       {"when do the boxes first meet",
        [](const Question& q, const std::string&, const OnShow& o) {
          const Numbers& n = o.told;  // the times on x, those on y, and those of the motion
          const double begin = std::max({n[0], n[2], n[4]}), end = std::min({n[1], n[3], n[5]});
          return choice(q, begin <= end ? shown(begin) : "not within the motion");
-       }},
-      {"how much do they share",
-       [](const Question&, const std::string&, const OnShow& o) {
-         const Numbers& n = o.told;  // the interval of a, and that of b
-         const double lo = std::max(n[0], n[2]), hi = std::min(n[1], n[3]);
-         return lo > hi ? 0 : lo == hi ? 1 : 2;
        }},
       {"which point of the segment is nearest to c",
        [](const Question&, const std::string&, const OnShow& o) {
@@ -519,6 +523,16 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
       {"the wedges that are left reach",
        [](const Question& q, const std::string&, const OnShow& o) {
          return choice_of_line(q, cross(o.told, 2, 4, 0) < -1e-5 ? 6 : 7);
+       }},
+      {"comparisons of the ends",
+       [](const Question& q, const std::string&, const OnShow& o) {
+         const Numbers& n = o.told;  // the box, p, q
+         bool inside = true, beyond = false;
+         for (const std::size_t k : {0U, 1U}) {
+           beyond = beyond || (n[4 + k] < n[k] && n[6 + k] < n[k]) || (n[4 + k] > n[2 + k] && n[6 + k] > n[2 + k]);
+           for (const std::size_t end : {4U, 6U}) inside = inside && n[end + k] >= n[k] && n[end + k] <= n[2 + k];
+         }
+         return choice_of_line(q, inside ? 0 : beyond ? 2 : 1);
        }},
       {"cuts the range at",
        [](const Question& q, const std::string& prompt, const OnShow& o) {
@@ -558,6 +572,11 @@ const std::vector<std::pair<std::string, InWords>>& ways_in_words() {
          return by_key(q, [&](const std::string& t) {
            return t == "0" ? 0 : t == "s" ? s : t == "s − q" ? s - half : s + half;
          });
+       }},
+      {"does the ray first meet the sphere",
+       [](const Question&, const std::string&, const OnShow& o) {
+         const bool haines = o.values.contains("q");  // of both roots one lies in the range
+         return (haines ? o("s") - o("q") : o("t₁")) >= 0 ? 0 : 1;
        }},
       {"what does n · l tell",
        [](const Question&, const std::string&, const OnShow& o) {
@@ -602,7 +621,6 @@ const std::vector<std::string>& from_what_is_given() {
                                                "each counts once for every slab",
                                                "where is p =",
                                                "boxes are active then",
-                                               "comparisons of the ends",
                                                "comparisons of the vertices",
                                                "side do to the range",
                                                "left after the cut",
@@ -668,7 +686,7 @@ TEST_CASE("every question can be answered without its picture", "[question_scene
         const Question& question = *step.question;
         std::string prompt = plain(question.prompt);
         INFO(lesson->id << " " << preset.id << ", " << step.slug << ": " << prompt);
-        OnShow on_show = {numbers_in(prompt), {}, {}};
+        OnShow on_show = {numbers_in(prompt), {}, {}, prompt};
         for (const Value& value : asking_step(walk, k).values) on_show.values[plain(value.name)] = value.value;
         std::ranges::transform(prompt, prompt.begin(), [](unsigned char c) { return std::tolower(c); });
         const auto way =
