@@ -155,7 +155,9 @@ void exercise_on_hand(Column& c, Player& player) {
     const std::string said = found_text(*e, player.parameters());
     tick(c.x + 7, c.y + 11, 13, packed(ink.hit));
     c.x += 22, c.width -= 22;
+    const float found = c.y;
     c.paragraph("Found. " + (said.empty() ? e->solution : said + "\n" + e->solution), ink.hit);
+    c.ui.rects["found"] = {c.x, found, c.x + c.width, c.y};
     c.x -= 22, c.width += 22;
   } else {
     c.paragraph(
