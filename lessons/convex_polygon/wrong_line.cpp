@@ -35,8 +35,8 @@ Exercise wrong_line() {
       {"if p right of v0 v1: return OUT", "lo ← 1, hi ← n − 1", "while hi − lo > 1", "    mid ← (lo + hi) / 2",
        "    p right of v0 v_mid ? hi ← mid : lo ← mid", "return p right of v_lo v_hi ? OUT : IN"},
       {1, "if p right of v0 v1, or left of v0 v_{n−1}: return OUT",
-       "The last edge leads back to **v**_0. A point beyond it lies in no wedge, yet the bisection ends in the last "
-       "one, whose far edge does not reject it."},
+       "The last edge leads back to **v**_0. A point beyond it lies in no wedge. Yet the bisection ends in the last "
+       "one, whose far edge may not reject it."},
       "inside", {{"p", "1.75,-1.125,0"}});
 }
 

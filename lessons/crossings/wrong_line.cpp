@@ -45,8 +45,8 @@ Exercise wrong_line() {
       {"count ← 0", "for each edge a b", "    if p on a b: return ON", "    if neither or both are above p: next edge",
        "    if p.x < max(a.x, b.x): count ← count + 1", "return count is odd ? IN : OUT"},
       {5, "if p left of a b, seen upwards: count ← count + 1",
-       "A point to the right of a slanted edge may still be left of the end that is farther to the right. Then the ray "
-       "does not cross the edge."},
+       "A point to the right of a slanted edge may still be left of its right end. Then the ray does not cross the "
+       "edge."},
       "inside", {{"p", "2,1.25,0"}});
 }
 

@@ -34,9 +34,8 @@ Exercise wrong_line() {
       {"f ← o − c", "A ← d · d, B ← f · d, C ← f · f − r²", "if B² < A C: return MISS", "t ← (−B − √(B² − A C)) / A",
        "if t < 0: return MISS", "return 0 ≤ t ≤ t_max ? HIT : MISS"},
       {5, "if t < 0: t ← (−B + √(B² − A C)) / A",
-       "A ray that begins inside the ball has its first root behind **o**, and the second one ahead: it hits the "
-       "sphere "
-       "from inside."},
+       "A ray that begins inside the ball has its first root behind **o**. It hits the sphere at the second one, from "
+       "inside."},
       "two-roots", {{"origin", "0.8125,0,-0.609375"}});
 }
 

@@ -23,7 +23,7 @@ std::string program(const Ray3& ray, const Triangle3& x) {
   return 0 <= t && t <= ray.range.hi ? "HIT" : "MISS";
 }
 
-/// Of one ray: at a seam rounding would mislead any such program.
+/// A seam is left out: rounding there misleads any such program.
 TwoVerdicts verdicts(const Parameters& p) {
   const Setup s = setup(p);
   if (s.seam()) return {};

@@ -33,9 +33,7 @@ Exercise wrong_line() {
       "whether two triangles meet",
       {"for each edge e of a", "    if e and b share a point: return OVERLAP", "return DISJOINT"},
       {3, "return some edge of b and a share a point ? OVERLAP : DISJOINT",
-       "An edge of b may pierce a, or a corner of b touch it, where no edge of a reaches b. So the edges of both must "
-       "be "
-       "asked."},
+       "An edge of b may pierce a, or a corner of b touch it, while no edge of a reaches b."},
       "above", {{"b0", "0,-0.5,0"}});
 }
 
