@@ -189,6 +189,12 @@ struct CaseMap {
   bool own_group = false;                      ///< presets of other groups have other shapes, and no rings here
 };
 
+/// What a program and the core say of one setting: "OVERLAP" and "DISJOINT".
+struct TwoVerdicts {
+  std::string program, exact;
+  bool differ() const { return program != exact; }
+};
+
 /// Something to do with a pencil or with the mouse, and its solution.
 struct Exercise {
   std::string prompt;       ///< markup
@@ -198,6 +204,11 @@ struct Exercise {
   bool (*found)(const Parameters&) = nullptr;
   /// The parameters to set, starting from `preset`, to find one: {"c", "0,2,0"}.
   std::vector<std::pair<std::string, std::string>> by = {};
+  /// A program with one wrong line, as a walk's pseudocode: a setting is to be found in which its verdict is wrong. The
+  /// solution names that line, and stays hidden until then. Empty: the exercise shows none.
+  std::vector<std::string> program = {};
+  /// Runs that program, and the core's test. Null if there is none.
+  TwoVerdicts (*verdicts)(const Parameters&) = nullptr;
 };
 
 /// The summary of a lesson: the card that ends a walk (viz/walk/closing.h). All markup, one or two short sentences

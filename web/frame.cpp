@@ -15,6 +15,7 @@
 #include "viz/text/names.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/alt_text.h"
+#include "viz/walk/exercise_text.h"
 #include "viz/walk/pseudocode.h"
 #include "viz/window/scene_names.h"
 #include "web/browser_session.h"
@@ -238,12 +239,13 @@ Json BrowserSession::map_beside() {
           {"height", map_height}};
 }
 
-/// The numbers of the exercises that this setting solves.
+/// The exercises that this setting solves: {"exercise": its number from 0, "told": what is said of it}
 Json BrowserSession::solved() const {
   Json all = Json::array();
   if (const viz::Closing* closing = player_->lesson().closing)
     for (std::size_t i = 0; i < closing->exercises.size(); ++i)
-      if (const viz::Exercise& e = closing->exercises[i]; e.found && e.found(player_->parameters())) all.push_back(i);
+      if (const viz::Exercise& e = closing->exercises[i]; e.found && e.found(player_->parameters()))
+        all.push_back({{"exercise", i}, {"told", viz::plain(viz::found_text(e, player_->parameters()))}});
   return all;
 }
 

@@ -12,6 +12,7 @@
 #include "viz/formats/svg_path.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/exercise_text.h"
 #include "viz/walk/review.h"
 
 namespace isect::program::book {
@@ -57,11 +58,11 @@ std::string exercises(const viz::Lesson& lesson) {
   std::string out = "<section class=\"exercises\" id=\"exercises\">\n<h2>Exercises</h2>\n<ol>\n", solutions;
   int number = 0;
   for (const viz::Exercise& e : all) {
-    out += "<li>\n" + prose(e.prompt);
+    out += "<li>\n" + prose(e.prompt) + html(shown_program(lesson, e));
     if (!e.preset.empty())
       out += fmt::format("<p class=\"start\">Start from <a href=\"#{}\">{}</a>.</p>\n", start_of(lesson, e),
                          html_text(viz::preset(lesson, e.preset).title));
-    out += folded("Solution", prose(e.solution)) + "</li>\n";
+    out += folded(viz::solution_head(e), prose(e.solution)) + "</li>\n";
     solutions += html(Blocks{Prose{e.solution, fmt::format("Exercise {}.", ++number)}});
   }
   out += "</ol>\n";

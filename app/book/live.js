@@ -296,12 +296,17 @@ function isect_live(book) {
       else if (name in all && field.matches("[type=text]") === false) field.value = all[name];
     }
   }
-  function mark_solved(which) {
+  // A setting in which a program errs tells enough: its correction unfolds.
+  function mark_solved(all) {
     [...document.querySelectorAll(".exercises > ol > li")].forEach((exercise, i) => {
-      const here = section.classList.contains("changed") && which.includes(i);
+      const found = section.classList.contains("changed") && all.find(one => one.exercise === i);
       let note = exercise.querySelector(".solved");
-      if (here && !note) exercise.append(note = element("p", { class: "solved" }, "✓ The setting above is one."));
-      if (!here && note) note.remove();
+      if (!found) return note && note.remove();
+      if (!note) {
+        exercise.append(note = element("p", { class: "solved" }));
+        if (found.told) exercise.querySelector("details").open = true;
+      }
+      note.textContent = `✓ The setting above is one. ${found.told}`.trim();
     });
   }
 

@@ -13,6 +13,7 @@
 #include "app/pages/pages.h"
 #include "app/pages/slides.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/exercise_text.h"
 
 namespace isect::program {
 
@@ -79,9 +80,10 @@ class Slides {
     all_.push_back(std::move(slide));
     int exercises = 0, solutions = 0;
     for (const viz::Exercise& x : e_.lesson->closing->exercises)
-      all_.push_back({fmt::format("Exercise {}", ++exercises), {Prose{prompt(x)}}, {}, {}});
+      all_.push_back({fmt::format("Exercise {}", ++exercises), exercise(*e_.lesson, x), {}, {}});
     for (const viz::Exercise& x : e_.lesson->closing->exercises)
-      all_.push_back({fmt::format("Solution of exercise {}", ++solutions), {Prose{x.solution}}, {}, {}});
+      all_.push_back(
+          {fmt::format("{} of exercise {}", viz::solution_head(x), ++solutions), {Prose{x.solution}}, {}, {}});
   }
 
   const Excerpt& e_;

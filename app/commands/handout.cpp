@@ -52,7 +52,7 @@ Blocks contents(const Excerpt& e, const std::set<int>& drawn) {
     if (e.walk.steps[index].slug != viz::closing_slug) continue;
     int exercises = 0;
     for (const viz::Exercise& x : e.lesson->closing->exercises) {
-      all.push_back(Prose{prompt(x), fmt::format("Exercise {}.", ++exercises)});
+      add(all, exercise(*e.lesson, x, fmt::format("Exercise {}.", ++exercises)));
       answers.push_back(Prose{x.solution, fmt::format("Exercise {}.", exercises)});
     }
     if (const std::optional<viz::Judge> own = viz::judge(*e.lesson)) {

@@ -89,14 +89,13 @@ std::string name_as_markup(const std::string& name, bool bold) {
   return letters + (counts ? "_{*" + index + "*}" : "_{" + index + "}");
 }
 
-}  // namespace
-
-Code code(const Excerpt& e, int current) {
-  const std::map<std::string, bool> bold = names_of_texts(*e.lesson, e.walk);
+/// Returns pseudocode with its names set as in the texts of a lesson's walk.
+Code code(const std::vector<std::string>& pseudocode, const viz::Lesson& lesson, const viz::Walk& walk) {
+  const std::map<std::string, bool> bold = names_of_texts(lesson, walk);
   std::set<std::string> known;
   for (const auto& [name, unused] : bold) known.insert(name);
-  Code code = {{}, current};
-  for (const std::string& line : e.walk.pseudocode) {
+  Code code;
+  for (const std::string& line : pseudocode) {
     std::string markup;
     std::size_t at = 0;
     for (const viz::Name& name : viz::names_in_line(line, known)) {
@@ -108,6 +107,25 @@ Code code(const Excerpt& e, int current) {
     code.lines.push_back(markup + viz::as_markup(line.substr(at)));
   }
   return code;
+}
+
+}  // namespace
+
+Code code(const Excerpt& e, int current) {
+  Code all = code(e.walk.pseudocode, *e.lesson, e.walk);
+  all.current = current;
+  return all;
+}
+
+Blocks shown_program(const viz::Lesson& lesson, const viz::Exercise& e) {
+  if (e.program.empty()) return {};
+  return {code(e.program, lesson, lesson.walk(viz::preset(lesson, e.preset).parameters))};
+}
+
+Blocks exercise(const viz::Lesson& lesson, const viz::Exercise& e, const std::string& head) {
+  Blocks all = shown_program(lesson, e);
+  all.insert(all.begin(), Prose{prompt(e), head});
+  return all;
 }
 
 Blocks algorithm(const Excerpt& e) {

@@ -51,6 +51,10 @@ std::vector<std::string> paragraphs(const std::string& markup);
 std::string given(const viz::Lesson&, const viz::Parameters&, const viz::Walk&);
 /// Returns an exercise's prompt with the preset from which it starts, if any: "... until they touch. (Preset ends.)"
 std::string prompt(const viz::Exercise&);
+/// Returns an exercise: its prompt, and the lines of the program that it shows, if any.
+Blocks exercise(const viz::Lesson&, const viz::Exercise&, const std::string& head = {});
+/// Returns those lines alone.
+Blocks shown_program(const viz::Lesson&, const viz::Exercise&);
 /// Returns a question and its answers to choose from, or the things to put in order; blanks for an order or a line.
 Blocks question(const viz::QuestionText&, const std::string& head = {});
 /// Returns "(b) It misses. The reason why.", "Line 4: return MISS. The reason why."

@@ -39,9 +39,18 @@ std::string objects(const Excerpt& e, std::size_t columns) {
 
 std::string pseudocode(const Excerpt& e, std::size_t columns) {
   if (e.walk.pseudocode.empty()) return {};
-  std::string out = "Algorithm:\n";
-  for (std::size_t i = 0; i < e.walk.pseudocode.size(); ++i) {
-    const std::string& code = e.walk.pseudocode[i];
+  std::string out = "Algorithm:\n" + numbered(e.walk.pseudocode, columns);
+  for (const viz::ErratumText& erratum : viz::errata_text(*e.lesson, e.walk))
+    out += wrapped(plain(viz::with_preset(erratum, &viz::Preset::id)), columns, 2);
+  return out + "\n";
+}
+
+}  // namespace
+
+std::string numbered(const std::vector<std::string>& pseudocode, std::size_t columns) {
+  std::string out;
+  for (std::size_t i = 0; i < pseudocode.size(); ++i) {
+    const std::string& code = pseudocode[i];
     const std::string text = viz::unindented(code);
     std::string line = std::string(6, ' ') + code + "\n";
     if (viz::count_characters(line) > columns + 1) line = wrapped(text, columns - 2, 6 + code.size() - text.size());
@@ -49,12 +58,8 @@ std::string pseudocode(const Excerpt& e, std::size_t columns) {
       line.insert(at + 1, "  ");
     out += fmt::format("  {:>2}", i + 1) + line.substr(4);
   }
-  for (const viz::ErratumText& erratum : viz::errata_text(*e.lesson, e.walk))
-    out += wrapped(plain(viz::with_preset(erratum, &viz::Preset::id)), columns, 2);
-  return out + "\n";
+  return out;
 }
-
-}  // namespace
 
 std::string lesson_opening(const Excerpt& e, const TextOptions& how) {
   const std::string given = settings(e, how.columns);

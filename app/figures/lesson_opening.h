@@ -8,6 +8,9 @@
 
 namespace isect::program {
 
+/// Returns lines of pseudocode, each with its number.
+std::string numbered(const std::vector<std::string>& pseudocode, std::size_t columns);
+
 /// Returns the parameters, where the objects lie, and the pseudocode with its errata.
 std::string lesson_opening(const Excerpt&, const TextOptions&);
 

@@ -16,6 +16,7 @@
 #include "viz/text/utf8.h"
 #include "viz/walk/alt_text.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/exercise_text.h"
 #include "viz/walk/step_text.h"
 
 namespace isect::program {
@@ -272,10 +273,11 @@ class LessonWriter {
     for (const std::string& source : c.reading) out += paragraph(plain(source), 2);
     out += "\n";
     for (std::size_t i = 0; i < c.exercises.size(); ++i) {
-      out += paragraph(fmt::format("Exercise {}: {}", i + 1, plain(prompt(c.exercises[i]))));
-      const std::string solution = plain(c.exercises[i].solution);
+      const viz::Exercise& e = c.exercises[i];
+      out += paragraph(fmt::format("Exercise {}: {}", i + 1, plain(prompt(e)))) + numbered(e.program, how_.columns);
+      const std::string solution = plain(e.solution);
       if (how_.answers)
-        out += paragraph("Solution: " + solution) + "\n";
+        out += paragraph(viz::solution_head(e) + ": " + solution) + "\n";
       else
         answers_ += paragraph(fmt::format("Exercise {}: {}", i + 1, solution));
     }
@@ -301,12 +303,12 @@ std::string exercises_text(const viz::Lesson& lesson, const TextOptions& how) {
   if (!lesson.closing) return out;
   int number = 0;
   for (const viz::Exercise& e : lesson.closing->exercises) {
-    out += wrapped(fmt::format("{}. {}", ++number, plain(e.prompt)), how.columns, 0);
+    out += wrapped(fmt::format("{}. {}", ++number, plain(e.prompt)), how.columns, 0) + numbered(e.program, how.columns);
     if (!e.preset.empty()) out += wrapped(fmt::format("Start: --preset {}", e.preset), how.columns, 3);
     std::string way;  // the whole way
     for (const auto& [name, value] : e.by) way += fmt::format(" --set {}={}", name, value);
     if (!way.empty()) out += wrapped("One way:" + way, how.columns, 3);
-    out += wrapped("Solution: " + plain(e.solution), how.columns, 3) + "\n";
+    out += wrapped(viz::solution_head(e) + ": " + plain(e.solution), how.columns, 3) + "\n";
   }
   const std::string judge = judge_text(lesson, how.columns);
   if (judge.empty()) out.pop_back();

@@ -60,6 +60,7 @@ const Closing& closing() {
            "Two segments that pass each other, like diagonals of a box's opposite faces that are not parallel, are "
            "nearest between their "
            "ends."},
+          wrong_line(),
       }};
   return closing;
 }

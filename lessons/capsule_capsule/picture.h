@@ -44,6 +44,8 @@ std::string end_caption(const Setup&);
 /// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
+/// The exercise with a program that errs. (wrong_line.cpp)
+viz::Exercise wrong_line();
 /// (telling.cpp)
 viz::Walk tell(const Setup&);
 

@@ -72,8 +72,7 @@ const Closing& closing() {
            "*t*_1 = NaN; there the range survives only as the first argument. Test for *d* = 0 first.\n"
            "And 1/(−0) is −∞, though −0 ≥ 0 holds: who chooses the near side by *d* ≥ 0 then exchanges entry and exit.",
            "slabs-bottom"},
-          {"Why must a renderer clip at the near plane before it divides by depth?",
-           "Points behind the eye have negative depth. The division would mirror them to the front of the eye."},
+          wrong_line(),
       }};
   return closing;
 }

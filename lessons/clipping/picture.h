@@ -15,6 +15,8 @@ const viz::CaseMap& cases();  ///< of a segment
 /// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
+/// The exercise with a program that errs. (wrong_line.cpp)
+viz::Exercise wrong_line();
 
 viz::Walk clip_a_segment(const Segment<double, 2>&, const Box&);  ///< Liang and Barsky: a range of t
 /// By slabs with reciprocals. `range_first`: the range is the first argument of min and max, and what is new the

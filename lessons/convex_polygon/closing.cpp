@@ -70,6 +70,7 @@ const Closing& closing() {
            "From a vertex all directions lie within half a turn, where one sign orders any two. Around an interior "
            "point "
            "they fill the whole turn."},
+          wrong_line(),
       }};
   return closing;
 }

@@ -45,5 +45,7 @@ std::string alt_text(const Setup&);
 /// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
+/// The exercise with a program that errs. (wrong_line.cpp)
+viz::Exercise wrong_line();
 
 }  // namespace isect::lessons::convex_polygon_lesson

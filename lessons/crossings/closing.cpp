@@ -15,11 +15,6 @@ bool closed_rule_is_wrong(const Parameters& values) {
   return s.truth.even_odd != Location::on && (count % 2 != 0) != (s.truth.even_odd == Location::in);
 }
 
-bool inside_by_both_rules(const Parameters& values) {
-  const Winding w = Setup(values).truth;
-  return w.even_odd == Location::in && w.nonzero == Location::in;
-}
-
 }  // namespace
 
 const std::string& opening() {
@@ -61,11 +56,7 @@ const Closing& closing() {
            "inside-closed",
            closed_rule_is_wrong,
            {{"p", "-0.75,-0.5,0"}}},
-          {"Drag **p** to a place that both rules, even-odd and non-zero, call inside.",
-           "In a tip of the star the winding number is 1 or −1: (0, 1.5) is such a place.",
-           "pentagram",
-           inside_by_both_rules,
-           {{"p", "0,1.5,0"}}},
+          wrong_line(),
           {"A square has the corners (0, 0), (2, 0), (2, 2), (0, 2). Which edges count for **p** = (−1, 2), and which "
            "for (−1, 0)?",
            "At the height 2 none: the upper corners count as below, so no end lies above. At the height 0 the two "

@@ -16,6 +16,8 @@ viz::Walk closed(const Setup&);
 /// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
+/// The exercise with a program that errs. (wrong_line.cpp)
+viz::Exercise wrong_line();
 const std::vector<viz::Erratum>& errata();
 
 class Teller {

@@ -55,9 +55,7 @@ const Closing& closing() {
            "outside",
            is_false_positive,
            {{"p", "3.25,-2.375,3.375"}, {"size", "0.5"}}},
-          {"A plane has **n** = (1, −2, 1/2). Which corner of a box lies farthest along **n**?",
-           "(*b*_{max,x}, *b*_{min,y}, *b*_{max,z}): the sign of each *n_i* chooses. It is the p-vertex; the opposite "
-           "corner is the n-vertex."},
+          wrong_line(),
           {"The clip coordinates of **x** are the dot products of the matrix's rows with (**x**, 1). Find the left "
            "plane, and the near plane by both conventions.",
            "Inside means −*w* ≤ *x*, so row 4 + row 1 gives the left plane's coefficients. With −*w* ≤ *z* (OpenGL) "

@@ -19,6 +19,8 @@ const viz::CaseMap& cases();  ///< of one box
 /// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
+/// The exercise with a program that errs. (wrong_line.cpp)
+viz::Exercise wrong_line();
 
 /// The eye looks along +x. All planes have small dyadic coordinates, so that touching is exact.
 Frustum<double> frustum(const viz::Vec3& eye);

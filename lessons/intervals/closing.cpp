@@ -59,6 +59,7 @@ const Closing& closing() {
           {"Allen counts 13 relations of two proper intervals. Which of them are one relation here?",
            "Disjoint: before, after. Touching: meets, met by. Overlapping: overlaps, overlapped by.\n"
            "a inside b: starts, during, finishes. b inside a: started by, contains, finished by. Equals stands alone."},
+          wrong_line(),
       }};
   return closing;
 }

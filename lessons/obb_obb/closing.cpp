@@ -50,9 +50,7 @@ const Closing& closing() {
            "normal-of-b",
            only_edges_separate,
            {{"b_u", "-1,0.25,0"}, {"b_v", "-1,-0.75,1"}}},
-          {"Half-lengths (2, 1, 0.5), axes *x*, *y*, *z*. How far does the box reach along **n** = (0.6, −0.8, 0)?",
-           "2 · 0.6 + 1 · 0.8 + 0.5 · 0 = 2. The signs do not matter, as the farthest corner takes each sign as "
-           "needed."},
+          wrong_line(),
           {"How many axes do two rectangles in the plane need? And two boxes with a common face normal?",
            "Rectangles: 4 normals, no cross products. With one common direction, the remaining candidates are 5: that "
            "direction and 4 in the plane."},

@@ -36,5 +36,7 @@ const viz::CaseMap& cases();
 /// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
+/// The exercise with a program that errs. (wrong_line.cpp)
+viz::Exercise wrong_line();
 
 }  // namespace isect::lessons::obb_obb_lesson

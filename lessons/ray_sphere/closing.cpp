@@ -63,10 +63,7 @@ const Closing& closing() {
            "near-rounded-quadratic"},
           {"The direction is doubled in length. What happens to *A*, *B*, *C*, the roots and the points?",
            "*A* grows fourfold and *B* twofold; *C* is unchanged. The roots are halved; the points are unchanged."},
-          {"The note's last branch only checks whether *l*^2 > *r*^2. Find a ray for which that fails.",
-           "One that starts on the surface and heads inwards. It takes *s* + *q*, the exit, where *t* = 0 is the first "
-           "hit.",
-           "surface-in"},
+          wrong_line(),
       }};
   return closing;
 }

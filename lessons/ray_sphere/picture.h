@@ -52,6 +52,8 @@ std::vector<viz::Opinion> opinions(const viz::Parameters&);
 /// The text before the first step, the card after the last one, and the note's errors. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
+/// The exercise with a program that errs. (wrong_line.cpp)
+viz::Exercise wrong_line();
 const std::vector<viz::Erratum>& errata();
 
 }  // namespace isect::lessons::ray_sphere_lesson

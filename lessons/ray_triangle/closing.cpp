@@ -67,9 +67,7 @@ const Closing& closing() {
           {"A program accepts weights down to −*ε*. Why does that not make a mesh watertight?",
            "It makes each triangle larger: near an edge a ray then meets both, and past the outline it meets the mesh, "
            "too. Which *ε* suffices depends on all sizes, as the rounding errors do."},
-          {"A ray starts inside a closed mesh, and back faces are culled. What does it meet first?",
-           "Not the surface around it: from inside it sees back faces. Refracted rays and shadow rays then pass "
-           "through walls."},
+          wrong_line(),
       }};
   return closing;
 }

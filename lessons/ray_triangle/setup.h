@@ -50,6 +50,8 @@ inline constexpr const char* edge_names[] = {"bc", "ca", "ab"};  ///< the one op
 /// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
+/// The exercise with a program that errs. (wrong_line.cpp)
+viz::Exercise wrong_line();
 /// The map of where the line crosses the plane, and the methods side by side. (cases.cpp)
 const viz::CaseMap& cases();
 std::vector<viz::Opinion> opinions(const viz::Parameters&);

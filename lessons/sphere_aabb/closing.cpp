@@ -61,6 +61,7 @@ const Closing& closing() {
            "Clamped: (4, 1, 2). The squared distance is 4 + 0 + 4 = 8 ≤ 9, so they meet. It lies on an edge."},
           {"How much larger is the expanded box than the Minkowski sum, at one corner?",
            "A cube *r*^3 instead of an eighth of a ball: *r*^3 (1 − π/6), about half of the cube."},
+          wrong_line(),
       }};
   return closing;
 }

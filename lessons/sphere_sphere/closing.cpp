@@ -70,6 +70,7 @@ const Closing& closing() {
            "Neither is negative, and squaring keeps the order of such numbers. With a negative radius it would not."},
           {"Lengths are stored in 32-bit floats. Beyond which distance does *d*^2 overflow?",
            "The largest float is about 3.4 · 10^{38}. Its square root is about 1.8 · 10^{19}."},
+          wrong_line(),
       }};
   return closing;
 }

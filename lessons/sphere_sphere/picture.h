@@ -31,6 +31,8 @@ std::vector<viz::Opinion> opinions(const viz::Parameters&);
 /// The text before the first step, and the card after the last one. (closing.cpp)
 const std::string& opening();
 const viz::Closing& closing();
+/// The exercise with a program that errs. (wrong_line.cpp)
+viz::Exercise wrong_line();
 /// (telling.cpp)
 viz::Walk tell(const Setup&);
 

@@ -66,10 +66,7 @@ const Closing& closing() {
            {{"b0", "-2,0,1.5"}, {"b1", "2,0,1.5"}, {"b2", "0,1.5,2"}}},
           {"Which three signs show, without any division, that two triangles are disjoint?",
            "The sides of one triangle's three corners, seen from the other's plane, if all are + or all −."},
-          {"Why is a point that both triangles share on the line of both planes?",
-           "It lies in the plane of a and in the plane of b. All points of both planes make that line, unless the "
-           "planes "
-           "are equal."},
+          wrong_line(),
           {"Find a place of **b**_0 with decimals at which rounding misleads the intervals.",
            "As decimals, (−0.56, 0.26, −0.32) lies on the edge from **a**_0 to **a**_1. But these decimals are no "
            "doubles.",

@@ -1,5 +1,6 @@
 // The lessons as web pages: which files, what stands in them, and what is never written over.
 
+#include <algorithm>
 #include <filesystem>
 #include <regex>
 #include <set>
@@ -141,8 +142,27 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
     CHECK(count(page, "<svg class=\"picture\"") == steps + questions);
     CHECK(count(page, "role=\"img\" aria-label=\"\"") == 0);
     CHECK(count(page, " data-right>") == questions);
-    CHECK(count(page, "<summary>Solution</summary>") == static_cast<int>(lesson->closing->exercises.size()));
+    const auto wrong = [](const isect::viz::Exercise& e) { return !e.program.empty(); };
+    const int programs = static_cast<int>(std::ranges::count_if(lesson->closing->exercises, wrong));
+    CHECK(count(page, "<summary>Correction</summary>") == programs);
+    CHECK(count(page, "<summary>Solution</summary>") == static_cast<int>(lesson->closing->exercises.size()) - programs);
   }
+}
+
+TEST_CASE("a program with a wrong line has its lines as code, and its correction folded", "[book]") {
+  const Shell shell;
+  REQUIRE(shell("isect book intervals --single").status == 0);
+  const std::string page = contents(shell.work() / "book/intervals.html");
+  const std::string exercises = page.substr(page.find("<section class=\"exercises\""));
+  const std::size_t code = exercises.find("<ol class=\"code\">");
+  REQUIRE(code != exercises.npos);
+  const std::string lines = exercises.substr(code, exercises.find("</ol>", code) - code);
+  CHECK(count(lines, "<li>") == 4);
+  CHECK_THAT(lines, Contains("return OVERLAP") && Contains("return DISJOINT"));
+  const std::size_t correction = exercises.find("Line 3 should read"),
+                    folded = exercises.find("<details><summary>Correction</summary>");
+  CHECK((code < folded && folded < correction));
+  CHECK(exercises.substr(folded, correction - folded).find("</details>") == exercises.npos);
 }
 
 TEST_CASE("a question stands before its step, and its picture does not tell what comes out", "[book]") {

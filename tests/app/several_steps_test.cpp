@@ -167,6 +167,22 @@ TEST_CASE("an exercise of a deck or a handout tells the preset that it starts fr
   }
 }
 
+TEST_CASE("a deck and a handout have the lines of a program with a wrong line, and correct it behind all exercises",
+          "[deck][handout]") {
+  const Shell shell;
+  for (const std::string kind : {"deck", "handout"}) {
+    INFO(kind);
+    REQUIRE(shell("isect " + kind + " intervals --preset touching --out out").status == 0);
+    for (const char* suffix : {".tex", ".html"}) {
+      const std::string page = contents(shell.work() / "out/intervals/touching" / (kind + suffix));
+      const std::size_t asked = page.find("One of its lines is wrong."), shown = page.find("return DISJOINT", asked),
+                        corrected = page.find("Line 3 should read");
+      CHECK((asked != page.npos && asked < shown && shown < corrected && corrected != page.npos));
+      if (kind == "deck") CHECK_THAT(page, Contains("Correction of exercise 5"));
+    }
+  }
+}
+
 TEST_CASE("a strip refuses what it can't do, by name", "[strip]") {
   const Shell shell;
   const auto refused = [&](const std::string& words) {

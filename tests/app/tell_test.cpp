@@ -200,6 +200,17 @@ TEST_CASE("explain tells the preset that an exercise starts from", "[explain]") 
              Contains("but the outcodes do not show it. (Preset both-ends-cut.)"));
 }
 
+TEST_CASE("explain numbers the lines of a program with a wrong line, and corrects it among the answers", "[explain]") {
+  const Shell shell;
+  const std::string told = shell("COLUMNS=200 isect explain intervals").out;
+  const std::size_t line = told.find("   3  if lo < hi: return OVERLAP\n"), answers = told.find("\nAnswers\n");
+  REQUIRE((line != told.npos && answers != told.npos));
+  CHECK(line < answers);
+  CHECK(told.find("Line 3 should read: if lo ≤ hi: return OVERLAP.") > answers);
+  CHECK_THAT(shell("COLUMNS=200 isect explain intervals --exercises").out,
+             Contains("   3  if lo < hi: return OVERLAP\n") && Contains("Correction: Line 3 should read: if lo ≤ hi"));
+}
+
 TEST_CASE("explain obeys the terminal's width in its pseudocode, too", "[explain]") {
   const Shell shell;
   const std::string told = shell("COLUMNS=40 isect explain ray-polygon").out;

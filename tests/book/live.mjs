@@ -178,6 +178,17 @@ try {
     }
   }
 
+  // A program with one wrong line: its correction unfolds where the program errs, not before.
+  if (lesson === "sphere-sphere.html") {
+    await open(lesson, "#disjoint");
+    const correction = () => browser.ask(`[...document.querySelectorAll(".exercises details")].find(d => d.textContent.startsWith("Correction"))?.open`);
+    check(await correction() === false, "a correction is not there, or open before it is asked for");
+    await type("b", "1.015625,0,-0.76171875");
+    await rest(50);
+    const said = await browser.ask(`document.querySelector(".exercises .solved")?.textContent`);
+    check(await correction() === true && said?.includes("The program says DISJOINT, the exact test OVERLAP."), "a program errs, and its correction stays hidden: " + said);
+  }
+
   // Snap: a drag stops where the case changes, by button as by Shift.
   const ends = [];
   for (const [button, keys] of [[false, 0], [true, 0], [false, 8]]) {

@@ -17,7 +17,10 @@ inline std::vector<std::string> texts(const viz::Lesson& lesson) {
   for (const viz::Parameter& p : lesson.parameters) all.insert(all.end(), {p.label, p.help});
   for (const viz::Card::Row& row : card_rows(*lesson.closing)) all.insert(all.end(), {row.head, row.text});
   all.insert(all.end(), lesson.closing->reading.begin(), lesson.closing->reading.end());
-  for (const viz::Exercise& e : lesson.closing->exercises) all.insert(all.end(), {e.prompt, e.solution});
+  for (const viz::Exercise& e : lesson.closing->exercises) {
+    all.insert(all.end(), {e.prompt, e.solution});
+    all.insert(all.end(), e.program.begin(), e.program.end());
+  }
   if (const auto own = viz::judge(lesson)) all.push_back(own->told);
   for (const viz::Erratum& e : lesson.errata) all.insert(all.end(), {e.published, e.corrected, e.why});
   if (lesson.map) all.insert(all.end(), {lesson.map->x_title, lesson.map->y_title, lesson.map->told});

@@ -234,6 +234,41 @@ TEST_CASE("an exercise is tried from its own preset, and found when the core say
   CHECK_FALSE(window.has("exercise"));
 }
 
+TEST_CASE("a program with a wrong line is shown, and its correction when a setting is found or asked for", "[window]") {
+  const auto& exercises = lesson_named(lessons::all_lessons(), "intervals").closing->exercises;
+  const auto wrong = std::ranges::find_if(exercises, [](const Exercise& e) { return !e.program.empty(); });
+  REQUIRE(wrong != exercises.end());
+  const std::string number = std::to_string(wrong - exercises.begin() + 1);
+  ReaderState state;
+  state.lesson = "intervals", state.preset = "empty";
+  WindowDriver window(lessons::all_lessons(), 1280, 2400, state);
+  window.key(key::end);
+  window.frames(2);
+  REQUIRE(window.has("program"));
+  const float below = window.rect("solution " + number).bottom;
+  CHECK(window.rect("program").bottom <= window.rect("try " + number).top);
+  window.click("solution " + number);  // what follows makes room for it
+  window.click("solution " + number);
+  window.frames(2);
+  CHECK(window.rect("solution " + number).bottom == below);
+
+  window.click("try " + number);
+  window.frames(2);
+  CHECK(window.player().played().preset_id() == wrong->preset);
+  REQUIRE(window.has("program"));
+  CHECK_FALSE(exercise_solved(window.player()));
+  CHECK_FALSE(window.has("found"));
+  for (const auto& [name, text] : wrong->by) {
+    Parameters setting = window.player().parameters();
+    set(window.player().lesson(), setting, name, text);
+    window.ui.player().edit(name, setting.at(name));
+  }
+  window.frames(2);
+  CHECK(exercise_solved(window.player()));
+  REQUIRE(window.has("found"));
+  CHECK(window.rect("found").top >= window.rect("program").bottom);
+}
+
 TEST_CASE("the closing step leads to lessons that share an idea", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 2400, at("inside"));
   window.key(key::end);

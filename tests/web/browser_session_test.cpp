@@ -6,6 +6,7 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "viz/lesson.h"
+#include "viz/player/reader_state.h"
 #include "viz/walk/question_scene.h"
 
 namespace browser_session_test {
@@ -216,6 +217,23 @@ TEST_CASE("a drag over the map moves the setting to the case there", "[session]"
   frame = ask(session, {{"do", "drag"}, {"x", 50}, {"y", 90}});
   CHECK(meet(frame.at("values")));
   CHECK_THAT(frame.at("map").at("here").get<std::string>(), !Contains("disjoint"));
+}
+
+TEST_CASE("a page is told which exercises a setting solves, and what a program with a wrong line says there",
+          "[session]") {
+  BrowserSession session = fresh();
+  CHECK(open(session, "intervals", "overlapping").at("solved").empty());
+  const Json solved = ask(session, {{"do", "set"}, {"name", "b_min"}, {"text", "1"}}).at("solved");
+  bool told = false;
+  for (const Json& one : solved) {
+    const auto& all = isect::viz::lesson_named(isect::lessons::all_lessons(), "intervals").closing->exercises;
+    const isect::viz::Exercise& e = all.at(one.at("exercise").get<std::size_t>());
+    CHECK(one.at("told").get<std::string>().empty() == e.program.empty());
+    if (e.program.empty()) continue;
+    told = true;
+    CHECK(one.at("told") == "The program says DISJOINT, the exact test OVERLAP.");
+  }
+  CHECK(told);
 }
 
 TEST_CASE("a name lights what bears it, and tells what is known of it", "[session]") {

@@ -116,7 +116,11 @@ Json json_of(const Step& step) {
 
 Json json_of(const std::vector<Exercise>& exercises) {
   Json list = Json::array();
-  for (const Exercise& e : exercises) list.push_back({{"prompt", e.prompt}, {"solution", e.solution}});
+  for (const Exercise& e : exercises) {
+    Json one = {{"prompt", e.prompt}, {"solution", e.solution}};
+    if (!e.program.empty()) one["program"] = e.program;
+    list.push_back(one);
+  }
   return list;
 }
 

@@ -5,8 +5,10 @@
 #include "viz/player/practice.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/exercise_text.h"
 #include "viz/walk/step_text.h"
 #include "viz/window/column.h"
+#include "viz/window/layout.h"
 #include "viz/window/panels.h"
 
 namespace isect::viz {
@@ -15,6 +17,26 @@ namespace {
 constexpr float button_height = 34;
 
 constexpr float button_sides = 28;  ///< beside its words, both
+
+/// Draws the lines of the program that an exercise shows, with their numbers.
+void program_lines(Column& c, const Exercise& e) {
+  if (e.program.empty()) return;
+  constexpr float pitch = 20, beside_number = 34;
+  ImFont* const font = c.ui.fonts.mono_small;
+  const Palette& ink = c.ui.palette;
+  const float top = c.y += 6;
+  const int columns = static_cast<int>((c.width - beside_number) / text_width(font, "0"));
+  int number = 0;
+  for (const std::string& line : e.program) {
+    text(font, c.x + beside_number - 10, c.y + pitch / 2, packed(ink.muted), std::to_string(++number), 1);
+    for (const std::string& row : code_rows(line, columns)) {
+      text(font, c.x + beside_number, c.y + pitch / 2, packed(ink.text), row);
+      c.y += pitch;
+    }
+  }
+  c.ui.rects["program"] = {c.x, top, c.x + c.width, c.y};
+  c.y += 4;
+}
 
 /// Begins an exercise; if the keyboard began it, the keyboard focus moves to what can be moved.
 void begin_exercise(Player& player, Focus& focus, Toast& toast, int index) {
@@ -83,12 +105,14 @@ void exercises(Column& c, Player& player, std::set<const Exercise*>& shown, Toas
     const std::string number = std::to_string(i + 1);
     c.y += 10;
     c.paragraph(number + ". " + e.prompt, ink.text);
+    program_lines(c, e);
     c.y += 6;
     float x = c.x;
     if (e.found && c.button("try " + number, "Try it", x))
       return begin_exercise(player, c.ui.focus, toast, static_cast<int>(i));
     const bool open = shown.contains(&e);
-    if (c.button("solution " + number, open ? "Hide the solution" : "Solution", x))
+    const char* const hide = e.program.empty() ? "Hide the solution" : "Hide the correction";
+    if (c.button("solution " + number, open ? hide : solution_head(e), x))
       open ? (void)shown.erase(&e) : (void)shown.insert(&e);
     c.y += button_height + 4;
     if (open) c.paragraph(e.solution, ink.muted);
@@ -126,10 +150,14 @@ void exercise_on_hand(Column& c, Player& player) {
   const bool solved = exercise_solved(player);
   const float top = c.y;
   c.paragraph(e->prompt, ink.text, 15, 23, true);
+  program_lines(c, *e);
   if (solved) {
+    const std::string said = found_text(*e, player.parameters());
     tick(c.x + 7, c.y + 11, 13, packed(ink.hit));
     c.x += 22, c.width -= 22;
-    c.paragraph("Found. " + e->solution, ink.hit);
+    const float found = c.y;
+    c.paragraph("Found. " + (said.empty() ? e->solution : said + "\n" + e->solution), ink.hit);
+    c.ui.rects["found"] = {c.x, found, c.x + c.width, c.y};
     c.x -= 22, c.width += 22;
   } else {
     c.paragraph(
