@@ -41,6 +41,7 @@ class Teller {
 
  private:
   std::string reason() const;
+  std::string interior() const;  ///< what the word means here
   std::string in_a_mesh() const;
 };
 
