@@ -20,16 +20,17 @@ bool slips_through(const Parameters& p) {
 
 const std::string& opening() {
   static const std::string text =
-      "Where does a ray meet a triangle? Scenes are meshes of triangles, so ray tracers and picking ask this often.\n"
-      "A mesh needs more than one right answer: no ray may slip between two neighbours.";
+      "Where does a ray meet a triangle? Many scenes are meshes of triangles, so ray tracers and picking ask this "
+      "often.\n"
+      "In a mesh, nearly right is not enough: no ray may slip between two neighbours.";
   return text;
 }
 
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "A line meets a triangle if no two of three signed volumes have opposite signs. Divided by their sum they "
-          "are the barycentric coordinates.",
+          "Let a line cross the triangle's plane in one point: it meets the triangle if no two of three signed volumes "
+          "have opposite signs. Divided by their sum they are the barycentric coordinates.",
       .cost =
           "O(1): a few dozen sums and products, and no square root. Möller and Trumbore store nothing but the "
           "vertices.",
