@@ -37,8 +37,8 @@ class SegmentsTeller : Teller {
   Walk tell() {
     add("segments", "Two places", 0,
         "The point of a at the place *t*_a is **p**_a + *t*_a **d**_a, with *t*_a from 0 to 1. That of b is at *t*_b.\n"
-        "The squared distance of both points is a quadratic function of *t*_a and *t*_b. "
-        "The allowed places fill a square of side 1.\n"
+        "The squared distance of both points is a quadratic function of *t*_a and *t*_b. The allowed places fill a "
+        "square of side 1.\n"
         "The lines through its sides part the plane of both places into nine regions, with the square in the middle.");
     script_.tell<nearest_features::SegmentEvent<C, 3>>(
         [&](auto& record) { nearest_features::distance2<C, 3>(cast<C>(s_.a), cast<C>(s_.b), record); },

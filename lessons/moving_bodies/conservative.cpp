@@ -63,8 +63,8 @@ class ConservativeTeller : Teller {
     if (advances_ == 0)
       add("distance", "The distance at first", 2,
           s_.signs.apart > 0
-              ? "The balls are as far apart as their centres, less both radii.\nFor other convex bodies an algorithm "
-                "such as GJK finds the distance.\n"
+              ? "The balls are as far apart as their centres, less both radii. The lesson on distances has segments, "
+                "boxes and capsules.\nFor other convex bodies an algorithm such as GJK finds the distance.\n"
                 "Bodies that turn need a higher bound: their angular speed times their reach is added."
               : "The centres are no farther apart than both radii reach: the balls share a point already.");
     if (e.near)

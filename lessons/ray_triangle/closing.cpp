@@ -70,7 +70,9 @@ const Closing& closing() {
            "too. Which *ε* suffices depends on all sizes, as the rounding errors do."},
           {"A ray starts inside a closed mesh, and back faces are culled. What does it meet first?",
            "Not the surface around it: from inside it sees back faces. Refracted rays and shadow rays then pass "
-           "through walls."},
+           "through walls. Without culling, an odd number of crossings tells that a point is inside. But a ray through "
+           "an edge or a vertex of the mesh meets several triangles there. Count by a half-open rule, or take another "
+           "ray."},
       }};
   return closing;
 }

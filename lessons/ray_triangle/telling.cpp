@@ -122,15 +122,13 @@ void Teller::end(int line) {
 void Teller::interpolate(int line) {
   const double u = found_->u.value, v = found_->v.value, w = 1 - u - v;
   const double mixed = w * carried[0] + u * carried[1] + v * carried[2];
-  Step& step =
-      add("weights", "What the weights are for", line,
-          "Renderers mix whatever the vertices carry by these weights: normals, colours, texture "
-          "coordinates.\nThe value varies linearly over the triangle. Neighbours with the same values at two common "
-          "vertices agree on the edge between them. A mixed normal must be normalised again.\n1 − *u* − *v*, *u* and "
-          "*v* are the barycentric "
-          "coordinates of the point.",
-          fmt::format("(1 − *u* − *v*) · {} + *u* · {} + *v* · {} = {}", shown(carried[0]), shown(carried[1]),
-                      shown(carried[2]), shown(mixed)));
+  Step& step = add("weights", "What the weights are for", line,
+                   "Renderers mix whatever the vertices carry by these weights: normals, colours, texture "
+                   "coordinates.\nThe value varies linearly over the triangle. Neighbours with the same values at two "
+                   "common vertices agree on the edge between them. A mixed normal must be normalised again.\n1 − *u* "
+                   "− *v*, *u* and *v* are the barycentric coordinates of the point.",
+                   fmt::format("(1 − *u* − *v*) · {} + *u* · {} + *v* · {} = {}", shown(carried[0]), shown(carried[1]),
+                               shown(carried[2]), shown(mixed)));
   if (s_.place() == Place::vertex) return;  // no weights to mix
   step.question = which_value(fmt::format("A value is {} at **a**, {} at **b** and {} at **c**. What is it at the hit?",
                                           shown(carried[0]), shown(carried[1]), shown(carried[2])),

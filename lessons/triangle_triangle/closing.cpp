@@ -35,18 +35,14 @@ const Closing& closing() {
           "meet if and only if their intervals on the line of both share a number. In one plane, they meet if no side "
           "parts them.",
       .cost =
-          "Six heights, then four divisions, or two more signs of volumes; in one plane, up to six sides. A pair "
-          "beside a "
-          "plane ends after three or six heights.",
+          "Six heights, then four divisions, or two more signs; in one plane, up to six sides. A pair beside a plane "
+          "ends after three or six heights.",
       .choose =
-          "Signs of volumes, exactly, where a mesh must be free of faults. Intervals in doubles where a wrong "
-          "answer near a touch does no harm.",
-      .used =
-          "Collision of meshes after a broad phase, Boolean operations on solids, checks of meshes for "
-          "self-intersection.",
+          "Signs of volumes, exactly, for meshes without faults. Intervals in doubles where a wrong answer near a "
+          "touch does no harm.",
+      .used = "Collision of meshes after a broad phase, Boolean operations, checks of meshes for self-intersection.",
       .bug =
-          "Taking “they meet” for a fault in a mesh: it is true of all neighbours. The relation and the shared "
-          "corners must be known.",
+          "Taking “they meet” for a fault in a mesh: it is true of all neighbours. Their shared corners must be known.",
       .bug_preset = "neighbours",
       .reading =
           {"Tomas Möller, A Fast Triangle-Triangle Intersection Test, *Journal of Graphics Tools* 2, 1997, pages "
@@ -63,8 +59,7 @@ const Closing& closing() {
            {{"b0", "0,0,0"}}},
           {"Make the two triangles neighbours that share an edge, with no fault.",
            "Two corners of b must be corners of a, such as **a**_0 and **a**_1. The third may lie anywhere off the "
-           "plane "
-           "of a.",
+           "plane of a.",
            "vertex-on-face",
            now_neighbours,
            {{"b0", "-2,0,1.5"}, {"b1", "2,0,1.5"}, {"b2", "0,1.5,2"}}},

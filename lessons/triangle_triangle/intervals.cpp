@@ -146,8 +146,8 @@ class IntervalsTeller : Teller {
         std::string(both_reach
                         ? "The two planes meet in a line (dashed), with the direction **d** = **n**_a × **n**_b.\n"
                           "Common points of a and b lie on it. Each triangle has an interval of this line.\n"
-                        : "By the rounded signs, both triangles reach the line of both planes. Exactly, there is "
-                          "no such line, or one of them does not reach it.\n"
+                        : "By the rounded signs, both triangles reach the line of both planes. Exactly, there is no "
+                          "such line, or one of them does not reach it.\n"
                           "Its direction is taken as **d** = **n**_a × **n**_b.\n") +
             "Its projection on an axis keeps the order of points. Here we take that along which **d** is longest: " +
             axis_names[axis_] + ".",

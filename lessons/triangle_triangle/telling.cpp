@@ -78,14 +78,11 @@ void Teller::in_plane(int line, const triangle_triangle::InPlane& last) {
   const bool sure =
       s_.one_plane() && side && side->of == last.of && side->side == last.side && side->apart == last.apart;
   add("sides", last.apart ? "A side that parts them" : "No side parts them", line,
-      std::string(
-          s_.one_plane()
-              ? "Seen along an axis, both are triangles in two dimensions. There the normals of the sides are "
-                "all axes that may separate.\n"
-          : s_.both_have_area()
-              ? "The method looks along an axis, as if one plane held both.\n"
-              : "Seen along an axis, one of them is a segment or a point. Then the normals of the sides are not "
-                "all axes that may separate.\n") +
+      std::string(s_.one_plane() ? "Seen along an axis, both are triangles in two dimensions. There the normals of the "
+                                   "sides are all axes that may separate.\n"
+                  : s_.both_have_area() ? "The method looks along an axis, as if one plane held both.\n"
+                                        : "Seen along an axis, one of them is a segment or a point. Then the normals "
+                                          "of the sides are not all axes that may separate.\n") +
           (last.apart
                ? fmt::format("{}he side of {} from {} to {} has all of {} beyond it{}", sure ? "T" : "By its signs, t",
                              own, corner_name(last.of, last.side), corner_name(last.of, (last.side + 1) % 3), other,
