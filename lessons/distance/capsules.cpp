@@ -164,7 +164,8 @@ class CapsulesTeller : Teller {
     if (sign > 0)
       return "Conservative advancement divides this number by a bound on how fast it falls.\n"
              "That gives a safe time step, as for moving bodies.";
-    if (sign == 0) return "The capsules touch.";
+    if (sign == 0)
+      return sum() > 0 ? "The capsules touch." : "With radii of 0 the capsules are their segments, and these meet.";
     return apart < 0 ? "The capsules share points. The number is below 0: so deep they reach into each other."
                      : "The capsules share points.";
   }

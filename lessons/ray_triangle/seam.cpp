@@ -58,7 +58,8 @@ class SeamTeller {
     Step& place = script_.add(
         "seam", "Two triangles, one edge", 0,
         std::string("The triangles **a**, **b**, **c** and **c**, **b**, **q** share the edge bc. ") +
-            (aimed()   ? "The ray **o** + *t* **d** is aimed at it: it must meet one of them, or both.\n"
+            (no_edge() ? "But **b** and **c** are equal here: they have no edge between them, and no area.\n"
+             : aimed() ? "The ray **o** + *t* **d** is aimed at it: it must meet one of them, or both.\n"
              : alike() ? "The ray **o** + *t* **d** is not aimed at it: all its neighbours have one true answer.\n"
                        : "Not all neighbours of the ray **o** + *t* **d** have one true answer.\n") +
             "Its neighbours have the next doubles in *x* and in *y* of **d**. We test them one by one.");
@@ -91,6 +92,7 @@ class SeamTeller {
   bool alike() const {
     return std::ranges::all_of(all_, [&](const Answers& a) { return a.exact == all_.front().exact; });
   }
+  bool no_edge() const { return s_.vertex(1) == s_.vertex(2); }
   /// Whether each neighbour meets one of the two, and some leave out the one, some the other.
   bool aimed() const {
     return std::ranges::all_of(all_, [](const Answers& a) { return a.exact.any(); }) &&

@@ -70,8 +70,8 @@ class VolumesTeller : SignsTeller {
                                     vertex_names[(i + 1) % 3], vertex_names[(i + 2) % 3])
                       : std::string());
     if (i == 0)
-      return "The plane through **o** and the edge bc has the normal **b**′ × **c**′. The sign of *w*_a tells on which "
-             "side **d** points.\n"
+      return "The plane through **o** and the edge bc, if there is one, has the normal **b**′ × **c**′. The sign of "
+             "*w*_a tells on which side **d** points.\n"
              "It is a signed volume: six times that of the tetrahedron **o**, **o** + **d**, **b**, **c**." +
              side;
     return fmt::format("The same for the edge {}. Its number *w*_{} belongs to {}, the vertex opposite.", edge_names[i],

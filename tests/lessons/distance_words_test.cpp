@@ -153,6 +153,13 @@ TEST_CASE("a place that the method finds for two segments is where rationals hav
   CHECK(asked > 20);
 }
 
+TEST_CASE("capsules without thickness are segments that meet, and do not touch", "[words]") {
+  const Changes equal = {{"p_b", "-2.5,-0.5,0"}, {"q_b", "0.5,-0.5,0"}, {"r_a", "0"}, {"r_b", "0"}, {"clearance", "0"}};
+  CHECK_THAT(find(with(id, "near", equal), "root")->caption, Contains("the capsules are their segments"));
+  const Changes far_enough = {{"r_a", "1"}, {"r_b", "0.25"}, {"clearance", "0"}};  // the segments are 1.25 apart
+  CHECK_THAT(find(with(id, "near", far_enough), "root")->caption, Contains("The capsules touch."));
+}
+
 TEST_CASE("lines are called parallel where they are, and rounding where it makes them so, or not so", "[words]") {
   int parallel = 0, by_rounding = 0;
   const auto check = [&](const Parameters& p, const Walk& walk) {
@@ -264,7 +271,7 @@ TEST_CASE("capsules are near if the distance of their segments is at most the bo
     const bool said_near = says(walk.pseudocode[static_cast<std::size_t>(ending(walk).line)], "NEAR");
     CHECK(rounded == (said_near != (truth <= 0)));
     const bool touch = d2 == sum * sum, share = d2 <= sum * sum;
-    CHECK(says(ending(walk).caption, "The capsules touch") == touch);
+    CHECK(says(ending(walk).caption, "The capsules touch") == (touch && sum > 0));
     CHECK(says(ending(walk).caption, "share points") == (share && !touch));
     near += truth <= 0, far += truth > 0, below += bound < 0;
     if (const Step* squares = find(walk, "squares")) {

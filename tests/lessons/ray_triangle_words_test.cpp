@@ -321,6 +321,8 @@ TEST_CASE("lines of one weight are spoken of where they are drawn, and a ray is 
   });
   CHECK((drawn > 10 && left_out > 0));
   CHECK_THAT(find(walk_of(id, "seam-hole"), "seam")->caption, Contains("is aimed at it"));
+  CHECK_THAT(find(with(id, "seam-hole", {{"b", "-0.26,0.92,-0.28"}}), "seam")->caption,
+             Contains("no edge between them"));
   const Walk folded = with(id, "seam-hole", {{"q", "-1,-1,-0.5"}});  // beyond bc it misses both
   CHECK_FALSE(says(find(folded, "seam")->caption, "is aimed at it"));
 }
