@@ -83,7 +83,7 @@ const Closing& closing() {
            "Nothing for rays through the centre: all nodes overlap there, so no node is ruled out by its box alone. "
            "One large box makes each node that holds it as large. Test it by itself, or cut it in two. Equal centres "
            "leave no cut: a build must then split by count, or make a leaf, to end. The cells of a uniform grid are "
-           "about as large as a typical object, and no size is typical of these.",
+           "about as large as a typical object: no size is typical of these.",
            "large"},
           {"A box of the tree moves. How is the tree updated without a rebuild?",
            "Refit: from its leaf upwards each node takes the box around its children. That is O(depth), but the nodes "

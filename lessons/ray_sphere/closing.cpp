@@ -64,8 +64,8 @@ const Closing& closing() {
            "near-rounded-quadratic"},
           {"The direction is doubled in length. What happens to *A*, *B*, *C*, the roots and the points?",
            "*A* grows fourfold and *B* twofold; *C* is unchanged. The roots are halved; the points are unchanged. "
-           "Haines takes |**d**| = 1 for granted. If it is 1 + *ε*, the distance that he returns from outside errs by "
-           "about *ε* *s* / *q*, relative to it."},
+           "Haines takes |**d**| = 1 for granted. If it is 1 + *ε*, a distance from outside errs by about *ε* *s* / "
+           "*q*, relative to it."},
           {"The note's last branch only checks whether *l*^2 > *r*^2. Find a ray for which that fails.",
            "One that starts on the surface and heads inwards. It takes *s* + *q*, the exit, where *t* = 0 is the first "
            "hit.",
