@@ -82,7 +82,7 @@ const std::vector<Term>& glossary() {
        "The discriminant as *A* (*r*^2 − *m*^2), *m* found as a vector's length: far away no large squares cancel.",
        "ray-sphere"},
       {"self-intersection",
-       "What a mesh has where two of its triangles share more than corners and edges of both: a fault.",
+       "What a mesh has where two of its triangles share what is no corner and no edge of both: a fault.",
        "triangle-triangle"},
       {"separating axis", "An axis on which the projections of two sets do not overlap.", "obb-obb"},
       {"shadow ray", "A ray from a visible point to a light source; what it meets casts a shadow there.",

@@ -60,17 +60,18 @@ const Closing& closing() {
            {{"q", "-1.75,-2.25,0"}, {"p", "-3,-0.75,0"}}},
           {"The box is [0, 4] by [0, 2]. Clip the segment from (−2, 1) to (6, 3).",
            "**d** = (8, 2). Left: *t* ≥ 1/4. Right: *t* ≤ 3/4. Top: *t* ≤ 1/2. Bottom: *t* ≥ −1/2. Kept: 1/4 to 1/2, "
-           "from (0, 1.5) to (2, 2)."},
+           "from (0, 1.5) to (2, 2). In space a third slab cuts the same range. A ray begins with [0, ∞) in place of "
+           "[0, 1]."},
           {"How many vertices can a triangle have after four sides have cut it?",
            "Seven: a cut of a convex polygon adds at most one vertex. A triangle can keep a part of each of its three "
            "sides, and of the box's four."},
           {"Why do slabs by reciprocals lose a segment along the top, but not along the bottom? And what do exchanged "
            "arguments change?",
            "*d* = 0 makes 1/*d* = ∞, and ∞ times the distance 0 is NaN. With NaN none of <, ≤, > and ≥ holds, so min "
-           "and max "
-           "return their first argument. Along the top that is *t*_1 = −∞, which hides the NaN. Along the bottom it is "
-           "*t*_1 = NaN; there the range survives only as the first argument. Test for *d* = 0 first.\n"
-           "And 1/(−0) is −∞, though −0 ≥ 0 holds: who chooses the near side by *d* ≥ 0 then exchanges entry and exit.",
+           "and max return their first argument. Along the top that is *t*_1 = −∞, which hides the NaN. Along the "
+           "bottom it is *t*_1 = NaN; there the range survives only as the first argument. Test for *d* = 0 first.\n"
+           "Slabs by sign take no min and max of the two *t* of an axis. Where *d* ≥ 0 the lower plane is the near "
+           "one, else the upper one. But 1/(−0) is −∞, though −0 ≥ 0 holds: then entry and exit are exchanged.",
            "slabs-bottom"},
           wrong_line(),
       }};

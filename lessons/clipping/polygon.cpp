@@ -123,7 +123,9 @@ void PolygonTeller::add_sides() {
   Step& step =
       script_.add("sides", "Side after side", 3,
                   "A box is the intersection of four half-planes. So four simple cuts do the work of one hard one.\n"
-                  "Each takes the ring that the one before has left.");
+                  "Each takes the ring that the one before has left.\n"
+                  "Compute each crossing from the edge's inner to its outer end: so neighbours that share an edge get "
+                  "the same point, rounding and all.");
   step.scene = picture(known_);
   const Point<double, 2>&lo = box_.lo, &hi = box_.hi;
   const double more = 0.625;

@@ -95,7 +95,9 @@ void SegmentTeller::say(const clip_segment::Outcodes& e) {
   Step& begin = script_.add("range", "The range of *t*", 3,
                             "The segment is **p** + *t* **d** with 0 ≤ *t* ≤ 1, where **d** = **q** − **p**.\n"
                             "Each side of the box, with its normal **n** pointing inwards, will cut this range. What "
-                            "is left at the end lies in the box.",
+                            "is left at the end lies in the box.\n"
+                            "Cohen and Sutherland go on otherwise: they cut the segment at a side that one end lies "
+                            "beyond. The new end has an outcode, too. So they loop, until they accept or reject.",
                             "[*t*_{in}, *t*_{out}] = [0, 1]");
   begin.scene = picture(known_);
   begin.question = order_of_crossings();

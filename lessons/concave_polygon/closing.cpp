@@ -74,8 +74,8 @@ const Closing& closing() {
            "these, each one chosen rules out itself and at most 8 others."},
           {"Why does a polygon with *n* vertices, no two at one *x*-coordinate, have 2*n* + 1 trapezoids?",
            "Where the boundary passes a vertex, two trapezoids begin. Where it opens to the right, three begin; where "
-           "it "
-           "closes one. As it opens as often as it closes, that is 2*n*; one begins nowhere."},
+           "it closes one. As it opens as often as it closes, that is 2*n*; one begins nowhere. For *n* disjoint "
+           "segments it is 3*n* + 1 at most: two begin at a left end, one at a right end."},
       }};
   return closing;
 }

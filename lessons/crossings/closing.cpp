@@ -60,7 +60,8 @@ const Closing& closing() {
           {"A square has the corners (0, 0), (2, 0), (2, 2), (0, 2). Which edges count for **p** = (−1, 2), and which "
            "for (−1, 0)?",
            "At the height 2 none: the upper corners count as below, so no end lies above. At the height 0 the two "
-           "vertical ones: each joins a lower corner, below, to an upper one, above. Two is even: OUT."},
+           "vertical ones: each joins a lower corner, below, to an upper one, above. Two is even: OUT. Compare the "
+           "coordinates as given. To subtract **p** from the vertices first would round, and move each by itself."},
           {"A font draws a letter as two strokes that overlap, both counter-clockwise. Which rule must fill it? And "
            "which loops of a figure eight does each rule fill?",
            "The non-zero rule: where the strokes overlap, the winding number is 2. Even-odd would leave a hole there. "

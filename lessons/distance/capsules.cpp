@@ -30,8 +30,9 @@ class CapsulesTeller : Teller {
   Walk tell() {
     known_.radii = true;
     add("clearance", "How near is too near?", 0,
-        "A capsule is a segment with a radius. Their surfaces are *d* − *R* apart, with *R* = *r*_a + *r*_b.\n"
-        "*d* is the distance of the segments. The clearance is how far apart the surfaces have to be.\n"
+        "A capsule is a segment with a radius. If they are disjoint, their surfaces are *d* − *R* apart.\n"
+        "*d* is the distance of the segments, and *R* = *r*_a + *r*_b. The clearance is how far apart the surfaces "
+        "have to be.\n"
         "Below 0 it asks whether they reach into each other as far as that.");
     script_.tell<nearest_features::CapsuleEvent<C, 3>>(
         [&](auto& record) {
@@ -140,7 +141,7 @@ class CapsulesTeller : Teller {
     script_.value("bound^2", squares.bound2, "area", Role::first);
     add("squares", "Squares alone", 2,
         near ? "A test of squares alone would say yes here: the square of the bound has lost its sign."
-             : "Here a test of squares alone would say no, too. For nearer segments it would say yes.",
+             : "Here a test of squares alone would say no, too. For segments that are near enough it would say yes.",
         "*d*^2 = " + digits(squares.distance2, squares.bound2) + (near ? " ≤ " : " > ") +
             digits(squares.bound2, squares.distance2) + " = bound^2");
   }
@@ -160,8 +161,11 @@ class CapsulesTeller : Teller {
   /// What the exact sign of *d* − *R* says; `apart` is rounded.
   std::string surfaces(double apart) const {
     const int sign = nearest_features::order(s_.capsule(0), s_.capsule(1), 0);
-    if (sign > 0) return "Conservative advancement divides this number by a speed. That gives a safe time step.";
-    if (sign == 0) return "The capsules touch.";
+    if (sign > 0)
+      return "Conservative advancement divides this number by a bound on how fast it falls.\n"
+             "That gives a safe time step, as for moving bodies.";
+    if (sign == 0)
+      return sum() > 0 ? "The capsules touch." : "With radii of 0 the capsules are their segments, and these meet.";
     return apart < 0 ? "The capsules share points. The number is below 0: so deep they reach into each other."
                      : "The capsules share points.";
   }

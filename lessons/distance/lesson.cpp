@@ -160,7 +160,7 @@ const Lesson& lesson() {
       .opening = opening(),
       .closing = &closing(),
       .after = {"aabb-aabb", "sphere-aabb", "capsule-capsule"},
-      .ideas = {"squared distance"},
+      .ideas = {"squared distance", "conservative advancement"},
       .shared = shared_ideas,
       .query = R"({"kind": "point_capsule", "point": [1, 3, 4],
  "p": [-3, 0, 0], "q": [3, 0, 0], "r": 5})",

@@ -52,7 +52,8 @@ class PointTeller : Teller {
                     "(**c** − **p**_a) · **d** tells how far **c** lies along **d**, seen from **p**_a.\n"
                     "It counts in lengths of **d**, times **d** · **d**. So it needs no division yet.",
                     fmt::format("{} = {}", along_name, shown(along_)));
-    ask_for_dot(dot);
+    const bool a_point = s_.a.p == s_.a.q;  // has one place, and nothing to ask
+    if (!a_point) ask_for_dot(dot);
 
     const bool first = along_ <= 0, second = !first && along_ >= length2_;
     const Nearest exact = s_.pairs.front().on_a;
@@ -66,14 +67,15 @@ class PointTeller : Teller {
                                   : along_ > 0 ? " > 0"
                                                : ""));
     Script::decide(start, {std::string(along_name) + " ≤ 0", along_, 0, first, first ? "*t* is 0" : "*t* is above 0"});
-    start.question =
-        Question{fmt::format("{} = {} and {} = {}. Which point of the segment is nearest to **c**?", along_name,
-                             apart(along_, length2_), length_name, apart(length2_, along_)),
-                 {"the first end, **p**_a", "the second end, **q**_a", "a point between both ends"},
-                 first    ? 0
-                 : second ? 1
-                          : 2,
-                 "*t* is the quotient of both, clamped to the range from 0 to 1. To clamp, comparisons are enough."};
+    if (!a_point)
+      start.question =
+          Question{fmt::format("{} = {} and {} = {}. Which point of the segment is nearest to **c**?", along_name,
+                               apart(along_, length2_), length_name, apart(length2_, along_)),
+                   {"the first end, **p**_a", "the second end, **q**_a", "a point between both ends"},
+                   first    ? 0
+                   : second ? 1
+                            : 2,
+                   "*t* is the quotient of both, clamped to the range from 0 to 1. To clamp, comparisons are enough."};
     if (first) return;
     script_.refuse(1, {});
 

@@ -37,9 +37,9 @@ class SegmentsTeller : Teller {
   Walk tell() {
     add("segments", "Two places", 0,
         "The point of a at the place *t*_a is **p**_a + *t*_a **d**_a, with *t*_a from 0 to 1. That of b is at *t*_b.\n"
-        "The squared distance of both points is a quadratic function of *t*_a and *t*_b. "
-        "The allowed places fill a square of side 1.\n"
-        "The sides of that square part the plane of both places into nine regions, with the square in the middle.");
+        "The squared distance of both points is a quadratic function of *t*_a and *t*_b. The allowed places fill a "
+        "square of side 1.\n"
+        "The lines through its sides part the plane of both places into nine regions, with the square in the middle.");
     script_.tell<nearest_features::SegmentEvent<C, 3>>(
         [&](auto& record) { nearest_features::distance2<C, 3>(cast<C>(s_.a), cast<C>(s_.b), record); },
         [&](const auto& event) { say(event); });
@@ -62,9 +62,12 @@ class SegmentsTeller : Teller {
                     "It is the square of the area that **d**_a and **d**_b span. It is 0 for parallel segments.",
         "det = " + shown(determinant_));
     if (!parallel_) return script_.refuse(2, {});
-    Step& step = add("parallel", "No single place", 2,
-                     a_point() ? "One segment is a point here, and has no direction. So *t*_a = 0 will do at first."
-                               : "Parallel lines are equally far apart everywhere. So *t*_a = 0 will do at first.");
+    Step& step =
+        add("parallel", "No single place", 2,
+            a_point() ? "One segment is a point here, and has no direction. So *t*_a = 0 will do at first."
+            : s_.parallel()
+                ? "Parallel lines are equally far apart everywhere. So *t*_a = 0 will do at first."
+                : "Rounding has made det 0, or less. So the method takes *t*_a = 0 at first, as for parallel lines.");
     Script::decide(step, {"det ≤ 0", determinant_, 0, true, "they count as parallel"});
     s_place_ = 0;
   }
@@ -82,7 +85,10 @@ class SegmentsTeller : Teller {
     script_.value("*t*_a", clamped);
     line_a_ = place, s_place_ = clamped;
     add("on-a", "Nearest to the other line", 3,
-        std::string("Both equations give the place on the line of a that is nearest to the line of b.\n") +
+        std::string(s_.parallel()
+                        ? "The segments are parallel, but rounding has left det above 0. So rounding errors alone make "
+                          "this place.\n"
+                        : "Both equations give the place on the line of a that is nearest to the line of b.\n") +
             (place == clamped ? "It lies between 0 and 1, so *t*_a keeps it."
                               : "It lies outside the range from 0 to 1, so *t*_a is clamped."),
         "*t*_a = " + shown(clamped));
@@ -151,7 +157,7 @@ class SegmentsTeller : Teller {
             (before == clamped
                  ? "It stays as it was."
                  : fmt::format("It moves from {} to {}{}.", digits(before, clamped), digits(clamped, before),
-                               parallel_ ? "" : ": clamping each place once is not enough")),
+                               parallel_ || s_.parallel() ? "" : ": clamping each place once is not enough")),
         "*t*_a = " + shown(clamped));
   }
 
@@ -172,10 +178,11 @@ class SegmentsTeller : Teller {
     known_.ways.clear(), known_.settled = true;
     settle();
     const bool other = s_.pairs.size() == 1 && !(found_ == s_.pairs.front());
-    Step& step =
-        add("features", "Which features are nearest?", 7,
-            told_features(s_) +
-                (other ? "\nRounding has led the method to other features, at nearly the same distance." : ""));
+    Step& step = add(
+        "features", "Which features are nearest?", 7,
+        told_features(s_) +
+            (other ? "\nRounding has led the method to other features, at nearly the same distance." : "") +
+            (s_.meet && squared_ > 0 ? "\nThe segments meet: exactly, *d*^2 is 0. Rounding has left it above." : ""));
     if (!s_.meet) step.question = pairs_question(), keep_picture(script_.walk());
     known_.settled = false;
   }
@@ -184,7 +191,7 @@ class SegmentsTeller : Teller {
   void clamped_once() {
     Record<nearest_features::SegmentEvent<double, 3>> record;
     const double once = nearest_features::distance2_clamped_once<double, 3>(s_.a, s_.b, record);
-    if (parallel_ || !(once > squared_ * (1 + 1e-6) + 1e-12)) return;
+    if (parallel_ || s_.parallel() || !(once > squared_ * (1 + 1e-6) + 1e-12)) return;
     const auto& closest = std::get<nearest_features::Closest<double, 3>>(record.events.back());
     const auto place = [&](std::size_t event) {
       const auto& found = std::get<nearest_features::Found<double>>(record.events.at(event));
@@ -211,6 +218,7 @@ class SegmentsTeller : Teller {
 
   /// For nearly parallel segments: b tilted as little the other way.
   void tilted() {
+    if (s_.parallel()) return;
     const std::optional<Tilt> tilt = tilted_back(s_.a, s_.b);
     if (!tilt) return;
     known_.earlier = {tilt->before}, known_.ways = {tilt->after};

@@ -48,6 +48,13 @@ Kind Setup::kind() const {
   return interiors == 0 ? Kind::ends : interiors == 1 ? Kind::end_and_interior : Kind::interiors;
 }
 
+bool Setup::parallel() const {
+  return sign_of([&]<class W>() -> W {
+           const Components<W, 3> n = cross(difference<W, 3>(a.q, a.p), difference<W, 3>(b.q, b.p));
+           return dot(n, n);
+         }) == 0;
+}
+
 double Setup::distance2() const {
   return is("boxes") ? nearest_features::distance2(boxes[0], boxes[1]) : nearest_features::rounded_distance2(a, b);
 }

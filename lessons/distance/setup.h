@@ -36,6 +36,8 @@ struct Setup {
   const Segment3& segment(int which) const { return which == 0 ? a : b; }
   Capsule3 capsule(int which) const { return {segment(which).p, segment(which).q, which == 0 ? r_a : r_b}; }
   Kind kind() const;
+  /// Whether the segments have one direction, or one is a point. Exact.
+  bool parallel() const;
   /// The square of the distance: of a point and a segment, of two segments, of two boxes; the nearest double, of boxes
   /// rounded.
   double distance2() const;

@@ -81,14 +81,18 @@ const Closing& closing() {
           {"All boxes have the same centre, but different sizes. What does a hierarchy gain? And what does one large "
            "box do to a tree of small ones?",
            "Nothing for rays through the centre: all nodes overlap there, so no node is ruled out by its box alone. "
-           "One large box makes each node that holds it as large. Test it by itself, or cut it in two.",
+           "One large box makes each node that holds it as large. Test it by itself, or cut it in two. Equal centres "
+           "leave no cut: a build must then split by count, or make a leaf, to end. The cells of a uniform grid are "
+           "about as large as a typical object: no size is typical of these.",
            "large"},
           {"A box of the tree moves. How is the tree updated without a rebuild?",
-           "Refit: from its leaf upwards each node takes the box around its children. That is O(depth), but the "
-           "nodes may come to overlap."},
+           "Refit: from its leaf upwards each node takes the box around its children. That is O(depth), but the nodes "
+           "may come to overlap. If all boxes move, it takes each node once, children first: O(*n*)."},
           {"A node has perimeter 10. Its parts have perimeters 4 and 8, with 6 and 2 boxes; a visit costs 2. Split or "
            "leaf?",
-           "The split costs 2 + (4 · 6 + 8 · 2) / 10 = 6, and a leaf 8 tests. Split."},
+           "The split costs 2 + (4 · 6 + 8 · 2) / 10 = 6, and a leaf 8 tests. Split. A whole query costs *N*_v *C*_v + "
+           "*N*_p *C*_p: so many volumes, then so many pairs of objects, are tested at these costs. Moving objects add "
+           "*N*_u *C*_u, for so many updates."},
       }};
   return closing;
 }

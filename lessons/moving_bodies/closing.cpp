@@ -29,13 +29,13 @@ const Closing& closing() {
           "Only the relative velocity **d** counts. Boxes first meet at the latest begin of all axes' times, unless an "
           "end is earlier. Balls meet where a ray enters a ball of radius *R* = *r*_a + *r*_b.",
       .cost =
-          "Boxes: two divisions for each axis. Balls: one square root and one division. Conservative advancement: a "
-          "distance and a division for each step.",
+          "Boxes: two divisions for each axis. Balls: one square root and one division. Conservative steps: a distance "
+          "and a division each.",
       .choose =
           "Boxes and balls at constant velocities: compute the time. Discrete times for slow bodies only. Conservative "
-          "advancement for other convex bodies, and for those that turn.",
+          "advancement for other convex bodies, and if they turn.",
       .used = "Continuous collision detection in physics engines such as Box2D; bullets in games; robots' motion.",
-      .bug = "Comparing each body's own step with its size. What counts is the relative velocity.",
+      .bug = "Comparing each body's own step with its size, not the relative one.",
       .bug_preset = "tunnels",
       .reading =
           {"Lecture note *Intersection Detection*, rays, and collision detection.",

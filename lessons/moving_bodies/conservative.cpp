@@ -51,7 +51,7 @@ class ConservativeTeller : Teller {
 
  private:
   void say(const motion::Gap<C>& e) {
-    time_ = e.time.value, distance_ = e.distance.value;
+    time_ = e.time.value, fallen_ = e.distance.value < distance_, distance_ = e.distance.value;
     known_.gap = time_;
     if (known_.ticks.size() < most_drawn) {
       known_.ticks.push_back({time_, Mark::ring, Role::first, ""});
@@ -63,8 +63,8 @@ class ConservativeTeller : Teller {
     if (advances_ == 0)
       add("distance", "The distance at first", 2,
           s_.signs.apart > 0
-              ? "The balls are as far apart as their centres, less both radii.\nFor other convex bodies an algorithm "
-                "such as GJK finds the distance.\n"
+              ? "The balls are as far apart as their centres, less both radii. The lesson on distances has segments, "
+                "boxes and capsules.\nFor other convex bodies an algorithm such as GJK finds the distance.\n"
                 "Bodies that turn need a higher bound: their angular speed times their reach is added."
               : "The centres are no farther apart than both radii reach: the balls share a point already.");
     if (e.near)
@@ -114,8 +114,8 @@ class ConservativeTeller : Teller {
     const std::string caption =
         advances_ == 1
             ? "It takes at least distance / speed to close the distance. A step of that length, to *t*, is safe."
-            : fmt::format("The distance has fallen to {}. At a speed of {} or less, a further step is safe.",
-                          shown(distance_), shown(speed_));
+            : fmt::format("The distance {} {}. At a speed of {} or less, a further step is safe.",
+                          fallen_ ? "has fallen to" : "has not fallen: it is", shown(distance_), shown(speed_));
     Step& step =
         add(fmt::format("advance-{}", advances_), fmt::format("Advance {}", advances_), 8, caption,
             fmt::format("*t* = {} + {} / {} = {}", shown(before), shown(distance_), shown(speed_), shown(time_)));
@@ -187,6 +187,7 @@ class ConservativeTeller : Teller {
   motion::Ending ending_ = motion::Ending::open;
   int steps_ = 0, advances_ = 0;
   double time_ = 0, distance_ = 0, speed_ = 0;
+  bool fallen_ = false;  ///< since the last step
 };
 
 }  // namespace

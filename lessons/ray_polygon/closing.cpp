@@ -66,7 +66,8 @@ const Closing& closing() {
            "*D*?",
            "*y*, as |−2| is the largest. *D* = −**n** · **p**_0 = 2."},
           {"Why may a coordinate be dropped without changing in and out?",
-           "With *n_i* ≠ 0, each point of the plane has a projection of its own, and segments stay segments."},
+           "With *n_i* ≠ 0, each point of the plane has a projection of its own, and segments stay segments. An area "
+           "keeps |*n_i*| / |**n**| of its size, so the largest |*n_i*| keeps most."},
           {"A stored normal comes from the first corner alone. On which polygon does the test break?",
            "On one whose first three vertices lie on one line: **n** = 0. The sum over all corners does not break "
            "there. On a bow tie of equal lobes it does: it is 0, too."},

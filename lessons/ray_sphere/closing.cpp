@@ -53,8 +53,9 @@ const Closing& closing() {
            {{"origin", "2.3203125,0.46875,-1.984375"}}},
           {"Let **o** = (0, 0, 0), **d** = (1, 2, 2), **c** = (3, 3, 3) and *r* = 3. Find *A*, *B*, *C* and the first "
            "hit.",
-           "**f** = (−3, −3, −3). So *A* = 9, *B* = 2 · (−15) = −30, *C* = 27 − 9 = 18 and *Δ* = 252. The first hit "
-           "is *t*_1 = (30 − √252) / 18 ≈ 0.785."},
+           "**f** = (−3, −3, −3). So *A* = 9, *B* = 2 · (−15) = −30, *C* = 27 − 9 = 18 and *Δ* = 252. The first hit is "
+           "*t*_1 = (30 − √252) / 18 ≈ 0.785. Beware of mixed forms, where *C* > 0: *B*^2 − *A* *C* with this *B* "
+           "turns some misses into hits. *B*^2 − 4 *A* *C* with half of it turns some hits into misses."},
           {"When does the entry root lose digits, and what keeps them?",
            "Near the surface two differences cancel. Stable roots cure −*B* − √*Δ*: they compute *t*_2 first, then "
            "*t*_1 = *C* / (*A* *t*_2). They do not cure *C* = **f** · **f** − *r*^2, which must be had exactly, or "
@@ -62,7 +63,9 @@ const Closing& closing() {
            "(*r*^2 − |**f** − (*B* / *A*) **d**|^2) does not.",
            "near-rounded-quadratic"},
           {"The direction is doubled in length. What happens to *A*, *B*, *C*, the roots and the points?",
-           "*A* grows fourfold and *B* twofold; *C* is unchanged. The roots are halved; the points are unchanged."},
+           "*A* grows fourfold and *B* twofold; *C* is unchanged. The roots are halved; the points are unchanged. "
+           "Haines takes |**d**| = 1 for granted. If it is 1 + *ε*, a distance from outside errs by about *ε* *s* / "
+           "*q*, relative to it."},
           wrong_line(),
       }};
   return closing;

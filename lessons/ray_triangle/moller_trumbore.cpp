@@ -54,7 +54,7 @@ class CramerTeller : Teller {
     Step& step =
         add("determinant", "The determinant", 1,
             "By Cramer's rule each unknown is a quotient of two determinants. This one, *det*, is below all three.\n"
-            "Its size is the volume of the box that **d**, **e**_1 and **e**_2 span." +
+            "Its size is the volume of the parallelepiped that **d**, **e**_1 and **e**_2 span." +
                 facing(det),
             "*det* = (**d** × **e**_2) · **e**_1 = " + shown(det));
     step.question = {"You look along **d**. Which face of the triangle do you see?",
@@ -85,8 +85,9 @@ class CramerTeller : Teller {
     known_.u = u;
     script_.value("*u*", u);
     add("weight-u", "The weight of **b**", 4,
-        "*u* is the weight of **b**: 0 on the edge ca, and 1 at **b**. The line drawn has all points of this weight.\n"
-        "The vector **l** leads from **a** to the origin **o**.",
+        std::string("*u* is the weight of **b**: 0 on the edge ca, and 1 at **b**.") +
+            (std::abs(u) < largest_weight ? " The line drawn has points of this weight." : "") +
+            "\nThe vector **l** leads from **a** to the origin **o**.",
         "*u* = (**d** × **e**_2) · **l** / *det* = " + shown(u));
     const bool exactly = e.holds ? s_.weight(1) >= 0 : u < 0 ? s_.weight(1) < 0 : s_.weight(0) < 0 || s_.weight(2) < 0;
     Step& step = add("range-u", "Does *u* rule it out?", 5,
@@ -107,8 +108,9 @@ class CramerTeller : Teller {
     known_.v = v;
     script_.value("*v*", v);
     add("weight-v", "The weight of **c**", 7,
-        "*v* is the weight of **c**: 0 on the edge ab, and 1 at **c**. The two lines cross in the point in question.\n"
-        "What is left of 1, 1 − *u* − *v*, is the weight of **a**. It is 0 on the edge bc.",
+        std::string("*v* is the weight of **c**: 0 on the edge ab, and 1 at **c**.") +
+            (std::abs(v) < largest_weight ? " The two lines cross in the point in question." : "") +
+            "\nWhat is left of 1, 1 − *u* − *v*, is the weight of **a**. It is 0 on the edge bc.",
         "*v* = (**l** × **e**_1) · **d** / *det* = " + shown(v));
     const bool exactly = e.holds ? s_.truth.location != Location::out : v < 0 ? s_.weight(2) < 0 : s_.weight(0) < 0;
     Step& step = add("range-v", "Inside the triangle?", 8,

@@ -60,12 +60,12 @@ class Painter {
 
   /// The points of one weight lie on a line along the edge opposite its vertex.
   void weights() {
-    constexpr double beyond = 0.25, most = 3;
+    constexpr double beyond = 0.25;
     const auto reach = [&](double w) { return std::max(1 - w, 0.5) + beyond; };
     const Pen latest = k_.v ? Pen::construction : Pen::highlight;
-    if (k_.u && std::abs(*k_.u) < most)
+    if (k_.u && std::abs(*k_.u) < largest_weight)
       add(Line{at(*k_.u, -beyond), at(*k_.u, reach(*k_.u)), k_.v ? Role::construction : Role::highlight, latest});
-    if (k_.v && std::abs(*k_.v) < most)
+    if (k_.v && std::abs(*k_.v) < largest_weight)
       add(Line{at(-beyond, *k_.v), at(reach(*k_.v), *k_.v), k_.crossing ? Role::construction : Role::highlight,
                k_.crossing ? Pen::construction : Pen::highlight});
   }

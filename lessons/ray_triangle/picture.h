@@ -9,6 +9,9 @@
 
 namespace isect::lessons::ray_triangle_lesson {
 
+/// A line of points of one weight is drawn if the weight is smaller in size.
+inline constexpr double largest_weight = 3;
+
 /// What a step shows.
 struct Known {
   bool edges = false;                    ///< from a to b and to c

@@ -58,9 +58,10 @@ class SeamTeller {
     Step& place = script_.add(
         "seam", "Two triangles, one edge", 0,
         std::string("The triangles **a**, **b**, **c** and **c**, **b**, **q** share the edge bc. ") +
-            (aimed()   ? "The ray **o** + *t* **d** is aimed at it: it must meet one of them, or both.\n"
+            (no_edge() ? "But **b** and **c** are equal here: they have no edge between them, and no area.\n"
+             : aimed() ? "The ray **o** + *t* **d** is aimed at it: it must meet one of them, or both.\n"
              : alike() ? "The ray **o** + *t* **d** is not aimed at it: all its neighbours have one true answer.\n"
-                       : "The ray **o** + *t* **d** passes other edges, too, and may miss both.\n") +
+                       : "Not all neighbours of the ray **o** + *t* **d** have one true answer.\n") +
             "Its neighbours have the next doubles in *x* and in *y* of **d**. We test them one by one.");
     place.scene = picture(s_, {});
     truth();
@@ -91,9 +92,12 @@ class SeamTeller {
   bool alike() const {
     return std::ranges::all_of(all_, [&](const Answers& a) { return a.exact == all_.front().exact; });
   }
-  /// Whether each neighbour meets one of the two, and not all the same one.
+  bool no_edge() const { return s_.vertex(1) == s_.vertex(2); }
+  /// Whether each neighbour meets one of the two, and some leave out the one, some the other.
   bool aimed() const {
-    return !alike() && std::ranges::all_of(all_, [](const Answers& a) { return a.exact.any(); });
+    return std::ranges::all_of(all_, [](const Answers& a) { return a.exact.any(); }) &&
+           std::ranges::any_of(all_, [](const Answers& a) { return !a.exact.own; }) &&
+           std::ranges::any_of(all_, [](const Answers& a) { return !a.exact.other; });
   }
 
   static Role role_of(const Met& m, bool hole) {

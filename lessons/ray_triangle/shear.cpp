@@ -88,7 +88,8 @@ class ShearTeller : SignsTeller {
     const double w = e.value.value;
     script_.value("*w*", w, "area");
     add("sum", "The sum of the three", 6,
-        "*w* is the sum of *w*_a, *w*_b and *w*_c. In size it is twice the area that the ray sees.",
+        "*w* is the sum of *w*_a, *w*_b and *w*_c. In size it is twice the area of the sheared triangle in *x* and "
+        "*y*.",
         "*w* = " + shown(w));
     parallel(7, "*w*", w);
   }

@@ -32,7 +32,7 @@ class SignsTeller : protected Teller {
         !holds       ? "Two signs are opposite, so the line does not pass all edges on the same side: it misses."
         : !unchanged ? "No two signs are opposite, as rounded. Rounding has changed at least one of them."
         : none       ? "All three are 0: the line lies in the plane, or the triangle has no area."
-        : some       ? "No two are opposite. A 0 goes with both signs: the line passes through that edge."
+        : some       ? "No two are opposite. A 0 goes with both signs: the line passes through the edge of that number."
                      : "All signs are equal: the line passes all three edges on the same side, and so inside.";
     viz::Step& step = add("signs", "The three signs", line, told + unless(exactly, verdict_text(s_)));
     step.decides = true;

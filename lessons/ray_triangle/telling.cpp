@@ -1,5 +1,8 @@
 #include "lessons/ray_triangle/telling.h"
 
+#include <Eigen/Geometry>
+#include <cmath>
+
 #include "lessons/shared/digits.h"
 #include "lessons/shared/questions.h"
 #include "viz/text/rich_text.h"
@@ -20,6 +23,13 @@ Verdict::Kind kind_of(const Setup& s) {
 
 /// Whether the part of the line that meets the triangle lies beyond the end of the segment.
 bool too_far(const Setup& s) { return s.segment() && s.line && *s.line > 0; }
+
+/// Whether the direction rises above the plane by less than a thousandth of its length.
+bool nearly_parallel(const Setup& s) {
+  const Vec3 e1 = (s.vertex(1) - s.vertex(0)).stableNormalized(), e2 = (s.vertex(2) - s.vertex(0)).stableNormalized();
+  const Vec3 n = e1.cross(e2).stableNormalized();
+  return std::abs(n.dot(s.ray.direction.stableNormalized())) < 1e-3;
+}
 
 }  // namespace
 
@@ -90,11 +100,12 @@ void Teller::end(int line) {
   script_.value("*t*", found_->t.value, {}, Role::hit);
   script_.value("*u*", found_->u.value), script_.value("*v*", found_->v.value);
   const double t = found_->t.value;
-  const bool digits_lost = right && shown(t) != shown(*s_.truth.t);
+  const bool digits_lost = right && std::abs(t - *s_.truth.t) > 1e-6 * std::abs(*s_.truth.t);
   add("hit", "The hit", line,
-      told + (digits_lost ? fmt::format("\nRounding has cost *t* digits: exactly it is {}. The line is nearly parallel "
-                                        "to the plane, so small errors grow.",
-                                        digits(*s_.truth.t, t))
+      told + (digits_lost ? fmt::format("\nRounding has cost *t* digits: exactly it is {}. {}, so small errors grow.",
+                                        digits(*s_.truth.t, t),
+                                        nearly_parallel(s_) ? "The line is nearly parallel to the plane"
+                                                            : "The sums that make it nearly cancel")
                           : std::string()),
       "*t* = " + shown(t));
   if (right) interpolate(line);
@@ -105,9 +116,9 @@ void Teller::interpolate(int line) {
   const double mixed = w * carried[0] + u * carried[1] + v * carried[2];
   Step& step = add("weights", "What the weights are for", line,
                    "Renderers mix whatever the vertices carry by these weights: normals, colours, texture "
-                   "coordinates.\nThe value varies linearly over the triangle, and two neighbours agree on their edge. "
-                   "A mixed normal must be normalised again.\n1 − *u* − *v*, *u* and *v* are the barycentric "
-                   "coordinates of the point.",
+                   "coordinates.\nThe value varies linearly over the triangle. Neighbours with the same values at two "
+                   "common vertices agree on the edge between them. A mixed normal must be normalised again.\n1 − *u* "
+                   "− *v*, *u* and *v* are the barycentric coordinates of the point.",
                    fmt::format("(1 − *u* − *v*) · {} + *u* · {} + *v* · {} = {}", shown(carried[0]), shown(carried[1]),
                                shown(carried[2]), shown(mixed)));
   if (s_.place() == Place::vertex) return;  // no weights to mix

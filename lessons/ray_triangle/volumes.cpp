@@ -66,12 +66,12 @@ class VolumesTeller : SignsTeller {
     const std::string side =
         ((w > 0) - (w < 0)) != s_.side[i]
             ? "\nRounding has changed this sign."
-            : (w == 0 ? fmt::format("\nHere it is 0: the line meets the line through {} and {}, or is parallel to it.",
+            : (w == 0 ? fmt::format("\nHere it is 0: one plane holds the line of the ray, {} and {}.",
                                     vertex_names[(i + 1) % 3], vertex_names[(i + 2) % 3])
                       : std::string());
     if (i == 0)
-      return "The plane through **o** and the edge bc has the normal **b**′ × **c**′. The sign of *w*_a tells on which "
-             "side **d** points.\n"
+      return "The plane through **o** and the edge bc, if there is one, has the normal **b**′ × **c**′. The sign of "
+             "*w*_a tells on which side **d** points.\n"
              "It is a signed volume: six times that of the tetrahedron **o**, **o** + **d**, **b**, **c**." +
              side;
     return fmt::format("The same for the edge {}. Its number *w*_{} belongs to {}, the vertex opposite.", edge_names[i],
@@ -86,7 +86,7 @@ class VolumesTeller : SignsTeller {
             "A second triangle **c**, **b**, **q** has this edge the other way round, from **c** to **b**. It computes "
             "**d** · (**c**′ × **b**′).\n"
             "That is −*w*_a to the last bit, as rounding treats both signs alike. At this edge the two agree.\n"
-            "A fused multiply-add would break this: it rounds one of two products, and not the other.");
+            "A fused multiply-add can break this: it rounds one of two products, and not the other.");
     const std::string asked = "A neighbour **c**, **b**, **q** has it from **c** to **b**. What does it compute there?";
     const std::string because =
         "Each product is the same, and each difference has the other sign. Rounding treats both alike.";

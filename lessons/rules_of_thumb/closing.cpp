@@ -48,7 +48,8 @@ const Closing& closing() {
                   "*Computational Geometry* 40, 2008, pages 61–78."},
       .exercises = {
           {"Rule 3: drag **p** to a place where the other order of axes costs more than it saves.",
-           "Beside the long boxes *x* separates at once: at (1.15, 0) the test on *y* is wasted.",
+           "Beside the long boxes *x* separates at once: at (1.15, 0) the test on *y* is wasted. Of independent tests, "
+           "take them in the order of cost divided by the chance to reject, the smallest first.",
            "3-reorder",
            order_costs_more,
            {{"p", "1.15,0,0"}}},

@@ -65,7 +65,8 @@ const Closing& closing() {
            touching_outside,
            {{"b", "1.21875,0,-0.9140625"}}},
           {"Two balls have radii 3 and 4, and their centres are 5 apart. Do their surfaces meet?",
-           "Yes: 5 lies between 4 − 3 = 1 and 4 + 3 = 7. The surfaces share a circle."},
+           "Yes: 5 lies between 4 − 3 = 1 and 4 + 3 = 7. The surfaces share a circle. As neither contains the other, "
+           "the smallest ball around both has the radius (5 + 3 + 4) / 2 = 6. Else it is the larger ball."},
           {"Why may both sides of *d* ≤ *r*_a + *r*_b be squared?",
            "Neither is negative, and squaring keeps the order of such numbers. With a negative radius it would not."},
           {"Lengths are stored in 32-bit floats. Beyond which distance does *d*^2 overflow?",

@@ -22,29 +22,27 @@ bool now_misled(const Parameters& p) {
 
 const std::string& opening() {
   static const std::string text =
-      "Do two triangles in space meet? Surfaces are meshes of triangles. So this test finds where two surfaces cross, "
-      "and whether one crosses itself.\n"
-      "The idea: two planes meet in a line. On that line each triangle is an interval.";
+      "Do two triangles in space meet? Many surfaces are meshes of triangles. So this test finds where two surfaces "
+      "cross, and whether one crosses itself.\n"
+      "The idea: two planes that are not parallel meet in a line. There each triangle has an interval, or nothing.";
   return text;
 }
 
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "Two triangles are disjoint if one lies on one side of the other's plane. Else they meet if and only if "
-          "their intervals on the line of both planes share a number.",
+          "Two triangles are disjoint if one lies strictly on one side of the other's plane. Else, in two planes, they "
+          "meet if and only if their intervals on the line of both share a number. In one plane, they meet if no side "
+          "parts them.",
       .cost =
-          "Six heights, then four divisions, or two more signs of volumes. A pair beside a plane ends after three or "
-          "six heights.",
+          "Six heights, then four divisions, or two more signs; in one plane, up to six sides. A pair beside a plane "
+          "ends after three or six heights.",
       .choose =
-          "Signs of volumes, exactly, where a mesh must be free of faults. Intervals in doubles where a wrong "
-          "answer near a touch does no harm.",
-      .used =
-          "Collision of meshes after a broad phase, Boolean operations on solids, checks of meshes for "
-          "self-intersection.",
+          "Signs of volumes, exactly, for meshes without faults. Intervals in doubles where a wrong answer near a "
+          "touch does no harm.",
+      .used = "Collision of meshes after a broad phase, Boolean operations, checks of meshes for self-intersection.",
       .bug =
-          "Taking “they meet” for a fault in a mesh: it is true of all neighbours. The relation and the shared "
-          "corners must be known.",
+          "Taking “they meet” for a fault in a mesh: it is true of all neighbours. Their shared corners must be known.",
       .bug_preset = "neighbours",
       .reading =
           {"Tomas Möller, A Fast Triangle-Triangle Intersection Test, *Journal of Graphics Tools* 2, 1997, pages "
@@ -55,12 +53,13 @@ const Closing& closing() {
            "triangle."},
       .exercises = {
           {"Lower b by one of its corners, until the triangles touch.",
-           "A corner of b must lie in a, and the others above it: **b**_0 = (0, 0, 0) is one such place.",
+           "They touch where a corner of b lies in a and the others above: **b**_0 = (0, 0, 0) is one such place.",
            "above",
            now_touching,
            {{"b0", "0,0,0"}}},
           {"Make the two triangles neighbours that share an edge, with no fault.",
-           "Two corners of b must be corners of a, such as **a**_0 and **a**_1, and the third lie beside a.",
+           "Two corners of b must be corners of a, such as **a**_0 and **a**_1. The third may lie anywhere off the "
+           "plane of a.",
            "vertex-on-face",
            now_neighbours,
            {{"b0", "-2,0,1.5"}, {"b1", "2,0,1.5"}, {"b2", "0,1.5,2"}}},

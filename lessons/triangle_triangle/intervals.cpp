@@ -128,11 +128,11 @@ class IntervalsTeller : Teller {
   }
   std::string plane_caption() const {
     if (s_.one_plane())
-      return "The heights of a are 0: one plane holds both triangles, and there is no line where two planes meet.\n"
+      return "All heights of one are 0: one plane holds both triangles, and there is no line where two planes meet.\n"
              "What is left is a test in two dimensions.";
     if (!s_.both_have_area())
       return "All heights of one are 0. The method concludes that one plane holds both.\n"
-             "That is wrong where a triangle without area has no plane.";
+             "That does not follow: without area a triangle has no plane, and its **n** is 0 wherever the other lies.";
     return "Rounding makes all heights of one 0. The method concludes that one plane holds both, and tests there.";
   }
 
@@ -142,11 +142,15 @@ class IntervalsTeller : Teller {
     script_.refuse(6, {7});
     script_.forget(height_names());
     known_.plane = -1, known_.heights = false, known_.line = true;
+    const bool both_reach = s_.part(0) && s_.part(1);  // exactly; else rounding alone has led here
     add("line", "The line of both planes", 8,
-        std::string(
-            "The two planes meet in a line (dashed), with the direction **d** = **n**_a × **n**_b.\n"
-            "Common points of a and b lie on it. Each triangle has an interval of this line.\n"
-            "Its projection on an axis keeps the order of points. Here we take that along which **d** is longest: ") +
+        std::string(both_reach
+                        ? "The two planes meet in a line (dashed), with the direction **d** = **n**_a × **n**_b.\n"
+                          "Common points of a and b lie on it. Each triangle has an interval of this line.\n"
+                        : "By the rounded signs, both triangles reach the line of both planes. Exactly, there is no "
+                          "such line, or one of them does not reach it.\n"
+                          "Its direction is taken as **d** = **n**_a × **n**_b.\n") +
+            "Its projection on an axis keeps the order of points. Here we take that along which **d** is longest: " +
             axis_names[axis_] + ".",
         "**d** = " + coordinates(d));
   }

@@ -97,14 +97,17 @@ class SignsTeller : Teller {
     }
     Step& step =
         add("order", "Two edges of each", 8,
-            fmt::format("Both planes meet in a line (dashed). The edges of a at {} reach the plane of b, "
-                        "those of b at {} that of a (lit).\n"
-                        "Where a corner lies below the other plane, two corners of that other triangle are exchanged: "
-                        "then both lie above.",
-                        corner_name(0, alone_[0].corner), corner_name(1, alone_[1].corner)),
+            s_.both_have_area() ? fmt::format("Both planes meet in a line (dashed). The edges of a at {} reach the "
+                                              "plane of b, those of b at {} that of a (lit).\n"
+                                              "Where such a corner lies lower than its neighbours, the test exchanges "
+                                              "two corners of the other triangle: then it lies higher.",
+                                              corner_name(0, alone_[0].corner), corner_name(1, alone_[1].corner))
+                                : "A triangle without area has no plane, and so there is no line of both planes.\n"
+                                  "The test cannot know that. It takes two edges of each (lit), as if there were one.",
             fmt::format("a: {}, {}, {};  b: {}, {}, {}", name(0, 0), name(0, 1), name(0, 2), name(1, 0), name(1, 1),
                         name(1, 2)));
     known_.lit.clear();
+    if (!s_.both_have_area()) return;
     step.question = which_count(
         "Two edges of a and two of b meet the line of both planes. How many further signs tell whether the parts of "
         "the line share a point?",
@@ -122,13 +125,18 @@ class SignsTeller : Teller {
     known_.lit = first ? std::vector<Edge>{edge(0, 1), edge(1, 1)} : std::vector<Edge>{edge(0, 2), edge(1, 2)};
     const std::string one = first ? name(0, 0) + name(0, 1) : name(0, 0) + name(0, 2),
                       other = first ? name(1, 0) + name(1, 1) : name(1, 0) + name(1, 2);
-    Step& step = add(
-        first ? "first-end" : "second-end", first ? "Does one part end first?" : "Or the other?", first ? 9 : 11,
-        fmt::format("The edges {} and {} each meet the line in an end of a part. These four corners span a volume.\n",
-                    one, other) +
-            (e.sign > 0   ? "Its sign is +: there one part ends before the other begins. They share no point."
-             : e.sign < 0 ? "Its sign is −: these ends leave room for a common point."
-                          : "It is 0: the two edges lie in one plane. That parts nothing."));
+    Step& step =
+        add(first ? "first-end" : "second-end", first ? "Does one part end first?" : "Or the other?", first ? 9 : 11,
+            !s_.both_have_area()
+                ? fmt::format("The test asks the sign of the volume that the edges {} and {} span. Without a line of "
+                              "both planes, that sign does not settle it.",
+                              one, other)
+                : fmt::format(
+                      "The edges {} and {} each meet the line in an end of a part. These four corners span a volume.\n",
+                      one, other) +
+                      (e.sign > 0   ? "Its sign is +: there one part ends before the other begins. They share no point."
+                       : e.sign < 0 ? "Its sign is −: these ends leave room for a common point."
+                                    : "It is 0: the two edges lie in one plane. That parts nothing."));
     step.decides = true;
     known_.lit.clear();
     if (e.apart)

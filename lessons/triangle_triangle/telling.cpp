@@ -41,6 +41,9 @@ std::string Teller::told_sides(int which, const Signs& signs) const {
         "The corners of {} lie on both sides of the plane of {}: {} crosses that plane.\n"
         "Whether it meets {} there is still to be seen.",
         own, other, own, other);
+  if (count(0) == 2 && !s_.area[static_cast<std::size_t>(which)])
+    return fmt::format("Two corners of {} lie in the plane of {}, the third on one side.\nOnly there {} may meet {}.",
+                       own, other, own, other);
   return fmt::format("{} in the plane of {}, the rest of {} on one side.\nOnly there {} may meet {}.",
                      count(0) == 1 ? "One corner of " + own + " lies" : "An edge of " + own + " lies", other, own, own,
                      other);
@@ -60,15 +63,24 @@ Question Teller::sides_question(const Signs& signs, const std::string& given) co
 void Teller::in_plane(int line, const triangle_triangle::InPlane& last) {
   if (last.apart) known_.lit = {{last.of, last.side, (last.side + 1) % 3}};
   const std::string own = triangle_name(last.of), other = triangle_name(1 - last.of);
+  // What the signs say is true where exact signs say the same; else rounding or a missing area has made them.
+  Record<triangle_triangle::SignsEvent> exact;
+  triangle_triangle::by_signs(s_.a(), s_.b(), exact);
+  const auto* side = exact.events.empty() ? nullptr : std::get_if<triangle_triangle::InPlane>(&exact.events.back());
+  const bool sure =
+      s_.one_plane() && side && side->of == last.of && side->side == last.side && side->apart == last.apart;
   add("sides", last.apart ? "A side that parts them" : "No side parts them", line,
-      "Seen along an axis, both are triangles in two dimensions. There the normals of the sides are all axes that may "
-      "separate.\n" +
+      std::string(s_.one_plane() ? "Seen along an axis, both are triangles in two dimensions. There the normals of the "
+                                   "sides are all axes that may separate.\n"
+                  : s_.both_have_area() ? "The method looks along an axis, as if one plane held both.\n"
+                                        : "Seen along an axis, one of them is a segment or a point. Then the normals "
+                                          "of the sides are not all axes that may separate.\n") +
           (last.apart
-               ? fmt::format("The side of {} from {} to {} has all of {} beyond it: its normal is a separating "
-                             "axis.",
-                             own, corner_name(last.of, last.side), corner_name(last.of, (last.side + 1) % 3), other)
+               ? fmt::format("{}he side of {} from {} to {} has all of {} beyond it{}", sure ? "T" : "By its signs, t",
+                             own, corner_name(last.of, last.side), corner_name(last.of, (last.side + 1) % 3), other,
+                             sure ? ": its normal is a separating axis." : ". The method takes them to be disjoint.")
                : std::string("No side has all of the other triangle strictly beyond it") +
-                     (s_.one_plane() ? ": no axis separates." : ". The method takes them to meet.")));
+                     (sure ? ": no axis separates." : ", by its signs. The method takes them to meet.")));
   known_.lit.clear();
 }
 
@@ -83,12 +95,12 @@ Walk Teller::end() {
   known_.part = {};
   Step& step = add("mesh", "In a mesh", line_, in_a_mesh());
   if (s_.meet() && s_.both_have_area())
-    step.question =
-        Question{"May a mesh that bounds a solid have these two triangles?",
-                 {"yes: all that they share is corners and edges of both",
-                  "no: they share more than corners and edges of both", "no: no two triangles of a mesh share a point"},
-                 s_.clash() ? 1 : 0,
-                 "Neighbours share a corner, or two corners and the edge between them. More than that is a fault."};
+    step.question = Question{
+        "May a mesh that bounds a solid have these two triangles?",
+        {"yes: all that they share is corners and edges of both",
+         "no: they share what is no corner and no edge of both", "no: no two triangles of a mesh share a point"},
+        s_.clash() ? 1 : 0,
+        "Neighbours share a corner, or two corners and the edge between them. Anything else is a fault."};
   return std::move(script_.walk());
 }
 
@@ -104,12 +116,10 @@ std::string Teller::reason() const {
     case Relation::disjoint:
       return "They have no common point, and the exact test says so, too.";
     case Relation::touching:
-      return "They meet, but in no point that is interior to both: they touch.\n"
-             "The interior of a triangle is what it has off its edges.";
+      return "They meet, but in no point that is interior to both: they touch.\n" + interior();
     case Relation::overlapping:
       return s_.one_plane() ? "Some points are interior to both: they overlap. In one plane they share a polygon."
-                            : "Some points are interior to both: they overlap.\n"
-                              "The interior of a triangle is what it has off its edges.";
+                            : "Some points are interior to both: they overlap.\n" + interior();
     case Relation::equal:
       return "They are the same set of points.";
     case Relation::a_inside_b:
@@ -120,12 +130,19 @@ std::string Teller::reason() const {
   return "All of b belongs to a.";
 }
 
+std::string Teller::interior() const {
+  return std::string("The interior of a triangle is what it has off its edges.") +
+         (s_.both_have_area() ? "" : " Without area it is a segment: its interior is what it has off its two ends.");
+}
+
 std::string Teller::in_a_mesh() const {
   std::string neighbours =
       "Neighbours in a mesh share corners and edges. So “they meet” is true of all neighbours, and shows no fault.\n";
-  if (found_ != s_.meet()) neighbours += "A check by rounded numbers alone would be misled here.\n";
+  if (found_ != s_.meet())
+    neighbours += std::string("A check by ") + (s_.both_have_area() ? "rounded numbers" : "this method") +
+                  " alone would be misled here.\n";
   if (!s_.both_have_area())
-    return neighbours + "A triangle without area is a fault by itself: such a mesh bounds no solid.";
+    return neighbours + "A triangle without area is a fault by itself: it has no normal, and so no side that is outer.";
   if (!s_.meet()) return neighbours + "These two have no common point: no fault.";
   const int shared = s_.shared_corners();
   const std::string corners = plural(shared, "corner");
@@ -133,7 +150,7 @@ std::string Teller::in_a_mesh() const {
     return neighbours +
            (shared == 0 ? "These two share no corner, and yet they meet"
                         : "These two share " + corners + ", and more than that") +
-           ": a mesh with them crosses itself.\n"
+           ": a mesh with them intersects itself.\n"
            "“Touching” is not enough to tell, either: the test must know which corners are shared.";
   return neighbours + "These two share " + corners + (shared == 2 ? " and the edge between them" : "") +
          ", and nothing else: no fault.";

@@ -36,6 +36,7 @@ class Teller : protected PictureTeller<Setup, Known> {
 
  private:
   std::string reason() const;
+  std::string interior() const;  ///< what the word means here
   std::string in_a_mesh() const;
 };
 

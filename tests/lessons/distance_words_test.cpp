@@ -93,7 +93,8 @@ TEST_CASE("the region of a point is that of its exact dot products", "[words]") 
     const Rational t = place(b_of(p).p, a);
     const Nearest exact = feature(a, t);
     const Step& first = *find(walk, "first-end");
-    REQUIRE(first.question);
+    CHECK(first.question.has_value() == (at(p, "p_a") != at(p, "q_a")));
+    if (!first.question) return;
     const bool misled = says(ending(walk).caption, "Rounding has moved");
     const int region = exact == Nearest::p ? 0 : exact == Nearest::q ? 1 : 2;
     if (!misled) CHECK(first.question->answer == region);
@@ -150,6 +151,42 @@ TEST_CASE("a place that the method finds for two segments is where rationals hav
     ++asked;
   });
   CHECK(asked > 20);
+}
+
+TEST_CASE("capsules without thickness are segments that meet, and do not touch", "[words]") {
+  const Changes equal = {{"p_b", "-2.5,-0.5,0"}, {"q_b", "0.5,-0.5,0"}, {"r_a", "0"}, {"r_b", "0"}, {"clearance", "0"}};
+  CHECK_THAT(find(with(id, "near", equal), "root")->caption, Contains("the capsules are their segments"));
+  const Changes far_enough = {{"r_a", "1"}, {"r_b", "0.25"}, {"clearance", "0"}};  // the segments are 1.25 apart
+  CHECK_THAT(find(with(id, "near", far_enough), "root")->caption, Contains("The capsules touch."));
+}
+
+TEST_CASE("lines are called parallel where they are, and rounding where it makes them so, or not so", "[words]") {
+  int parallel = 0, by_rounding = 0;
+  const auto check = [&](const Parameters& p, const Walk& walk) {
+    const Stretch3 a = a_of(p), b = b_of(p);
+    const bool a_point = oracle::dot(a.d, a.d) == 0 || oracle::dot(b.d, b.d) == 0;
+    const bool exactly = places_of_lines(a, b).determinant == 0;
+    if (const Step* step = find(walk, "parallel"); step && !a_point) {
+      CHECK(says(step->caption, "Parallel lines are equally far") == exactly);
+      CHECK(says(step->caption, "Rounding has made det 0") == !exactly);
+      (exactly ? parallel : by_rounding) += 1;
+    }
+    if (const Step* step = find(walk, "on-a")) CHECK(says(step->caption, "The segments are parallel") == exactly);
+    if (exactly) CHECK((!find(walk, "once") && !find(walk, "tilted")));
+    const std::string& told = find(walk, "features")->caption;
+    if (says(told, "The segments meet: exactly")) CHECK(distance2(p) == 0);
+  };
+  over_settings("segments", 200, check);
+  CHECK((parallel > 0 && by_rounding > 0));
+  // d_b is 3 d_a, exactly; rounding leaves det above 0
+  const Walk walk = with(id, "parallel",
+                         {{"p_a", "0,0,0"},
+                          {"q_a", "1.263999999999612,0,1.4390000000000214"},
+                          {"p_b", "0,1,0"},
+                          {"q_b", "3.7919999999988363,1,4.317000000000064"}});
+  REQUIRE(find(walk, "on-a"));
+  CHECK_THAT(find(walk, "on-a")->caption, Contains("The segments are parallel"));
+  CHECK_THAT(find(walk, "features")->caption, Contains("A whole interval of pairs"));
 }
 
 TEST_CASE("clamping once is told where it returns too large a distance, and only there", "[words]") {
@@ -234,7 +271,7 @@ TEST_CASE("capsules are near if the distance of their segments is at most the bo
     const bool said_near = says(walk.pseudocode[static_cast<std::size_t>(ending(walk).line)], "NEAR");
     CHECK(rounded == (said_near != (truth <= 0)));
     const bool touch = d2 == sum * sum, share = d2 <= sum * sum;
-    CHECK(says(ending(walk).caption, "The capsules touch") == touch);
+    CHECK(says(ending(walk).caption, "The capsules touch") == (touch && sum > 0));
     CHECK(says(ending(walk).caption, "share points") == (share && !touch));
     near += truth <= 0, far += truth > 0, below += bound < 0;
     if (const Step* squares = find(walk, "squares")) {

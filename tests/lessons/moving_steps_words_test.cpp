@@ -42,6 +42,24 @@ TEST_CASE("the times told of an axis are those at which its extents share points
   CHECK((axes > 200 && latest > 20 && asked > 30));
 }
 
+TEST_CASE("a distance is said to have fallen where it has", "[words]") {
+  int fallen = 0, risen = 0;
+  const auto look = [&](const Walk& walk) {
+    for (int k = 2;; ++k) {
+      const Step* const before = find(walk, "advance-" + std::to_string(k - 1));
+      const Step* const now = find(walk, "advance-" + std::to_string(k));
+      if (!before || !now) return;
+      const bool falls = value(*now, "distance") < value(*before, "distance");
+      CHECK(says(now->caption, "has fallen to") == falls);
+      CHECK(says(now->caption, "has not fallen") == !falls);
+      (falls ? fallen : risen) += 1;
+    }
+  };
+  over_settings("conservative", 300, [&](const Parameters&, const Walk& walk) { look(walk); });
+  look(with("moving-bodies", "steps", {{"v_a", "-1,0,0"}, {"v_b", "1,0,0"}}));
+  CHECK((fallen > 5 && risen > 0));
+}
+
 TEST_CASE("the signs that lead to first contact of balls are told as they are, or rounding is owned", "[words]") {
   int rounded = 0;
   over_settings("balls", 400, [&](const Parameters& p, const Walk& walk) {

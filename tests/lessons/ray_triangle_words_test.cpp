@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include <isect/methods/ray_triangle.h>
 #include "bench/rational.h"
@@ -295,6 +296,37 @@ TEST_CASE("nearly parallel to the plane t loses digits, and the lesson says so",
   CHECK_FALSE(lesson(id).opinions(preset(lesson(id), "grazing").parameters)[1].agrees);
   CHECK_THAT(find(walk_of(id, "grazing"), "hit")->caption, Contains("Rounding has cost"));
   CHECK_FALSE(says(find(walk_of(id, "face"), "hit")->caption, "Rounding"));
+  CHECK_THAT(find(walk_of(id, "grazing"), "hit")->caption, Contains("nearly parallel to the plane"));
+  // A needle that the ray meets steeply: its two edges are nearly parallel, the ray and the plane are not.
+  const Walk needle = with(id, "face",
+                           {{"a", "-1.3,-0.7,0.1"},
+                            {"b", "0.9,0.4,0.3"},
+                            {"c", "2,0.950000000005,0.4"},
+                            {"o", "-0.12500000000000006,0.58750000000125,-1.975"},
+                            {"d", "0.1,-0.3,1.1"}});
+  REQUIRE(find(needle, "hit"));
+  CHECK_THAT(find(needle, "hit")->caption, Contains("Rounding has cost"));
+  CHECK_FALSE(says(find(needle, "hit")->caption, "nearly parallel"));
+}
+
+TEST_CASE("lines of one weight are spoken of where they are drawn, and a ray is aimed where an edge parts answers",
+          "[words]") {
+  int drawn = 0, left_out = 0;
+  over_settings(false, 300, [&](const Parameters&, const Walk& walk) {
+    for (const auto& [slug, name, words] :
+         {std::tuple("weight-u", "*u*", "The line drawn"), std::tuple("weight-v", "*v*", "The two lines cross")})
+      if (const Step* const step = find(walk, slug)) {
+        const bool near = std::abs(value(*step, name)) < 3;
+        CHECK(says(step->caption, words) == near);
+        (near ? drawn : left_out) += 1;
+      }
+  });
+  CHECK((drawn > 10 && left_out > 0));
+  CHECK_THAT(find(walk_of(id, "seam-hole"), "seam")->caption, Contains("is aimed at it"));
+  CHECK_THAT(find(with(id, "seam-hole", {{"b", "-0.26,0.92,-0.28"}}), "seam")->caption,
+             Contains("no edge between them"));
+  const Walk folded = with(id, "seam-hole", {{"q", "-1,-1,-0.5"}});  // beyond bc it misses both
+  CHECK_FALSE(says(find(folded, "seam")->caption, "is aimed at it"));
 }
 
 TEST_CASE("the numbers of the exercises on triangles are right", "[words]") {

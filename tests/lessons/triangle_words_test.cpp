@@ -146,7 +146,7 @@ TEST_CASE("what is said of the sides of corners is true of their exact signs", "
       const auto zeros = std::ranges::count(s, 0);
       const bool one_side = least == 0 || most == 0;
       CHECK(says(told, "One corner of") == (zeros == 1 && one_side));
-      CHECK(says(told, "An edge of") == (zeros == 2));
+      CHECK(says(told, "An edge of") == (zeros == 2 && has_area(of[which])));
       seen.insert(told.substr(0, 12));
       if (step->question) CHECK(step->question->answer == (on_one_side(s) ? 0 : least == 0 && most == 0 ? 3 : 2));
     }
@@ -204,6 +204,52 @@ TEST_CASE("a mesh may have two triangles that share no more than corners and edg
     answers.insert(step.question->answer);
   });
   CHECK(answers.size() == 2);
+}
+
+TEST_CASE("a line of both planes is spoken of where both triangles have one and reach it", "[words]") {
+  std::map<bool, int> seen;
+  const auto check = [&](const Parameters& p, const Walk& walk) {
+    const Corners a = corners(triangle(p, "a")), b = corners(triangle(p, "b"));
+    const auto reaches = [](const Corners& plane, const Corners& x) {
+      const auto s = sides(plane, x);
+      return !on_one_side(s) && std::ranges::count(s, 0) < 3;
+    };
+    const bool has_line = has_area(a) && has_area(b) && reaches(a, b) && reaches(b, a);
+    for (const char* slug : {"line", "order"}) {
+      const Step* step = find(walk, slug);
+      if (!step) continue;
+      CAPTURE(step->caption);
+      CHECK(says(step->caption, "meet in a line (dashed)") == has_line);
+      if (std::string(slug) == "order") CHECK(step->question.has_value() == has_line);
+      ++seen[has_line];
+    }
+    if (const Step* step = find(walk, "sides")) {
+      CHECK(says(step->caption, "are not all axes") == !(has_area(a) && has_area(b)));
+      if (says(step->caption, "separating axis"))
+        CHECK(relation(triangle(p, "a"), triangle(p, "b")) == Relation::disjoint);
+      if (says(step->caption, "no axis separates"))
+        CHECK(relation(triangle(p, "a"), triangle(p, "b")) != Relation::disjoint);
+    }
+    const std::string& told = find(walk, "relation")->caption;
+    if (says(told, "The interior of")) CHECK(says(told, "it is a segment") == !(has_area(a) && has_area(b)));
+  };
+  over_settings(150, check);
+  over_a_grid(400, check);
+  CHECK(seen[true] > 30);
+  CHECK(seen[false] > 2);
+}
+
+TEST_CASE("a triangle without area that crosses a plane has no line of both planes", "[words]") {
+  for (const char* of : {"crossing", "signs-crossing"}) {
+    Parameters p = preset(lesson(id), of).parameters;
+    p["a1"] = p["a2"];
+    const Walk walk = lesson(id).walk(p);
+    const bool by_signs = text(p, "method") == "signs";
+    INFO(of);
+    REQUIRE(find(walk, by_signs ? "order" : "sides"));
+    CHECK_THAT(find(walk, by_signs ? "order" : "sides")->caption,
+               Contains(by_signs ? "there is no line of both planes" : "are not all axes"));
+  }
 }
 
 TEST_CASE("presets of two triangles are what their names say", "[words]") {
