@@ -149,8 +149,8 @@ class LessonWriter {
   }
 
   static std::string line(const viz::LineText& line) {
-    return inked(Ink::mark, fmt::format("  ▸ line {}:  {}{}", line.number, line.code, line.refused ? "   (no)" : "")) +
-           "\n\n";
+    const std::string said = line.said.empty() ? "" : fmt::format("   ({})", line.said);
+    return inked(Ink::mark, fmt::format("  ▸ line {}:  {}{}", line.number, line.code, said)) + "\n\n";
   }
 
   /// Returns the values that a step computes, or `all`: known ones were told before, so only the first step told has
