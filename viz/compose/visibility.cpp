@@ -130,6 +130,50 @@ bool seen_apart(const Vec3& from, const Vec3& to, const View& view, const Vec3& 
   return (a + t * d).norm() > more * radius + 1e-9 * (from.norm() + to.norm());
 }
 
+/// Screens by where the eye sees them along a segment: of the many facets of a mesh that cross it, few lie at each
+/// point of it.
+class ScreensAlong {
+ public:
+  ScreensAlong(const Vec3& from, const Vec3& to, const View& view, const std::vector<Polygon<double, 3>>& screens)
+      : view_(view), from_(view.project(from).at), way_(view.project(to).at - from_), parts_(screens.size()) {
+    const bool seen = is_before_the_eye(from) && is_before_the_eye(to) && way_.squaredNorm() > 1;  // pixels
+    for (const Polygon<double, 3>& screen : screens) {
+      double lo = HUGE_VAL, hi = -HUGE_VAL;
+      bool known = seen;
+      for (const Ring<double, 3>& ring : screen.rings)
+        for (const Vec3& p : ring)
+          lo = std::min(lo, share(p)), hi = std::max(hi, share(p)), known = known && is_before_the_eye(p);
+      constexpr double doubt = 1e-6;
+      if (!known || !(lo <= hi))
+        anywhere_.push_back(&screen);
+      else if (hi > -doubt && lo < 1 + doubt)
+        for (std::size_t i = part(lo - doubt); i <= part(hi + doubt); ++i) parts_[i].push_back(&screen);
+    }
+  }
+
+  /// Whether `test` is true of a screen that the eye may see at the segment's point p.
+  bool any(const Vec3& p, const auto& test) const {
+    const auto holds = [&](const Polygon<double, 3>* screen) { return test(*screen); };
+    return std::ranges::any_of(anywhere_, holds) || std::ranges::any_of(parts_[part(share(p))], holds);
+  }
+
+ private:
+  bool is_before_the_eye(const Vec3& p) const {
+    return !view_.camera().perspective || view_.project(p).depth > 1e-4 * (p - view_.eye()).norm();
+  }
+  /// Returns which share of the way from the segment's begin to its end has been gone beside p, as the eye sees it.
+  double share(const Vec3& p) const { return (view_.project(p).at - from_).dot(way_) / way_.squaredNorm(); }
+  std::size_t part(double gone) const {
+    const double parts = static_cast<double>(parts_.size());
+    return gone > 0 ? static_cast<std::size_t>(std::min(gone * parts, parts - 1)) : 0;
+  }
+
+  const View& view_;
+  Vec2 from_, way_;
+  std::vector<std::vector<const Polygon<double, 3>*>> parts_;
+  std::vector<const Polygon<double, 3>*> anywhere_;
+};
+
 /// What may hide part of a segment, or of a circle of radius `reach` about a point. Ball number `own` is left out.
 struct Near {
   Near(const Vec3& from, const Vec3& to, const View& view, const Occluders& all, double reach = 0, int own = -1)
@@ -151,7 +195,13 @@ struct Near {
   std::vector<Capsule<double, 3>> capsules;
   std::vector<const Shell*> solids;
   const std::vector<Polygon<double, 3>>& screens;
+  std::optional<ScreensAlong> along = {};  ///< where it is a segment, with many screens
 };
+
+bool any_screen(const Occluders& all, const Vec3&, const auto& test) { return std::ranges::any_of(all.screens, test); }
+bool any_screen(const Near& near, const Vec3& p, const auto& test) {
+  return near.along ? near.along->any(p, test) : std::ranges::any_of(near.screens, test);
+}
 
 const Shell& of(const Shell& solid) { return solid; }
 const Shell& of(const Shell* solid) { return *solid; }
@@ -176,9 +226,9 @@ bool hidden_among(const Vec3& p, const View& view, const auto& among, int own) {
       return true;
   const double beyond = drawn_in * std::max(view.camera().half_height, p.norm());  // p may lie on the screen itself
   const Ray<double, 3> past_own = {p, direction, {beyond, to_eye}};
-  for (const Polygon<double, 3>& screen : among.screens)
-    if (!misses(past_own, screen) && intersect(past_own, screen).t) return true;
-  return false;
+  return any_screen(among, p, [&](const Polygon<double, 3>& screen) {
+    return !misses(past_own, screen) && intersect(past_own, screen).t.has_value();
+  });
 }
 
 /// Returns the places to test on a segment.
@@ -256,7 +306,9 @@ bool hidden(const Vec3& p, const View& view, const Occluders& occluders, int own
 
 std::vector<Stretch> stretches(const Vec3& from, const Vec3& to, const View& view, const Occluders& occluders) {
   const auto at = [&](double s) -> Vec3 { return s == 1 ? to : Vec3(from + s * (to - from)); };
-  const Near near(from, to, view, occluders);
+  constexpr std::size_t few = 64;
+  Near near(from, to, view, occluders);
+  if (near.screens.size() > few) near.along.emplace(from, to, view, near.screens);
   std::vector<Stretch> parts = split(
       at, [&](const Vec3& p) { return hidden_among(p, view, near, -1); }, places(from, to, view, near));
   for (Stretch& part : parts) part.points = {part.points.front(), part.points.back()};
