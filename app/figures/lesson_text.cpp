@@ -143,7 +143,10 @@ class LessonWriter {
       if (const std::string value = plain(v.name + " = " + v.digits);
           v.fresh && !v.in_formula && plain(told.title) != value)
         out += " " + value + ".";
-    if (told.comparison) out += " " + in_words(*told.comparison);
+    if (told.comparison)
+      out += " " + in_words(*told.comparison);
+    else if (told.line && !told.line->said.empty())
+      out += fmt::format(" Line {}: {}.", told.line->number, told.line->said);
     std::ranges::replace(out, '\n', ' ');
     return paragraph(out) + "\n" + points(step);
   }
