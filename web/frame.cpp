@@ -121,6 +121,7 @@ Json BrowserSession::frame(Drawn how, const viz::Moved& moved) {
                 {"opinions", told.opinions()},
                 {"outcome", told.outcome()},
                 {"line", p.shown().line},
+                {"said", told.said(here)},
                 {"refused", p.shown().refused},
                 {"untaken", p.shown().untaken},
                 {"handles", handles()},

@@ -89,11 +89,13 @@
     show_picture();
   }
 
-  /// The code and the links, for a station of a walk: `lines` are what data-line, data-refused and data-untaken say.
+  /// The code and the links, for a station of a walk: `lines` are what data-line, data-said, data-refused and
+  /// data-untaken say.
   function light_code(section, lines) {
     [...section.querySelectorAll("ol.code li")].forEach((line, i) => {
       line.classList.toggle("current", lines.line === i);
-      line.classList.toggle("no", lines.refused.includes(i));
+      line.classList.toggle("yes", lines.line === i && lines.said === "yes");
+      line.classList.toggle("no", lines.line === i ? lines.said === "no" : lines.refused.includes(i));
       line.classList.toggle("untaken", lines.untaken.includes(i));
       if (lines.line === i) line.setAttribute("aria-current", "step");
       else line.removeAttribute("aria-current");
@@ -139,7 +141,7 @@
     walk.classList.toggle("over", at === list.length - 1);
     const numbers = name => (article.dataset[name] ?? "").split(" ").filter(Boolean).map(Number);
     light_code(walk, {
-      line: numbers("line")[0] ?? -1, refused: numbers("refused"), untaken: numbers("untaken")
+      line: numbers("line")[0] ?? -1, said: article.dataset.said ?? "", refused: numbers("refused"), untaken: numbers("untaken")
     });
     if (live) return;
     mark_link(walk.id);

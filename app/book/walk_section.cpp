@@ -10,6 +10,7 @@
 #include "app/pages/html.h"
 #include "viz/formats/svg_path.h"
 #include "viz/text/rich_text.h"
+#include "viz/walk/branch.h"
 #include "viz/walk/closing.h"
 #include "viz/walk/given_answer.h"
 #include "viz/walk/given_order.h"
@@ -93,12 +94,17 @@ std::string WalkSection::attributes(const Station& at) const {
   const viz::Step& s = at.asks ? asked : walk_.steps[at.step];
   std::string out;
   if (s.line >= 0) out += fmt::format(" data-line=\"{}\"", s.line);
+  if (const std::string yes_or_no = said(at); !yes_or_no.empty()) out += fmt::format(" data-said=\"{}\"", yes_or_no);
   if (!s.refused.empty()) out += fmt::format(" data-refused=\"{}\"", listed(s.refused));
   if (!s.untaken.empty()) out += fmt::format(" data-untaken=\"{}\"", listed(s.untaken));
   if (s.decides) out += " data-decides";
   if (const std::string name = at.asks ? asked_name(at.step) : ""; !name.empty())
     out += fmt::format(" data-asked=\"{}\"", xml_escaped(name));
   return out;
+}
+
+std::string WalkSection::said(const Station& at) const {
+  return at.asks ? std::string() : viz::said_at_line(viz::taken(walk_, at.step));
 }
 
 std::string WalkSection::asked_name(int step) const {
@@ -195,7 +201,7 @@ std::string WalkSection::numbers(const viz::StepText& told) const {
   std::string out;
   if (const auto& line = told.line)
     out += fmt::format("<p class=\"line\">Line {} <code>{}</code>{}</p>\n", line->number, code(line->code),
-                       line->refused ? " <b class=\"refused\">no</b>" : "");
+                       line->said.empty() ? "" : fmt::format(" <b class=\"said {0}\">{0}</b>", line->said));
   out += values(told.values);
   if (const auto& c = told.comparison)
     out += fmt::format("<p class=\"comparison {}\">{} <b>{}</b> {}</p>\n", c->holds ? "yes" : "no", text(c->question),

@@ -52,6 +52,9 @@ class WalkSection {
   std::string below(const Station&) const;
   /// Returns the attributes of its element: which lines of code are lit, what a question is called.
   std::string attributes(const Station&) const;
+  /// Returns what the lit line says of its condition: "yes" or "no", empty where it says nothing. No line is lit while
+  /// a question is open.
+  std::string said(const Station&) const;
   /// Returns the lesson, a space and the name of the question before a step (viz/walk/review.h): what review.js keeps
   /// an answer under. Empty for scenes from files.
   std::string asked_name(int step) const;

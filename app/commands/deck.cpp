@@ -67,7 +67,7 @@ class Slides {
 
   void show(const viz::StepText& told, int index) {
     Slide slide = {told.title, {picture_(index, false)}, {}, {}};
-    if (told.line && !e_.walk.steps[index].scene.chart) slide.right.push_back(code(e_, told.line->number - 1));
+    if (told.line && !e_.walk.steps[index].scene.chart) slide.right.push_back(code(e_, told.line));
     slide.below.push_back(Prose{told.own_caption});  // the opening has a slide of its own
     all_.push_back(std::move(slide));
   }

@@ -29,6 +29,7 @@ constexpr const char* html_style =
     "figure { margin: 1em 0; text-align: center; break-inside: avoid; } img { max-width: 100%; }\n"
     "ol.code { font: 10pt/1.35 monospace; } ol.code li { white-space: pre-wrap; padding-left: 2em; text-indent: -2em; "
     "}\n"
+    "ol.code .current { background: #ffef9e; }\n"
     "ol.choices { list-style: lower-alpha; }\n</style>\n";
 
 /// Returns the steps in order; a step's question stands before its picture, which shows the answer. `drawn`: the
@@ -49,6 +50,8 @@ Blocks contents(const Excerpt& e, const std::set<int>& drawn) {
     all.push_back(Heading{fmt::format("{}. {}", index + 1, told.title)});  // a title may tell the answer
     all.push_back(image_of(info_of(e, index)));
     all.push_back(Prose{told.caption});
+    if (told.line && !told.line->said.empty() && !e.walk.steps[index].scene.chart)
+      all.push_back(line_alone(e, *told.line));
     if (e.walk.steps[index].slug != viz::closing_slug) continue;
     int exercises = 0;
     for (const viz::Exercise& x : e.lesson->closing->exercises) {

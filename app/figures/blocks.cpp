@@ -111,10 +111,16 @@ Code code(const std::vector<std::string>& pseudocode, const viz::Lesson& lesson,
 
 }  // namespace
 
-Code code(const Excerpt& e, int current) {
+Code code(const Excerpt& e, const std::optional<viz::LineText>& lit) {
   Code all = code(e.walk.pseudocode, *e.lesson, e.walk);
-  all.current = current;
+  if (lit) all.current = lit->number - 1, all.said = lit->said;
   return all;
+}
+
+Code line_alone(const Excerpt& e, const viz::LineText& line) {
+  Code alone = code({line.code}, *e.lesson, e.walk);
+  alone.current = 0, alone.said = line.said, alone.first = line.number;
+  return alone;
 }
 
 Blocks shown_program(const viz::Lesson& lesson, const viz::Exercise& e) {

@@ -21,6 +21,8 @@ struct Prose {
 struct Code {
   std::vector<std::string> lines;  ///< markup, except for the spaces that indent them
   int current = -1;
+  std::string said = {};  ///< at its end: "yes", "no"
+  int first = 1;          ///< the number of the first line
 };
 struct Image {
   std::string stem;  ///< beside the page: stem.tikz, stem.svg
@@ -61,7 +63,9 @@ Blocks question(const viz::QuestionText&, const std::string& head = {});
 Prose answer(const viz::QuestionText&, const std::string& head = {});
 /// Returns the pseudocode with its errata, if there is any.
 Blocks algorithm(const Excerpt&);
-/// Returns the pseudocode.
-Code code(const Excerpt&, int current = -1);
+/// Returns the pseudocode, this line of it lit, if one is.
+Code code(const Excerpt&, const std::optional<viz::LineText>& lit = {});
+/// Returns the lit line alone, without its indentation.
+Code line_alone(const Excerpt&, const viz::LineText&);
 
 }  // namespace isect::program

@@ -143,14 +143,17 @@ class LessonWriter {
       if (const std::string value = plain(v.name + " = " + v.digits);
           v.fresh && !v.in_formula && plain(told.title) != value)
         out += " " + value + ".";
-    if (told.comparison) out += " " + in_words(*told.comparison);
+    if (told.comparison)
+      out += " " + in_words(*told.comparison);
+    else if (told.line && !told.line->said.empty())
+      out += fmt::format(" Line {}: {}.", told.line->number, told.line->said);
     std::ranges::replace(out, '\n', ' ');
     return paragraph(out) + "\n" + points(step);
   }
 
   static std::string line(const viz::LineText& line) {
-    return inked(Ink::mark, fmt::format("  ▸ line {}:  {}{}", line.number, line.code, line.refused ? "   (no)" : "")) +
-           "\n\n";
+    const std::string said = line.said.empty() ? "" : fmt::format("   ({})", line.said);
+    return inked(Ink::mark, fmt::format("  ▸ line {}:  {}{}", line.number, line.code, said)) + "\n\n";
   }
 
   /// Returns the values that a step computes, or `all`: known ones were told before, so only the first step told has

@@ -20,10 +20,12 @@ struct AsHtml {
     return out;
   }
   std::string operator()(const Code& c) const {
-    std::string out = "<ol class=\"code\">\n";
-    for (std::size_t i = 0; i < c.lines.size(); ++i)
-      out += fmt::format("<li{}>{}</li>\n", static_cast<int>(i) == c.current ? " class=\"current\"" : "",
-                         html_text(c.lines[i]));
+    std::string out = fmt::format("<ol class=\"code\"{}>\n", c.first == 1 ? "" : fmt::format(" start=\"{}\"", c.first));
+    for (std::size_t i = 0; i < c.lines.size(); ++i) {
+      const bool lit = static_cast<int>(i) == c.current;
+      out += fmt::format("<li{}>{}{}</li>\n", lit ? " class=\"current\"" : "", html_text(c.lines[i]),
+                         lit && !c.said.empty() ? fmt::format("  <b>{}</b>", c.said) : "");
+    }
     return out + "</ol>\n";
   }
   std::string operator()(const Image& image) const {

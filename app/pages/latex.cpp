@@ -36,9 +36,11 @@ struct AsLatex {
   std::string operator()(const Code& c) const {
     std::string out = "{\\raggedright\n";
     for (std::size_t i = 0; i < c.lines.size(); ++i) {
-      const std::string line =
-          fmt::format("\\hangindent=3em \\makebox[1.3em][r]{{\\scriptsize {}}}\\quad {}", i + 1, indented(c.lines[i]));
-      out += static_cast<int>(i) == c.current ? lit(line) : line + "\\par\n";
+      const bool current = static_cast<int>(i) == c.current;
+      const std::string said = current && !c.said.empty() ? fmt::format("\\quad\\textbf{{{}}}", c.said) : "";
+      const std::string line = fmt::format("\\hangindent=3em \\makebox[1.3em][r]{{\\scriptsize {}}}\\quad {}{}",
+                                           c.first + static_cast<int>(i), indented(c.lines[i]), said);
+      out += current ? lit(line) : line + "\\par\n";
     }
     return out + "}\n";
   }

@@ -71,7 +71,7 @@ class Equality {
         std::string("axis-") + "xyz"[e.axis], "Equal on " + axis + "?", 1, caption(a, b, e.axis), e.axis,
         "*p*" + i + " = " + digits(a, b) +
             (std::isnan(b) ? " ≠ *q*" + i + ", no number" : (e.equal ? " = " : " ≠ ") + digits(b, a) + " = *q*" + i));
-    step.decides = true;
+    step.decides = !e.equal || e.axis == 2;  // the line would say yes otherwise: an equal coordinate settles nothing
     // EQUAL too early: that one equal coordinate is enough. DIFFERENT: that 0 and −0 are different numbers.
     step.question = Question{
         fmt::format("The coordinates on {} are compared: *p*{} = {}{}. What follows?", axis, i, digits(a, b),

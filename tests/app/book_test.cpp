@@ -8,6 +8,7 @@
 #include "lessons/lessons.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
+#include "viz/walk/branch.h"
 #include "viz/walk/closing.h"
 #include "viz/walk/review.h"
 
@@ -128,15 +129,22 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
     CHECK(at > last);  // in the order of the course
     last = at;
     const std::string page = contents(site / (lesson->id + ".html"));
-    int steps = 0, questions = 0;
+    int steps = 0, questions = 0, said = 0;
     for (const isect::viz::Preset& p : lesson->presets) {
       CHECK_THAT(page, Contains("id=\"" + p.id + "\"") && Contains("href=\"#" + p.id + "\""));
       const isect::viz::Walk walk = lesson->walk(p.parameters);
       for (const isect::viz::Step& step : walk.steps) {
         steps += step.slug != isect::viz::closing_slug;
         questions += bool(step.question);
+        if (step.slug != isect::viz::closing_slug)
+          said += isect::viz::taken(walk, static_cast<int>(&step - walk.steps.data())).has_value();
       }
     }
+    CHECK(count(page, " data-said=\"") == said);
+    CHECK(count(page, "<b class=\"said ") == said);  // without scripts, too
+    for (std::size_t ask = page.find("<article class=\"ask\""); ask != page.npos;
+         ask = page.find("<article class=\"ask\"", ask + 1))
+      CHECK_THAT(page.substr(ask, page.find('>', ask) - ask), !Contains("data-said") && !Contains("data-line"));
     CHECK(count(page, "<article class=\"step") == steps);
     CHECK(count(page, "<article class=\"ask\"") == questions);
     CHECK(count(page, "<svg class=\"picture\"") == steps + questions);
@@ -163,6 +171,22 @@ TEST_CASE("a program with a wrong line has its lines as code, and its correction
                     folded = exercises.find("<details><summary>Correction</summary>");
   CHECK((code < folded && folded < correction));
   CHECK(exercises.substr(folded, correction - folded).find("</details>") == exercises.npos);
+}
+
+TEST_CASE("the lit line of a page's step says yes or no", "[book]") {
+  const Shell shell;
+  REQUIRE(shell("isect book ray-sphere --single").status == 0);
+  const std::string page = contents(shell.work() / "book/ray-sphere.html");
+  const auto article = [&](const std::string& id) {
+    const std::size_t from = page.find("<article class=\"step\" id=\"" + id + "\"");
+    REQUIRE(from != page.npos);
+    return page.substr(from, page.find("</article>", from) - from);
+  };
+  CHECK_THAT(article("two-roots/4"),
+             Contains(" data-line=\"3\" data-said=\"no\"") && Contains("<b class=\"said no\">no</b>"));
+  CHECK_THAT(article("two-roots/8"),
+             Contains(" data-line=\"9\" data-said=\"yes\"") && Contains("<b class=\"said yes\">yes</b>"));
+  CHECK_THAT(article("two-roots/7"), Contains(" data-line=\"8\"") && !Contains("data-said"));
 }
 
 TEST_CASE("a question stands before its step, and its picture does not tell what comes out", "[book]") {

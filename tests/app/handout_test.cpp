@@ -64,6 +64,28 @@ TEST_CASE("the solutions of a deck stand behind all its exercises, each with its
   CHECK_THAT(answers, Contains("<b>Exercise 1.</b>") && Contains("<b>Exercise 2.</b>"));
 }
 
+TEST_CASE("the lit line of a handout's or a deck's step says yes or no", "[handout]") {
+  const Shell shell;
+  for (const std::string kind : {"handout", "deck"}) {
+    INFO(kind);
+    REQUIRE(shell("isect " + kind + " ray-sphere --step 4,7,8 --out out").status == 0);
+    const std::string stem = (shell.work() / "out/ray-sphere/two-roots" / kind).string();
+    const std::string tex = contents(stem + ".tex"), html = contents(stem + ".html");
+    const auto times = [](const std::string& text, const std::string& what) {
+      int found = 0;
+      for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++found;
+      return found;
+    };
+    CHECK(times(tex, "\\quad\\textbf{yes}") == 1);
+    CHECK(times(tex, "\\quad\\textbf{no}") == 1);
+    CHECK(times(html, "  <b>yes</b></li>") == 1);
+    CHECK(times(html, "  <b>no</b></li>") == 1);
+    CHECK(times(html, "<li class=\"current\">") == (kind == "deck" ? 3 : 2));
+  }
+  const std::string html = contents(shell.work() / "out/ray-sphere/two-roots/handout.html");
+  CHECK_THAT(html, Contains("<ol class=\"code\" start=\"10\">\n<li class=\"current\">if "));
+}
+
 TEST_CASE("a handout is never written over a file of somebody else's", "[handout]") {
   const Shell shell;
   const auto mine = shell.work() / "handouts/ray-sphere/two-roots/handout.tex";

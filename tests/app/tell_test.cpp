@@ -132,7 +132,8 @@ TEST_CASE("explain tells a step in eighty columns", "[explain]") {
   CHECK(r.status == 0);
   CHECK(r.err.empty());
   CHECK_THAT(r.out, Contains("Which root comes first?") && Contains("10  if l² > r²") &&
-                        Contains("▸ line 10:  if l² > r²") && Contains("q = 1.0837") && Contains("Setting:") &&
+                        Contains("▸ line 10:  if l² > r² or (l² = r² and s > 0)   (yes)") && Contains("q = 1.0837") &&
+                        Contains("Setting:") &&
                         Contains("Question 5:"));  // its number in the whole walk, as in a handout
   CHECK(r.out.find("Answers\n") > r.out.find("Question 5:"));
   CHECK(widest(r.out) <= 80);

@@ -71,6 +71,8 @@ const shown = `(() => {
   return { count: all.length, id: all.at(-1)?.id ?? "", hash: location.hash,
     line: document.querySelectorAll(".walk.shown ol.code .current").length,
     wanted: all.at(-1)?.dataset.line ?? null,
+    said: getComputedStyle(document.querySelector(".walk.shown ol.code .current") ?? document.body, "::after").content.replace(/[" ]/g, "").replace(/^(none|normal)$/, ""),
+    to_say: all.at(-1)?.dataset.said ?? "",
     end: document.querySelector(".transport .next").disabled };
 })()`;
 
@@ -109,6 +111,7 @@ try {
         check(decodeURIComponent(now.hash) === "#" + now.id, `${at}: the address is ${now.hash}`);
         if (now.id && !now.id.endsWith("/question"))
           check(now.line === (now.wanted === null ? 0 : 1), `${at}: ${now.line} lines are lit`);
+        check(now.said === now.to_say, `${at}: the lit line says "${now.said}", and not "${now.to_say}"`);
         check(now.end === (i + 1 === articles), `${at}: the end is ${now.end}`);
         if (now.id.endsWith("/question")) {
           const told = await browser.ask(`({ named: getComputedStyle(document.querySelector(".walk.shown > h2")).visibility === "visible",

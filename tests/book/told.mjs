@@ -38,18 +38,21 @@ function difference(a, b) {
   const x = a.split("\n"), y = b.split("\n");
   return x.flatMap((line, i) => line === y[i] ? [] : [`  native ${line}`, `  live   ${y[i] ?? ""}`]).slice(0, 8).join("\n");
 }
-let stations = 0, last_place = 0;
+let stations = 0, last_place = 0, said_in_all = 0;
 const wrong = [];
 for (const page of readdirSync(folder).filter(name => name.endsWith(".html")).sort()) {
   const source = readFileSync(join(folder, page), "utf8"), lesson = source.match(/data-lesson="([^"]*)"/)?.[1];
   if (!lesson) continue;
   const scenes = lesson === "scene", ask = scenes ? of_scenes : of_lessons;
   for (const [, preset, walk] of source.matchAll(/<section class="walk[^"]*" id="([^"]*)">([^]*?)<\/section>/g)) {
-    const articles = [...walk.matchAll(/<article class="(?:ask|step)[^"]*" id="([^"]*)"[^>]*>\n([^]*?)<\/article>/g)];
+    const articles = [...walk.matchAll(/<article class="(?:ask|step)[^"]*" id="([^"]*)"([^>]*)>\n([^]*?)<\/article>/g)];
     let frame = ask({ do: "open", ...(scenes ? { scene: text(walk.match(/<pre>([^]*?)<\/pre>/)[1]) } : { lesson, preset }) });
-    articles.forEach(([, id, body], at) => {
+    articles.forEach(([, id, attributes, body], at) => {
       if (at > 0) frame = ask({ do: "go", at });
       ++stations;
+      const line = Number(attributes.match(/ data-line="(\d+)"/)?.[1] ?? -1), said = attributes.match(/ data-said="(\w+)"/)?.[1] ?? "";
+      if (said !== "") ++said_in_all;
+      if (line !== frame.line || said !== frame.said) wrong.push(`${lesson} ${id}: line ${line} says "${said}", live line ${frame.line} "${frame.said}"`);
       const [above, below] = body.replace(/<figure[^]*<\/figure>\n/, "\u0000").split("\u0000");
       const kept = boxes[lesson]?.includes(preset) ? without_boxes : text => text;
       const written = kept(plain(below === undefined ? above : above + below)), told = kept(plain((frame.above ?? "") + (frame.below ?? "")));
@@ -63,4 +66,4 @@ for (const page of readdirSync(folder).filter(name => name.endsWith(".html")).so
 }
 wrong.slice(0, 12).forEach(text => console.log(text));
 console.log(`${stations} stations, ${last_place} differ in last places, ${wrong.length} otherwise`);
-process.exitCode = wrong.length === 0 && stations > 100 ? 0 : 1;
+process.exitCode = wrong.length === 0 && stations > 100 && said_in_all > 20 ? 0 : 1;

@@ -236,6 +236,55 @@ TEST_CASE("a named line is hidden where it runs behind a mesh or in it", "[compo
   CHECK(dashed(-1, "") == 0);  // part of a lesson's picture, which is drawn over its mesh
 }
 
+namespace {
+
+/// A square of 2 n^2 facets from (-half, -half, 0) to (half, half, 0).
+Mesh wall(int n, double half) {
+  Mesh mesh;
+  for (int i = 0; i <= n; ++i)
+    for (int k = 0; k <= n; ++k) mesh.vertices.emplace_back(half * (2.0 * i / n - 1), half * (2.0 * k / n - 1), 0);
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k) {
+      const int a = i * (n + 1) + k, b = a + n + 1;
+      mesh.triangles.push_back({a, b, b + 1}), mesh.triangles.push_back({a, b + 1, a + 1});
+    }
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("a mesh of 20,000 facets hides what lies behind it, and a solid before it is cut out of it", "[compose]") {
+  Camera front;
+  front.azimuth = 0, front.elevation = 0, front.half_height = 3;
+  for (const bool perspective : {false, true}) {
+    CAPTURE(perspective);
+    front.perspective = perspective;
+    const View view(front, 600, 600);
+    const auto dashed = [&](int n, double z) {
+      const Line line = {{-2, 0.107, z}, {2, 0.107, z}, Role::first, Pen::solid, "**r**"};
+      Mesh behind = wall(n, 1);
+      behind.role = Role::second;
+      return dashed_and_solid(together({behind}, {line}), view).first;
+    };
+    CHECK(dashed(100, -1) == Approx(dashed(1, -1)).epsilon(1e-6));  // as behind a mesh of two facets
+    CHECK(dashed(1, -1) > 100);
+    CHECK(dashed(100, 1) == 0);
+  }
+  front.perspective = false;
+  const auto cut_out = [&](int n, double x) {
+    const Theme style = theme(ThemeName::grey, 600, 600);
+    const Vec3 at(x, 0.027, 0.5);
+    const Scene scene = together({wall(n, 2)}, {box(at, 0.1, Role::second)});
+    int found = 0;
+    for (const Fill& fill : all<Fill>(compose(scene, View(front, 600, 600), style).shapes))
+      found += fill.colour.a == 1 && fill.colour.r == style.background.r;
+    return found;
+  };
+  CHECK(cut_out(100, 0.013) > 0);
+  CHECK(cut_out(100, 0.013) == cut_out(1, 0.013));
+  CHECK(cut_out(100, 2.5) == 0);
+}
+
 TEST_CASE("grey print hatches the second object, other themes shade it", "[compose]") {
   Scene scene;
   scene.items = {Ball{{0, 0, 0}, 1, Role::second}};

@@ -4,7 +4,10 @@
 
 #include "tests/catch.h"
 #include "tests/viz/sample_lesson.h"
+#include "viz/chart/case_map.h"
 #include "viz/text/rich_text.h"
+#include "viz/walk/branch.h"
+#include "viz/walk/closing.h"
 
 namespace step_text_test {
 using namespace isect::viz;
@@ -22,7 +25,7 @@ TEST_CASE("a step says its line, its values and its comparison", "[step_text]") 
   REQUIRE(told.line);
   CHECK(told.line->number == 3);
   CHECK(told.line->code == "if l² > r²");
-  CHECK(told.line->refused);
+  CHECK(told.line->said == "no");
   REQUIRE(told.values.size() == 2);
   CHECK((told.values[0].name == "*l*^2" && told.values[0].digits == "0.5" && !told.values[0].fresh));
   CHECK((told.values[1].digits == "2.25" && told.values[1].fresh));
@@ -30,6 +33,39 @@ TEST_CASE("a step says its line, its values and its comparison", "[step_text]") 
   CHECK(told.comparison->question == "Is *l*^2 ≤ *r*^2?");
   CHECK(told.comparison->answer == "Yes");
   CHECK(told.comparison->why == "(0.5 against 2.25): the disc holds the point.");
+}
+
+TEST_CASE("the lit line says whether its condition is true, once it is decided, and still beneath a map and a card",
+          "[step_text]") {
+  const auto said = [](const Walk& walk, int step) { return step_text(disc, walk, step).line->said; };
+  CHECK(said(inside, 0) == "");  // no condition
+  CHECK(said(inside, 2) == "no");
+  CHECK(said(inside, 4) == "");
+
+  Walk outside = disc.walk(disc.presets[1].parameters);
+  Comparison& compared = *outside.steps[2].comparison;
+  compared.text = "*l*^2 > *r*^2", compared.holds = true;
+  CHECK(said(outside, 2) == "yes");
+  CHECK(said(outside, 3) == "");  // "return OUT"
+  outside.steps[2].comparison.reset();
+  CHECK(said(outside, 2) == "yes");  // it decides
+  outside.steps[2].decides = false;
+  CHECK(said(outside, 2) == "");
+
+  Walk ends = inside;
+  Step last = ends.steps[2];
+  last.decides = false, last.comparison.reset(), last.question.reset();
+  ends.steps.resize(3);
+  for (const char* slug : {case_map_slug, closing_slug}) {
+    last.slug = slug;
+    ends.steps.push_back(last);
+  }
+  CHECK(said(ends, 3) == "no");
+  CHECK(said(ends, 4) == "no");
+  ends.steps[3].slug = "another";  // a step of its own, which decides nothing
+  CHECK(said(ends, 3) == "");
+  CHECK(said(ends, 4) == "");
+  CHECK(said_at_line(taken(ends, 2)) == "no");
 }
 
 TEST_CASE("a line is told without its indentation, and a value that ends the formula as part of it", "[step_text]") {

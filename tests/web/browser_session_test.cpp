@@ -7,6 +7,7 @@
 #include "tests/catch.h"
 #include "viz/lesson.h"
 #include "viz/player/reader_state.h"
+#include "viz/walk/branch.h"
 #include "viz/walk/question_scene.h"
 
 namespace browser_session_test {
@@ -127,15 +128,19 @@ TEST_CASE("a verdict that other methods contradict says so", "[session]") {
 
 TEST_CASE("while a question is open, code and values are those of the step that it asks for", "[session]") {
   BrowserSession session = fresh();
-  int asked = 0;
+  int asked = 0, said = 0;
   for (const isect::viz::Lesson* lesson : isect::lessons::all_lessons()) {
     Json frame = open(session, lesson->id);
     const isect::viz::Walk walk = lesson->walk(lesson->presets.front().parameters);
     for (int at = 0; at < frame.at("count"); ++at) {
       frame = ask(session, {{"do", "go"}, {"at", at}});
-      if (!frame.at("asks").get<bool>()) continue;
-      const isect::viz::Step shown = isect::viz::asking_step(walk, frame.at("step"));
       INFO(lesson->id << ", station " << at);
+      const bool asks = frame.at("asks");
+      const std::string lit = asks ? "" : isect::viz::said_at_line(isect::viz::taken(walk, frame.at("step")));
+      CHECK(frame.at("said") == lit);
+      said += !lit.empty();
+      if (!asks) continue;
+      const isect::viz::Step shown = isect::viz::asking_step(walk, frame.at("step"));
       CHECK(frame.at("line") == -1);
       CHECK(frame.at("refused") == shown.refused);
       CHECK(frame.at("untaken") == shown.untaken);
@@ -149,6 +154,7 @@ TEST_CASE("while a question is open, code and values are those of the step that 
     }
   }
   CHECK(asked > 20);
+  CHECK(said > 20);
 }
 
 TEST_CASE("what changes nothing in a setting is named, and when it would is told", "[session]") {

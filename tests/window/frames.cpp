@@ -1,10 +1,11 @@
 // Measures how long frames take at 1280 x 720 in software: frames [--cpu] [LESSON...|SCENE.json...] -> a row a lesson
 // or scene, in ms, then the slowest frames. Steps: every frame of the motion to every step of the first preset of each
 // walk. Drags: each handle of the last step that has any, 16 moves there and back. Snaps: one move of it with Shift,
-// until all is found. Last, where no lesson is named, or "100,000 triangles" and "10,000 corners" are: what a scene's
-// file may hold, a mesh of 100,000 triangles and an outline of 10,000 corners; drags turn or shift it, and in place of
-// snaps the pointer rests on it, so that it is picked; the same with a scene's file. Nothing is asserted: the machine
-// decides. On one that does other things, --cpu with LP_NUM_THREADS=0 counts the processor's time.
+// until all is found. Last, where no lesson is named, or "100,000 triangles", "a ray and a mesh" and "10,000 corners"
+// are: what a scene's file may hold, a mesh of 100,000 triangles, alone and with a ray, and an outline of 10,000
+// corners; drags turn or shift it, and in place of snaps the pointer rests on it, so that it is picked; the same with a
+// scene's file. Nothing is asserted: the machine decides. On one that does other things, --cpu with LP_NUM_THREADS=0
+// counts the processor's time.
 
 #include <fmt/format.h>
 
@@ -66,14 +67,14 @@ Region large_outline() {
 }
 
 /// A lesson of one picture.
-Lesson lesson_of(const std::string& id, const Item& item, bool flat) {
+Lesson lesson_of(const std::string& id, const std::vector<Item>& items, bool flat) {
   Lesson lesson;
   lesson.id = id, lesson.title = id, lesson.flat = flat;
   lesson.presets = {{"all", "all", "", {}}};
-  lesson.steps = [item](const Parameters&) {
+  lesson.steps = [items](const Parameters&) {
     Walk walk;
     walk.steps.emplace_back();
-    walk.steps[0].slug = "all", walk.steps[0].title = "All", walk.steps[0].scene.items = {item};
+    walk.steps[0].slug = "all", walk.steps[0].title = "All", walk.steps[0].scene.items = items;
     return walk;
   };
   return lesson;
@@ -223,8 +224,10 @@ class Measurement {
 int main(int argc, char** argv) try {
   std::vector<const Lesson*> asked;
   std::vector<const Lesson*> all = isect::lessons::all_lessons();
-  const Lesson mesh = lesson_of("100,000 triangles", large_mesh(), false);
-  const Lesson outline = lesson_of("10,000 corners", large_outline(), true);
+  const Lesson mesh = lesson_of("100,000 triangles", {large_mesh()}, false);
+  const Line ray = {{-4.5, 0.75, 1}, {4.5, -0.4, -1.25}, Role::second, Pen::solid, "**r**"};
+  const Lesson hiding = lesson_of("a ray and a mesh", {large_mesh(), ray}, false);
+  const Lesson outline = lesson_of("10,000 corners", {large_outline()}, true);
   std::vector<std::string> names;
   bool by_processor = false;
   for (int i = 1; i < argc; ++i)
@@ -232,7 +235,7 @@ int main(int argc, char** argv) try {
       by_processor = true;
     else
       names.emplace_back(argv[i]);
-  all.push_back(&mesh), all.push_back(&outline);
+  all.push_back(&mesh), all.push_back(&hiding), all.push_back(&outline);
   std::deque<Lesson> scenes;
   for (std::string& name : names)
     if (const std::filesystem::path file = name; file.extension() == ".json") {

@@ -11,9 +11,6 @@
 
 namespace isect::viz {
 
-/// Above this many facets, a mesh hides no lines: each line is tested against each facet.
-constexpr std::size_t most_facets = 5000;
-
 Colour mixed(const Colour& a, const Colour& b, double share) {
   return {a.r + share * (b.r - a.r), a.g + share * (b.g - a.g), a.b + share * (b.b - a.b), 1};
 }
@@ -24,17 +21,27 @@ Canvas::Canvas(const Scene& s, const View& v, const Theme& t, bool grips)
     const Item& item = scene.items[i];
     if (std::holds_alternative<Ball>(item)) ball_items.push_back(static_cast<int>(i));
     if (const Solid* solid = std::get_if<Solid>(&item)) occluders.solids.push_back(shell(*solid));
-    if (const Mesh* mesh = std::get_if<Mesh>(&item); mesh && mesh->triangles.size() <= most_facets)
-      for (const auto& [a, b, c] : mesh->triangles)
-        facets.push_back({{mesh->vertices[a], mesh->vertices[b], mesh->vertices[c]}});
     if (const Region* region = std::get_if<Region>(&item); region && region->hides)
       occluders.screens.push_back({region->rings});
   }
   find_capsules();
+  find_meshes();
   const auto ball = [&](int i) { return std::get<Ball>(scene.items[i]); };
   std::stable_sort(ball_items.begin(), ball_items.end(),
                    [&](int a, int b) { return depth(ball(a).center) > depth(ball(b).center); });
   for (const int i : ball_items) occluders.balls.push_back(ball(i));
+}
+
+void Canvas::find_meshes() {
+  const auto asks = [](const Item& item) {
+    const Line* line = std::get_if<Line>(&item);
+    const Arrow* arrow = std::get_if<Arrow>(&item);
+    return (line && !line->name.empty()) || (arrow && !arrow->name.empty()) || std::holds_alternative<Solid>(item);
+  };
+  if (!std::ranges::any_of(scene.items, asks)) return;
+  for (const Item& item : scene.items)
+    if (const Mesh* mesh = std::get_if<Mesh>(&item); mesh && !mesh->triangles.empty())
+      meshes.push_back({mesh, facet_tree(*mesh)});
 }
 
 void Canvas::find_capsules() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viz/compose/compose.h"
+#include "viz/compose/facet_tree.h"
 #include "viz/compose/labels.h"
 #include "viz/compose/visibility.h"
 
@@ -24,11 +25,11 @@ class Canvas {
   const Scene& scene;
   const View& view;
   const Theme& theme;
-  const bool handles;                       ///< the grips of the handles are drawn
-  Occluders occluders;                      ///< balls far to near, those of capsules left out
-  std::vector<Triangle<double, 3>> facets;  ///< of meshes: they hide the lines and arrows that have names
-  std::vector<int> ball_items;              ///< the place of each of them among the scene's items
-  std::vector<int> capsule_items;           ///< the place of each capsule's axis
+  const bool handles;              ///< the grips of the handles are drawn
+  Occluders occluders;             ///< balls far to near, those of capsules left out
+  std::vector<SortedMesh> meshes;  ///< they hide lines and arrows that have names, and lie under solids; else none
+  std::vector<int> ball_items;     ///< the place of each of them among the scene's items
+  std::vector<int> capsule_items;  ///< the place of each capsule's axis
 
   // Painter's order: floor, curved fills and rasters, hidden lines, what lies within solids, their front faces, visible
   // lines, markers.
@@ -76,6 +77,7 @@ class Canvas {
 
  private:
   void find_capsules();
+  void find_meshes();
 };
 
 /// Returns a flat area of this role, hatched where the theme says so.

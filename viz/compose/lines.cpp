@@ -13,21 +13,18 @@ namespace {
 /// Returns what hides the line, and those facets of meshes that the eye sees on both sides of it.
 Occluders with_facets(const Canvas& c, const Vec3& from, const Vec3& to, Role role, Pen pen) {
   Occluders all = c.around({from, to}, role, pen);
-  const Vec2 p = c.at(from), q = c.at(to), lo = p.cwiseMin(q), hi = p.cwiseMax(q);
-  const auto side = [&](const Vec2& x) { return (q - p).x() * (x - p).y() - (q - p).y() * (x - p).x(); };
-  for (const Triangle<double, 3>& facet : c.facets) {
-    const std::array<Vec2, 3> x = {c.at(facet.vertices[0]), c.at(facet.vertices[1]), c.at(facet.vertices[2])};
-    const Vec2 least = x[0].cwiseMin(x[1]).cwiseMin(x[2]), most = x[0].cwiseMax(x[1]).cwiseMax(x[2]);
-    if ((most.array() < lo.array()).any() || (hi.array() < least.array()).any()) continue;
-    const auto [left, right] = std::minmax({side(x[0]), side(x[1]), side(x[2])});
-    if (left <= 0 && right >= 0) all.screens.push_back({{{facet.vertices[0], facet.vertices[1], facet.vertices[2]}}});
-  }
+  for (const SortedMesh& sorted : c.meshes)
+    for (const int i : facets_across(sorted, c.view, from, to).facets) {
+      const auto& [p, q, r] = sorted.mesh->triangles[i];
+      const std::vector<Vec3>& at = sorted.mesh->vertices;
+      all.screens.push_back({{{at[p], at[q], at[r]}}});
+    }
   return all;
 }
 
 void segment(Canvas& c, const Vec3& from, const Vec3& to, Role role, Pen pen, bool named = false) {
   if (Canvas::is_split(pen, false))
-    c.curve(named && !c.facets.empty() ? stretches(from, to, c.view, with_facets(c, from, to, role, pen))
+    c.curve(named && !c.meshes.empty() ? stretches(from, to, c.view, with_facets(c, from, to, role, pen))
                                        : c.seen({from, to}, false, role, pen),
             c.theme.ink(role), c.width(pen, role), true);
   else

@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "viz/compose/canvas.h"
-#include "viz/compose/locate_point.h"
 
 namespace isect::viz {
 namespace {
@@ -30,21 +29,11 @@ Vec3 middle(const std::vector<Vec3>& points) {
   return sum / static_cast<double>(std::max<std::size_t>(points.size(), 1));
 }
 
-/// Larger meshes are not searched for solids: every frame would search them again.
-constexpr std::size_t most_searched = 5000;
-
 /// Whether the whole solid is seen against a mesh, whose shades may be as dark as the solid's edges.
 bool is_seen_on_a_mesh(const Canvas& c, const Solid& solid) {
   const std::vector<Vec2> points = c.projected(solid.vertices);
-  return std::ranges::any_of(c.scene.items, [&](const Item& item) {
-    const Mesh* mesh = std::get_if<Mesh>(&item);
-    if (mesh == nullptr || mesh->triangles.size() > most_searched) return false;
-    const std::vector<Vec2> seen = c.projected(mesh->vertices);
-    return std::ranges::all_of(points, [&](const Vec2& p) {
-      return std::ranges::any_of(mesh->triangles, [&](const std::array<int, 3>& t) {
-        return locate(seen[t[0]], seen[t[1]], seen[t[2]], p) == Location::in;
-      });
-    });
+  return std::ranges::any_of(c.meshes, [&](const SortedMesh& mesh) {
+    return std::ranges::all_of(points, [&](const Vec2& p) { return !facet_over(mesh, c.view, p).facets.empty(); });
   });
 }
 

@@ -13,6 +13,7 @@
 #include <isect/ray_polygon.h>
 #include <isect/ray_sphere.h>
 #include <isect/sphere_sphere.h>
+#include "viz/compose/screens_along.h"
 #include "viz/compose/viewing_ray.h"
 
 namespace isect::viz {
@@ -151,7 +152,13 @@ struct Near {
   std::vector<Capsule<double, 3>> capsules;
   std::vector<const Shell*> solids;
   const std::vector<Polygon<double, 3>>& screens;
+  std::optional<ScreensAlong> along = {};  ///< where it is a segment, with many screens
 };
+
+bool any_screen(const Occluders& all, const Vec3&, const auto& test) { return std::ranges::any_of(all.screens, test); }
+bool any_screen(const Near& near, const Vec3& p, const auto& test) {
+  return near.along ? near.along->any(p, test) : std::ranges::any_of(near.screens, test);
+}
 
 const Shell& of(const Shell& solid) { return solid; }
 const Shell& of(const Shell* solid) { return *solid; }
@@ -176,9 +183,9 @@ bool hidden_among(const Vec3& p, const View& view, const auto& among, int own) {
       return true;
   const double beyond = drawn_in * std::max(view.camera().half_height, p.norm());  // p may lie on the screen itself
   const Ray<double, 3> past_own = {p, direction, {beyond, to_eye}};
-  for (const Polygon<double, 3>& screen : among.screens)
-    if (!misses(past_own, screen) && intersect(past_own, screen).t) return true;
-  return false;
+  return any_screen(among, p, [&](const Polygon<double, 3>& screen) {
+    return !misses(past_own, screen) && intersect(past_own, screen).t.has_value();
+  });
 }
 
 /// Returns the places to test on a segment.
@@ -256,7 +263,9 @@ bool hidden(const Vec3& p, const View& view, const Occluders& occluders, int own
 
 std::vector<Stretch> stretches(const Vec3& from, const Vec3& to, const View& view, const Occluders& occluders) {
   const auto at = [&](double s) -> Vec3 { return s == 1 ? to : Vec3(from + s * (to - from)); };
-  const Near near(from, to, view, occluders);
+  constexpr std::size_t few = 64;
+  Near near(from, to, view, occluders);
+  if (near.screens.size() > few) near.along.emplace(from, to, view, near.screens);
   std::vector<Stretch> parts = split(
       at, [&](const Vec3& p) { return hidden_among(p, view, near, -1); }, places(from, to, view, near));
   for (Stretch& part : parts) part.points = {part.points.front(), part.points.back()};

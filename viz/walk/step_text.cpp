@@ -6,6 +6,7 @@
 
 #include "viz/text/rich_text.h"
 #include "viz/walk/alt_text.h"
+#include "viz/walk/branch.h"
 #include "viz/walk/closing.h"
 #include "viz/walk/given_order.h"
 #include "viz/walk/question_scene.h"
@@ -13,10 +14,11 @@
 namespace isect::viz {
 namespace {
 
-std::optional<LineText> line_text(const Walk& walk, const Step& s) {
-  if (s.line < 0) return {};
-  return LineText{s.line + 1, unindented(walk.pseudocode.at(static_cast<std::size_t>(s.line))),
-                  std::ranges::count(s.refused, s.line) > 0};
+std::optional<LineText> line_text(const Walk& walk, int step) {
+  const int line = walk.steps[static_cast<std::size_t>(step)].line;
+  if (line < 0) return {};
+  return LineText{line + 1, unindented(walk.pseudocode.at(static_cast<std::size_t>(line))),
+                  said_at_line(taken(walk, step))};
 }
 
 std::vector<ValueText> values_text(const std::vector<Value>& values, const std::string& formula) {
@@ -59,7 +61,7 @@ StepText step_text(const Lesson& lesson, const Walk& walk, int step) {
           s.caption,
           own_caption(lesson, s),
           s.formula,
-          line_text(walk, s),
+          line_text(walk, step),
           values_text(s.values, s.formula),
           comparison_text(s.comparison),
           s.verdict,

@@ -12,9 +12,9 @@ namespace isect::viz {
 
 /// The current line of the pseudocode.
 struct LineText {
-  int number;            ///< from 1
-  std::string code;      ///< plain text, without its indentation
-  bool refused = false;  ///< its condition is false
+  int number;        ///< from 1
+  std::string code;  ///< plain text, without its indentation
+  std::string said;  ///< "yes" or "no": what its condition is; empty where it has none, or the step does not decide it
 };
 
 struct ValueText {

@@ -111,8 +111,7 @@ int step_at_line(const Player& player, int line) {
 /// Returns whether a line's condition was true: on the current line, and on others that were refused.
 std::optional<bool> said_at(const Player& player, int line) {
   const Step& shown = player.shown();
-  if (line == shown.line)
-    if (const std::optional<bool> now = taken(player.walk(), player.index())) return now;
+  if (line == shown.line) return taken(player.walk(), player.index());
   return has(shown.refused, line) ? std::optional(false) : std::nullopt;
 }
 
@@ -149,7 +148,7 @@ void code_line(Player& player, Ui& ui, int line, const CodeLine& words, float pi
   ImGui::PopClipRect();
   y = r.top + pitch / 2;
   if (said) {
-    const std::string word = *said ? "yes" : "no";
+    const std::string word = said_at_line(said);
     text(ui.fonts.small, r.right - 12, y, packed(lit ? c.on_highlight : *said ? c.hit : c.miss), word, 1);
     ui.rects[word + " " + std::to_string(line + 1)] = {r.right - 34, y - 9, r.right - 8, y + 9};
   }
