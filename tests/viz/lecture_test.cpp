@@ -70,6 +70,7 @@ TEST_CASE("in a lecture a question stands in the strip and covers nothing, at an
   WindowDriver window(lessons::all_lessons(), width, height, {}, settings, layout_only);
   window.key(key::tab);
   const Rect strip = window.rect("lecture");
+  const bool roomy = width >= 1280 && size == 1;
   int asked = 0;
   ask_all(window, lessons::all_lessons(), [&](const Question&) {
     ++asked;
@@ -78,7 +79,7 @@ TEST_CASE("in a lecture a question stands in the strip and covers nothing, at an
     check_strip(window, strip);
     const Rect words = window.rect("told words");
     const bool more = window.player().quiz().asks_more();
-    if (width >= 1280 && size == 1) CHECK(within(window.rect(more ? "answer" : "choice 0"), words));
+    if (roomy) CHECK(within(window.rect(more ? "answer" : "choice 0"), words));
     if (more) {
       window.player().show_choices();
       window.frames(2);
@@ -253,7 +254,7 @@ TEST_CASE("what is shown large are at most three values: of the condition, new o
   step.line = 1;
   CHECK(names(values_in_use(walk, step)) == Names{"s", "r²", "q"});
   step.line = 0;
-  step.comparison = Comparison{"*l*^2 > *r*^2"};
+  step.comparison.emplace().text = "*l*^2 > *r*^2";
   CHECK(names(values_in_use(walk, step)) == Names{"l²", "r²", "q"});
   step.values[3].fresh = step.values[4].fresh = false;
   CHECK(names(values_in_use(walk, step)) == Names{"l²", "r²"});  // l is not a part of l²
@@ -267,12 +268,10 @@ TEST_CASE("what is shown large are at most three values: of the condition, new o
 TEST_CASE("in a lecture the current line is large, and says yes or no", "[lecture]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("ray-sphere", "two-roots"));
   window.player().go_to(step_called(window.player(), "which-root"));
-  const float height = window.rect("line 10").height();
   window.key(key::tab);
   window.frames(2);
   REQUIRE((window.has("line 10") && window.has("yes 10")));
   CHECK(window.rect("line 10").height() >= 38);
-  CHECK(window.rect("line 10").height() > height);
   CHECK(within(window.rect("yes 10"), window.rect("line 10")));
 }
 

@@ -30,7 +30,7 @@ constexpr float code_left = 42, row_pitch = 18;  ///< of a line's words; distanc
 /// A line of pseudocode on as many rows as it takes, the later ones indented further.
 struct CodeLine {
   std::vector<std::string> rows;
-  ImFont* font;
+  ImFont* font = nullptr;
   float pitch_of_rows = row_pitch;
   float beside = 38;  ///< room for "yes" or "no"
 
@@ -189,13 +189,19 @@ void code(Player& player, Ui& ui, const std::vector<CodeLine>& lines, const Rect
 
 constexpr float pitch_alone = 38;
 
+/// Returns the line in large letters, or in smaller ones if a word of it is too long.
 CodeLine laid_out_alone(const Player& player, const Ui& ui, float width) {
-  constexpr float pitch_of_rows = 26, beside = 50;
+  constexpr float beside = 50;
   const int line = player.step().line;
   const std::string words = unindented(player.walk().pseudocode[line]);
   const float room = width - code_left - (said_at(player, line) ? beside + 6 : 10);
-  ImFont* const font = ui.fonts.mono_large;
-  return {rows_of_line(words, font, room), font, pitch_of_rows, beside};
+  CodeLine laid_out;
+  for (ImFont* const font : {ui.fonts.mono_large, ui.fonts.mono, ui.fonts.mono_small}) {
+    laid_out = {rows_of_line(words, font, room), font, font == ui.fonts.mono_large ? 26.0f : 20.0f, beside};
+    const auto fits = [&](const std::string& row) { return text_width(font, row) <= room; };
+    if (std::ranges::all_of(laid_out.rows, fits)) break;
+  }
+  return laid_out;
 }
 
 }  // namespace
