@@ -231,6 +231,9 @@ TEST_CASE("B or a dot makes the screen dark in a lecture, and any key or click m
   window.frames(2);
   window.click("dark screen");
   CHECK_FALSE(window.has("dark"));
+  window.type(".");
+  window.key(key::q, true);
+  CHECK((window.ui.wants_to_close() && !window.has("dark")));
 }
 
 TEST_CASE("what is shown large are at most three values: of the condition, new ones, of the line and the formula",

@@ -92,14 +92,17 @@ void page_keys(WindowSession& s) {
   s.player.back();
 }
 
-/// While the screen is dark, any key makes it light, and does nothing else. Returns whether it was dark.
+/// While the screen is dark, any key makes it light, and does nothing else unless Ctrl is held. Returns whether that is
+/// all for this frame.
 bool makes_light(WindowSession& s) {
+  constexpr key::Code codes[] = {key::page_down, key::page_up, key::right, key::left, key::down,
+                                 key::up,        key::home,    key::end,   key::tab,  key::enter,
+                                 key::escape,    key::f1,      key::f6,    key::f11,  key::f12};
+  ImGuiIO& io = ImGui::GetIO();
+  if (io.KeyCtrl) s.dark = false;
   if (!s.dark) return false;
-  constexpr key::Code codes[] = {key::page_down, key::page_up, key::right,  key::left, key::down, key::up,
-                                 key::home,      key::end,     key::escape, key::tab,  key::enter};
-  ImVector<ImWchar>& typed = ImGui::GetIO().InputQueueCharacters;
-  s.dark = typed.empty() && std::ranges::none_of(codes, [](key::Code code) { return pressed(code); });
-  typed.resize(0);
+  s.dark = io.InputQueueCharacters.empty() && std::ranges::none_of(codes, [](key::Code code) { return pressed(code); });
+  io.InputQueueCharacters.resize(0);
   return true;
 }
 
