@@ -1,6 +1,7 @@
 // The question before a step, and its result.
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 
@@ -34,7 +35,8 @@ bool choice_button(Ui& ui, const Choice& choice, double size_of_words, const Rec
   if (choice.open && p.hovered) outlined(r, c.first);
   if (!choice.open && (choice.right || choice.chosen)) outlined(r, choice.right ? c.hit : c.miss);
   const float y = r.middle_y();
-  if (choice.open) text(ui.fonts.small, r.left + 9, y, packed(c.muted), std::string(1, choice.key));
+  ImFont* const letter = size_of_words > 15 ? ui.fonts.body : ui.fonts.small;
+  if (choice.open) text(letter, r.left + 9, y, packed(c.muted), std::string(1, choice.key));
   if (!choice.open && choice.right) tick(r.left + 13, y, 11, packed(c.hit));
   if (!choice.open && !choice.right && choice.chosen) cross(r.left + 13, y, 11, packed(c.miss));
   const bool quiet = !choice.open && !choice.right && !choice.chosen;
@@ -123,7 +125,7 @@ void told_answer(Column& c, const Answered& answered, const std::vector<int>& wh
   const float begin = c.y;
   const bool right = answered.right();
   const Colour& colour = right ? ink.hit : ink.miss;
-  (right ? tick : cross)(c.x + 7, c.y + 11, 13, packed(colour));
+  (right ? tick : cross)(c.x + 7, c.y + static_cast<float>(std::floor(c.pitch / 2)), 13, packed(colour));
   c.x += 22, c.width -= 22;
   c.paragraph(right ? "Right" : "Not quite", colour, true);
   c.x -= 22, c.width += 22;
