@@ -141,12 +141,12 @@ TEST_CASE("what was typed for one question does not stand in the field of anothe
   CHECK(at.window.player().quiz().answered()->typed == "3/4");
 }
 
-TEST_CASE("with the panels hidden the number is typed over the scene", "[answer_field]") {
+TEST_CASE("with the panels hidden the number is typed below the scene", "[answer_field]") {
   Asked at(600);
   at.window.key(key::tab);
   at.window.frames(3);
-  const Rect card = at.window.rect("question over scene"), field = at.window.rect("answer");
-  CHECK((field.top > card.top && field.bottom < card.bottom && field.right < card.right));
+  const Rect words = at.window.rect("told words"), field = at.window.rect("answer");
+  CHECK((field.top > words.top && field.bottom < words.bottom && field.right < words.right));
   at.type("0.75");
   at.enter();
   REQUIRE(at.window.player().quiz().answered());

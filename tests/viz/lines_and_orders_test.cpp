@@ -54,11 +54,12 @@ TEST_CASE("a line's number is typed, and a number beyond the lines is refused", 
   CHECK(again.answered().right());
 }
 
-TEST_CASE("with the panels hidden the lines to point at stand below the question", "[window]") {
+TEST_CASE("with the panels hidden the lines to point at stand beside the question", "[window]") {
   Asked at(line);
   at.window.key(key::tab);
   at.window.frames(3);
   REQUIRE(at.window.has("point 3"));
+  CHECK(at.window.rect("point 3").left > at.window.rect("answer").right);
   at.window.click("point 3");
   at.window.frames(2);
   CHECK(at.answered().right());

@@ -818,21 +818,6 @@ TEST_CASE("a digit answers where it is an answer, and loads no preset while a qu
   CHECK(window.player().played().preset_id() == window.player().played().group()[1]->id);
 }
 
-TEST_CASE("with the panels hidden a question stands with the numbers it needs", "[window]") {
-  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("ray-sphere", "inside"));
-  const auto& steps = window.player().walk().steps;
-  const auto asks = std::ranges::find(steps, "passing-distance", &Step::slug);
-  REQUIRE(asks != steps.end());
-  window.player().go_to(static_cast<int>(asks - steps.begin()) - 1);
-  window.key(key::tab);
-  window.key(key::right);
-  window.frames(2);
-  REQUIRE(window.player().quiz().asked());
-  REQUIRE(window.has("known values"));
-  const Rect card = window.rect("question over scene"), known = window.rect("known values");
-  CHECK((known.top > card.top && known.bottom < window.rect("answer").top));
-}
-
 TEST_CASE("Right to a question about the next edge lights and names that edge", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, at("crossings", "inside", 2));
   const auto rules = [&] { return lit_lines(window.player().scene()); };
@@ -867,32 +852,6 @@ TEST_CASE("clipping asks about a side that is drawn and lit", "[window]") {
   const Line side = lit_lines(window.player().scene())[0];
   CHECK(side.from.x() == 2);  // the right one, and not the left one of the step before
   CHECK(side.to.x() == 2);
-}
-
-TEST_CASE("with the panels hidden the question stands over the scene, and is answered there", "[window]") {
-  WindowDriver window(lessons::all_lessons(), 1280, 800, at("ray-sphere", "two-roots", 4));
-  window.key(key::tab);
-  CHECK_FALSE(window.has("question over scene"));
-  window.key(key::right);
-  window.frames(2);
-  REQUIRE(window.player().quiz().asked());
-  window.player().show_choices();
-  window.frames(2);
-  REQUIRE(window.has("question over scene"));
-  REQUIRE(window.has("choice 1"));
-  const Rect card = window.rect("question over scene"), choice = window.rect("choice 1"), scene = window.rect("scene");
-  CHECK((choice.top > card.top && choice.bottom < card.bottom && choice.left > card.left && choice.right < card.right));
-  CHECK((card.left >= scene.left && card.bottom <= window.rect("transport").top && card.top >= scene.top));
-  const Camera camera = window.player().camera().goal();
-  const int right = window.player().quiz().asked()->answer;
-  window.click("choice " + std::to_string(right));
-  REQUIRE(window.player().quiz().answered());
-  CHECK(window.player().quiz().answered()->right());
-  CHECK(window.player().camera().goal().azimuth == camera.azimuth);  // the click did not reach the scene
-  window.frames(2);
-  REQUIRE(window.has("question over scene"));  // it says whether that was right
-  REQUIRE(window.has("tripod"));
-  CHECK(window.rect("question over scene").bottom <= window.rect("tripod").top);
 }
 
 TEST_CASE("what methods say waits for the outcome, and while a question is open", "[window]") {

@@ -111,20 +111,44 @@ TEST_CASE("beside what stands in a copied state is a method or a preset of its l
   CHECK_THAT(refused("7"), isect::test::Contains("no JSON object"));
 }
 
-TEST_CASE("in a small window a question covers neither pane's code", "[window]") {
+TEST_CASE("in a small window a question has the place of both codes, and covers no scene", "[window]") {
   const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1000, 700}, {1040, 900}}));
   CAPTURE(width, height);
   WindowDriver window(lessons::all_lessons(), width, height, place_at("ray-sphere", "two-roots"));
   window.type("v");
   window.frames(2);
+  const Rect scene = window.rect("scene"), code = window.rect("code panel");
   for (int i = 0; i < 12 && !window.player().quiz().asked(); ++i) window.key(key::right);
   window.frames(3);
   REQUIRE(window.player().quiz().asked());
   REQUIRE(window.has("other scene"));
-  const Rect asked = window.rect("question over scene");
-  CHECK(asked.bottom <= window.rect("scene").bottom);
-  CHECK((asked.top >= window.rect("scene").top && asked.right <= window.rect("other scene").right));
-  CHECK(asked.height() >= 80);
+  const Rect asked = window.rect("lecture");
+  CHECK((asked.top == code.top && asked.bottom == code.bottom && asked.right == width));
+  CHECK((window.rect("scene").bottom == scene.bottom && window.rect("scene").bottom == asked.top));
+  CHECK_FALSE((window.has("code panel") || window.has("other code panel")));
+  window.player().answer(0);
+  window.frames(2);
+  CHECK(window.has("what came of it"));
+  CHECK((window.has("line " + std::to_string(window.player().step().line + 1)) && window.has("told state")));
+  for (int i = 0; i < 12 && window.has("lecture"); ++i) window.key(key::right);
+  CHECK(window.has("code panel"));
+}
+
+TEST_CASE("a lecture with two panes has both scenes above its strip, which tells both lines", "[window]") {
+  const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1280, 800}}));
+  CAPTURE(width, height);
+  WindowDriver window(both, width, height);
+  window.key(key::tab);
+  const Rect strip = window.rect("lecture");
+  window.type("v");
+  window.key(key::page_down);
+  window.frames(2);
+  CHECK(window.rect("lecture").top == strip.top);
+  CHECK((window.rect("scene").bottom == strip.top && window.rect("other scene").bottom == strip.top));
+  CHECK(window.rect("scene").height() > 200);
+  CHECK_FALSE((window.has("code panel") || window.has("other code panel")));
+  REQUIRE((window.has("line 2") && window.has("other line 2")));
+  CHECK(window.rect("line 2").bottom <= window.rect("other line 2").top);
 }
 
 TEST_CASE("the first line and the first value that differ are marked in both panes", "[window]") {

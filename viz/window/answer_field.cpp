@@ -89,12 +89,11 @@ void submit(Player& player, AnswerField& field) {
 
 }  // namespace
 
-void answer_field(Column& c, Player& player, AnswerField& field, bool code) {
+void answer_field(Column& c, Player& player, AnswerField& field) {
   renew(field, player);
   const Palette& ink = c.ui.palette;
   const Question& question = *player.quiz().asked();
   if (question.order) order_tiles(c, *question.order, field);
-  const int pointed = question.line && code ? lines_to_point_at(c, player.walk()) : -1;
   const float gap = 8, button = 84, width = std::min(c.width - button - gap, 260.0f);
   const Rect r{c.x, c.y, c.x + width, c.y + answer_height};
   bool entered = false;
@@ -105,17 +104,16 @@ void answer_field(Column& c, Player& player, AnswerField& field, bool code) {
   const Rect beside{r.right + gap, r.top, r.right + gap + button, r.bottom};
   const bool pressed = chip(c.ui, "give answer", beside, "Answer", false);
   c.y = r.bottom + 6;
-  c.paragraph(how_to_answer(question), ink.muted, 13, 19);
+  c.paragraph(how_to_answer(question), ink.muted, c.size - 2, c.pitch - 4);
   if (!field.refused.empty()) {
     const float top = c.y;
-    c.paragraph(as_markup("That is not read: " + field.refused + "."), ink.miss, 13, 19);
+    c.paragraph(as_markup("That is not read: " + field.refused + "."), ink.miss, c.size - 2, c.pitch - 4);
     c.ui.rects["unread answer"] = {c.x, top, c.x + c.width, c.y};
   }
   c.y += 8;
   float x = c.x;
   const bool hint = c.button("show choices", question.order ? "Show the choices" : "Show the choices (A)", x);
   c.y += answer_height;
-  if (pointed >= 0) return player.answer_line(pointed);
   if (entered || pressed) return submit(player, field);
   if (hint) player.show_choices();
 }

@@ -53,17 +53,22 @@ void order_tiles(Column& c, const OrderAsked& asked, AnswerField& field) {
 
 int lines_to_point_at(Column& c, const Walk& walk) {
   const Palette& ink = c.ui.palette;
-  constexpr float pitch = 22, beside_number = 34;
+  constexpr float first_row = 26, next_row = 20, beside_number = 34;
+  ImFont* const font = c.ui.fonts.mono;
   int pressed = -1;
   for (int i = 0; i < static_cast<int>(walk.pseudocode.size()); ++i) {
-    const Rect r{c.x, c.y, c.x + c.width, c.y + pitch};
+    const std::vector<std::string> rows =
+        rows_of_line(walk.pseudocode[static_cast<std::size_t>(i)], font, c.width - beside_number - 6);
+    const Rect r{c.x, c.y, c.x + c.width, c.y + first_row + next_row * static_cast<float>(rows.size() - 1)};
+    float y = c.y + first_row / 2;
     c.y = r.bottom;
     const Press p = press(c.ui, "point " + std::to_string(i + 1), r);
     if (p.hovered) filled(r, ink.hovered, 5);
-    text(c.ui.fonts.mono_small, r.left + beside_number - 10, r.middle_y(), packed(ink.muted), std::to_string(i + 1), 1);
-    ImFont* const font = c.ui.fonts.mono_small;
-    text(font, r.left + beside_number, r.middle_y(), packed(ink.text),
-         fitted(font, walk.pseudocode[static_cast<std::size_t>(i)], r.width() - beside_number - 6));
+    text(font, r.left + beside_number - 10, y, packed(ink.muted), std::to_string(i + 1), 1);
+    for (const std::string& row : rows) {
+      text(font, r.left + beside_number, y, packed(ink.text), row);
+      y += next_row;
+    }
     if (p.clicked) pressed = i;
   }
   c.y += 8;

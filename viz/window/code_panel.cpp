@@ -11,6 +11,17 @@
 #include "viz/window/panels.h"
 
 namespace isect::viz {
+
+std::vector<std::string> rows_of_line(const std::string& words, ImFont* font, float room) {
+  constexpr std::size_t most = 2000;                                             // a lesson has a hundred
+  static std::map<std::pair<std::string, int>, std::vector<std::string>> known;  // each frame needs all
+  if (known.size() > most) known.clear();
+  const int columns = static_cast<int>(room / text_width(font, "0"));
+  const auto [found, fresh] = known.try_emplace({words, columns});
+  if (fresh) found->second = code_rows(words, columns);
+  return found->second;
+}
+
 namespace {
 
 constexpr float padding = 20, code_top = 46, code_top_of_two = 14;
@@ -19,20 +30,12 @@ constexpr float code_left = 42, row_pitch = 18;  ///< of a line's words; distanc
 /// A line of pseudocode on as many rows as it takes, the later ones indented further.
 struct CodeLine {
   std::vector<std::string> rows;
-  ImFont* font;
+  ImFont* font = nullptr;
+  float pitch_of_rows = row_pitch;
+  float beside = 38;  ///< room for "yes" or "no"
 
-  float height(float pitch) const { return pitch + row_pitch * static_cast<float>(rows.size() - 1); }
+  float height(float pitch) const { return pitch + pitch_of_rows * static_cast<float>(rows.size() - 1); }
 };
-
-CodeLine laid_out(const std::string& words, ImFont* font, float room) {
-  constexpr std::size_t most = 2000;                                             // a lesson has a hundred
-  static std::map<std::pair<std::string, int>, std::vector<std::string>> known;  // each frame needs all
-  if (known.size() > most) known.clear();
-  const int columns = static_cast<int>(room / text_width(font, "0"));
-  const auto [found, fresh] = known.try_emplace({words, columns});
-  if (fresh) found->second = code_rows(words, columns);
-  return {found->second, font};
-}
 
 /// Returns all lines of the walk, in a smaller font where that saves rows or ends them better. A line whose condition
 /// may fail has room for its "yes" or "no".
@@ -42,7 +45,7 @@ std::vector<CodeLine> code_lines(const Ui& ui, const Walk& walk, float width) {
     for (const std::string& words : walk.pseudocode) {
       const bool asks =
           has_condition(words) || words.find("if ") != std::string::npos || words.find("else") != std::string::npos;
-      lines.push_back(laid_out(words, font, width - code_left - (asks ? 38 : 6)));
+      lines.push_back({rows_of_line(words, font, width - code_left - (asks ? 38 : 6)), font});
     }
     return lines;
   };
@@ -139,18 +142,19 @@ void code_line(Player& player, Ui& ui, int line, const CodeLine& words, float pi
   if (ui.focus.name() == "line " + std::to_string(line + 1)) ui.light.hold(subject, place);
   text(ui.fonts.mono_small, number, y, packed(lit ? c.on_highlight : c.muted), std::to_string(line + 1), 1);
   const std::optional<bool> said = said_at(player, line);
-  ImGui::PushClipRect({number + 8, r.top}, {r.right - (said ? 38 : 4), r.bottom}, true);
+  ImGui::PushClipRect({number + 8, r.top}, {r.right - (said ? words.beside : 4), r.bottom}, true);
   for (const std::string& row : words.rows) {
     lights_in(ui, words.font, r.left + code_left, y, row, lit);
     text(words.font, r.left + code_left, y, packed(ink), row);
-    y += row_pitch;
+    y += words.pitch_of_rows;
   }
   ImGui::PopClipRect();
   y = r.top + pitch / 2;
   if (said) {
     const std::string word = said_at_line(said);
-    text(ui.fonts.small, r.right - 12, y, packed(lit ? c.on_highlight : *said ? c.hit : c.miss), word, 1);
-    ui.rects[word + " " + std::to_string(line + 1)] = {r.right - 34, y - 9, r.right - 8, y + 9};
+    ImFont* const font = words.font == ui.fonts.mono_large ? ui.fonts.bold : ui.fonts.small;
+    text(font, r.right - 12, y, packed(lit ? c.on_highlight : *said ? c.hit : c.miss), word, 1);
+    ui.rects[word + " " + std::to_string(line + 1)] = {r.right + 4 - words.beside, y - 9, r.right - 8, y + 9};
   }
   // last, as it destroys the step that is shown
   if (p.clicked && to_point_at)
@@ -182,20 +186,31 @@ void code(Player& player, Ui& ui, const std::vector<CodeLine>& lines, const Rect
   ImGui::EndChild();
 }
 
+constexpr float pitch_alone = 38;
+
+/// Returns the line in large letters, or in smaller ones if a word of it is too long.
 CodeLine laid_out_alone(const Player& player, const Ui& ui, float width) {
+  constexpr float beside = 50;
   const int line = player.step().line;
-  const std::string& words = player.walk().pseudocode[line];
-  return laid_out(unindented(words), ui.fonts.mono, width - code_left - (said_at(player, line) ? 44 : 10));
+  const std::string words = unindented(player.walk().pseudocode[line]);
+  const float room = width - code_left - (said_at(player, line) ? beside + 6 : 10);
+  CodeLine laid_out;
+  for (ImFont* const font : {ui.fonts.mono_large, ui.fonts.mono, ui.fonts.mono_small}) {
+    laid_out = {rows_of_line(words, font, room), font, font == ui.fonts.mono_large ? 26.0f : 20.0f, beside};
+    const auto fits = [&](const std::string& row) { return text_width(font, row) <= room; };
+    if (std::ranges::all_of(laid_out.rows, fits)) break;
+  }
+  return laid_out;
 }
 
 }  // namespace
 
 float current_line_height(const Player& player, const Ui& ui, float width) {
-  return laid_out_alone(player, ui, width).height(34);
+  return laid_out_alone(player, ui, width).height(pitch_alone);
 }
 
 void current_line(Player& player, Ui& ui, const Rect& r) {
-  code_line(player, ui, player.step().line, laid_out_alone(player, ui, r.width()), 34, r, false);
+  code_line(player, ui, player.step().line, laid_out_alone(player, ui, r.width()), pitch_alone, r, false);
 }
 
 void parted_mark(Ui& ui, const std::string& name, const Rect& r, bool lit) {

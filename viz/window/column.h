@@ -9,10 +9,14 @@ namespace isect::viz {
 struct Column {
   Ui& ui;
   float x, y, width;
+  double size = 15, pitch = 23;  ///< of its words
 
-  void paragraph(const std::string& markup, const Colour& colour, double size = 15, double pitch = 23,
-                 bool bold = false) {
-    y += rich(ui, {.markup = markup, .width = width, .size = size, .line_pitch = pitch, .bold = bold, .colour = colour},
+  void paragraph(const std::string& markup, const Colour& colour, bool bold = false) {
+    paragraph(markup, colour, size, pitch, bold);
+  }
+  void paragraph(const std::string& markup, const Colour& colour, double px, double line_pitch, bool bold = false) {
+    y += rich(ui,
+              {.markup = markup, .width = width, .size = px, .line_pitch = line_pitch, .bold = bold, .colour = colour},
               {x, y})
              .y;
   }
@@ -21,11 +25,14 @@ struct Column {
 };
 
 /// Draws the question before the next step, or the result of the one before this step. `fresh`: it was not there in the
-/// last frame. `values`: it names those that are known, which no panel shows. (question.cpp)
-void question(Column&, Player&, AnswerField&, bool fresh, bool values);
+/// last frame. (question.cpp)
+void question(Column&, Player&, AnswerField&, bool fresh);
+/// Draws them for a hall: of an answered question only the right answer and the one that was given; and the answer of
+/// one that was passed over. (question.cpp)
+void question_in_lecture(Column&, Player&, AnswerField&);
 /// Draws the field for what is asked for besides a choice, the tiles of an order, and a button that shows the choices
-/// instead. `code`: and the lines to point at, which no panel shows. (answer_field.cpp)
-void answer_field(Column&, Player&, AnswerField&, bool code);
+/// instead. (answer_field.cpp)
+void answer_field(Column&, Player&, AnswerField&);
 /// Draws the tiles of an order, in rows; each is taken, or put back, at a press. What the field holds is the order.
 /// (answer_tiles.cpp)
 void order_tiles(Column&, const OrderAsked&, AnswerField&);

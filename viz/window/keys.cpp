@@ -83,13 +83,34 @@ void focus_keys(Focus& focus, bool in_popup) {
   if (pressed(key::enter) || pressed(key::keypad_enter)) focus.press();
 }
 
+/// Page Down and Page Up, a presenter's two buttons: on and back in a lecture, else the presets.
+void page_keys(WindowSession& s) {
+  const int by = (pressed(key::page_down, true) ? 1 : 0) - (pressed(key::page_up, true) ? 1 : 0);
+  if (by == 0) return;
+  if (s.panels) return neighbour_preset(s.player, s.toast, by);
+  if (by > 0) return s.player.next();
+  s.player.back();
+}
+
+/// While the screen is dark, any key makes it light, and does nothing else unless Ctrl is held. Returns whether that is
+/// all for this frame.
+bool makes_light(WindowSession& s) {
+  constexpr key::Code codes[] = {key::page_down, key::page_up, key::right, key::left, key::down,
+                                 key::up,        key::home,    key::end,   key::tab,  key::enter,
+                                 key::escape,    key::f1,      key::f6,    key::f11,  key::f12};
+  ImGuiIO& io = ImGui::GetIO();
+  if (io.KeyCtrl) s.dark = false;
+  if (!s.dark) return false;
+  s.dark = io.InputQueueCharacters.empty() && std::ranges::none_of(codes, [](key::Code code) { return pressed(code); });
+  io.InputQueueCharacters.resize(0);
+  return true;
+}
+
 void moving_keys(WindowSession& s) {
   Player& player = s.player;
   const bool shift = ImGui::GetIO().KeyShift;  // with it the arrows turn the scene, or move a handle
   if (!shift && pressed(key::right, true)) player.next();
   if (!shift && pressed(key::left, true)) player.back();
-  if (pressed(key::page_down, true)) neighbour_preset(player, s.toast, 1);
-  if (pressed(key::page_up, true)) neighbour_preset(player, s.toast, -1);
   if (pressed(key::escape)) s.ui.focus.clear();
   if (pressed(key::home)) player.first();
   if (pressed(key::end)) player.last();
@@ -98,7 +119,7 @@ void moving_keys(WindowSession& s) {
   if (pressed(key::f12)) s.requests.sheet = Sheet::save;
   if (pressed(key::f11)) {
     s.full_screen = !s.full_screen;
-    if (s.full_screen) s.toast.say("Ctrl + and Ctrl − change the size of everything, Tab hides the panels");
+    if (s.full_screen) s.toast.say("Ctrl + and Ctrl − change the size of everything, Tab begins a lecture");
   }
 }
 
@@ -148,7 +169,11 @@ void command(WindowSession& s, char c) {
       player.reduce_motion(s.settings.reduced_motion);
       return s.toast.say(s.settings.reduced_motion ? "Nothing moves by itself now" : "Steps and views glide again");
     case 'n':
-      return pass_questions(player, s.settings, s.toast);
+      return s.panels ? pass_questions(player, s.settings, s.toast) : player.next();
+    case 'b':
+    case '.':
+      s.dark = !s.panels;
+      return;
     case 'v':
       return toggle_panes(player, s.settings, s.toast);
     case 'w':
@@ -226,6 +251,7 @@ bool may_leave(WindowSession& s) {
 }
 
 void keys(WindowSession& s) {
+  if (makes_light(s)) return;
   if (std::exchange(s.step_words.answer.other, false))
     attempt(s.toast, [&] {
       if (!ask_with_other_numbers(s.player)) s.toast.say("No other setting asks this with other numbers");
@@ -233,12 +259,15 @@ void keys(WindowSession& s) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool in_popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
   focus_keys(s.ui.focus, in_popup);
+  // In a lecture they go on also while an answer is being typed: a presenter has no other keys.
+  if (!in_popup && !io.KeyCtrl && !s.review && !(s.panels && io.WantTextInput)) page_keys(s);
   if (io.WantTextInput || in_popup) return;
   if (io.KeyCtrl) return with_control(s);
   (s.review ? review_keys : moving_keys)(s);
   bool answered = false;
   for (const ImWchar c : io.InputQueueCharacters) {
-    const bool of_answer = typed_into_answer(s.player, s.step_words.answer, c);
+    const bool darkens = c == '.' && !s.panels && !s.review && !s.step_words.answer.typing;  // a presenter's third key
+    const bool of_answer = !darkens && typed_into_answer(s.player, s.step_words.answer, c);
     answered = answered || of_answer;
     if (!of_answer && c < 128) character(s, static_cast<char>(c));
   }

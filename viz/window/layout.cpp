@@ -36,11 +36,12 @@ WindowLayout window_layout(float width, float height) {
   return at;
 }
 
-WindowLayout window_layout_without_panels(float width, float height, float told) {
-  const float bottom = height - buttons(height);
+WindowLayout lecture_layout(float width, float height) {
+  constexpr float share = 0.36f, most = 420;
+  const float bottom = height - buttons(height), strip = std::round(std::min(share * (bottom - bar), most));
   return {.top = {0, 0, width, bar},
-          .lesson = {0, bottom - told, width, bottom},
-          .scene = {0, bar, width, bottom - told},
+          .lesson = {0, bottom - strip, width, bottom},
+          .scene = {0, bar, width, bottom - strip},
           .code = {width, bar, width, bottom},
           .transport = {0, bottom, width, height}};
 }
@@ -54,19 +55,26 @@ Halves halves(const Rect& r, float share) {
   return h;
 }
 
-PanesLayout panes_layout(const WindowLayout& whole) {
+PanesLayout panes_layout(const WindowLayout& whole, bool panels, bool asks) {
   constexpr float head = 40, least_pane = 400;
   Rect all{whole.lesson.left, whole.scene.top, whole.top.right, whole.transport.top}, lesson = all;
-  const bool beside = whole.lesson.top == whole.scene.top && all.width() - whole.lesson.width() >= 2 * least_pane;
+  const bool beside =
+      panels && whole.lesson.top == whole.scene.top && all.width() - whole.lesson.width() >= 2 * least_pane;
   lesson.right = all.left = beside ? whole.lesson.right : all.left;
   const float middle = std::round(all.middle_x()), top = all.top + head;
-  const float code = std::round(all.bottom - std::clamp(0.53f * (all.bottom - top), 200.0f, 430.0f));
-  return {.lesson = lesson,
-          .heads = {all.left, all.top, all.right, top},
-          .first_scene = {all.left, top, middle, code},
-          .second_scene = {middle, top, all.right, code},
-          .first_code = {all.left, code, middle, all.bottom},
-          .second_code = {middle, code, all.right, all.bottom}};
+  const float below = std::clamp(0.53f * (all.bottom - top), 200.0f, 430.0f);
+  const float code = panels ? std::round(all.bottom - below) : whole.lesson.top;
+  PanesLayout at = {.lesson = lesson,
+                    .heads = {all.left, all.top, all.right, top},
+                    .first_scene = {all.left, top, middle, code},
+                    .second_scene = {middle, top, all.right, code},
+                    .first_code = {all.left, code, middle, all.bottom},
+                    .second_code = {middle, code, all.right, all.bottom},
+                    .strip = {}};
+  if (panels && (beside || !asks)) return at;
+  at.first_code = at.second_code = {};
+  at.strip = {all.left, code, all.right, all.bottom};
+  return at;
 }
 
 namespace {

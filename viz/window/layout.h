@@ -23,9 +23,9 @@ struct WindowLayout {
 };
 
 WindowLayout window_layout(float width, float height);
-/// Returns the layout without the lesson's panel and the code, whose place the scene takes, except for `lesson`, the
-/// part for the words below it, `told` px high.
-WindowLayout window_layout_without_panels(float width, float height, float told);
+/// Returns the layout of a lecture, without the panels: `lesson` is the strip for the words below the scene, as high as
+/// the window allows, whatever it says.
+WindowLayout lecture_layout(float width, float height);
 
 /// A rectangle cut in two with a share of it for the second part: side by side, or one below the other if it is not
 /// much wider than high.
@@ -35,11 +35,13 @@ struct Halves {
 Halves halves(const Rect&, float share);
 
 /// Two panes: each with its scene above its pseudocode and values. The lesson's text stands beside them if that leaves
-/// both wide enough; else `lesson` is empty.
+/// both wide enough; else `lesson` is empty. The strip for the words of a lecture has the place of pseudocode and
+/// values, which then are empty; else it is.
 struct PanesLayout {
-  Rect lesson, heads, first_scene, second_scene, first_code, second_code;
+  Rect lesson, heads, first_scene, second_scene, first_code, second_code, strip;
 };
-PanesLayout panes_layout(const WindowLayout&);
+/// `panels`: there are some, as `whole` has them. `asks`: a question needs a place, also where the lesson has none.
+PanesLayout panes_layout(const WindowLayout& whole, bool panels, bool asks);
 
 /// Returns a line of pseudocode on as few rows as `columns` letters allow, the later ones indented further, each ending
 /// where it disturbs a reader least: after a colon or before "and", not in a formula.

@@ -39,7 +39,7 @@ void side_by_side(Column& c, const Player& player, Requests& requests) {
   if (said.empty() || !known) return;
   Ui& ui = c.ui;
   c.y += 24;
-  c.paragraph("Methods side by side", ui.palette.text, 15, 23, true);
+  c.paragraph("Methods side by side", ui.palette.text, true);
   const float top = c.y;
   for (const Opinion& o : said) {
     const Colour& ink = o.agrees ? ui.palette.hit : ui.palette.miss;
@@ -79,7 +79,7 @@ void lesson_text(const LessonPanel& panel, const Rect& r, bool fresh, bool low) 
     }
     erratum(c, player, panel.toast);
   }
-  question(c, player, panel.words.answer, fresh, false);
+  question(c, player, panel.words.answer, fresh);
   if (step.slug == closing_slug) {
     missed(c, player, panel.settings);
     exercises(c, player, panel.words.solutions, panel.toast);

@@ -24,7 +24,9 @@ float parameter_fields(Player&, Ui&, Fields&, Toast&, float x, float y, float wi
 /// Draws pseudocode, values, comparison and operations; with `parted`, that of two panes, where lines and values
 /// replace headings and counts. (code_panel.cpp, values.cpp)
 void code_panel(Player&, Ui&, const Rect&, const Parted* = nullptr);
-/// Draw the current line alone, on a bright ground; there must be one. (code_panel.cpp)
+/// Returns the rows that a line of pseudocode takes in this room. (code_panel.cpp)
+std::vector<std::string> rows_of_line(const std::string&, ImFont*, float room);
+/// Draw the current line alone, large, on a bright ground; there must be one. (code_panel.cpp)
 float current_line_height(const Player&, const Ui&, float width);
 void current_line(Player&, Ui&, const Rect&);
 float values_height(const Ui&, const Step&, float width, float pitch);
@@ -32,16 +34,15 @@ void values_block(Ui&, const Step&, const Rect&, float pitch, const Parted*);
 void operations_block(Ui&, const Counters&, const Rect&);
 /// Marks a row as the first that differs from the other pane's; `lit`: on the current line. (code_panel.cpp)
 void parted_mark(Ui&, const std::string& name, const Rect&, bool lit = false);
-/// Draws the question in a window of its own, where the lesson's panel is hidden: over the words that it follows, and
-/// the scene above them; once it is answered, over the scene alone. (question.cpp)
-void question_over_scene(Player&, Ui&, StepWords&, const Rect& scene, const Rect& words);
-/// Draws the question over both scenes of two panes, so that neither's code is covered. `values`: it names those that
-/// are known.
-void question_over_scenes(Player&, Ui&, StepWords&, bool values, const Rect& scenes);
-/// Draws, below the scene while the panels are hidden, the step's words, the current line and the formula.
-/// (lecture.cpp) `room`: the height of scene and words.
-float lecture_height(const Player&, Ui&, StepWords&, float width, float room);
-void lecture(Player&, Ui&, StepWords&, const Rect&);
+/// Draws the strip of a lecture, below the scene while the panels are hidden: the step's words, or its question in
+/// their place; at the right the current line, the formula and the values in use, or what the question needs.
+/// (lecture.cpp) `other`: the second of two panes, whose line and values are told, too; null: there is none.
+void lecture(Player&, Ui&, StepWords&, const Rect&, Player* other = nullptr);
+/// Returns which of its values a step uses, at most three, in their order: those that its condition names, those that
+/// are new, those that its line and its formula name, as far as there is room. (lecture.cpp)
+std::vector<Value> values_in_use(const Walk&, const Step&);
+/// Draws nothing but black over the whole window, until a click. (lecture.cpp)
+void dark_screen(WindowSession&, const Rect& window);
 /// Draws scrubber and buttons. (transport.cpp)
 void transport(Player&, Ui&, Settings&, Toast&, const Rect&);
 /// Lets play pass over questions, or stop at them again. (transport.cpp)

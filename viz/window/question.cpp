@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 
-#include "viz/walk/step_text.h"
 #include "viz/window/column.h"
 #include "viz/window/panels.h"
 
@@ -21,104 +22,149 @@ struct Choice {
 constexpr float beside_key = 26;
 
 /// Returns the words on one line if there is room, else on several.
-Paragraph choice_words(Ui& ui, const std::string& markup, float width, const Colour& colour) {
-  Paragraph words{.markup = markup, .line_pitch = 21, .colour = colour};
+Paragraph choice_words(Ui& ui, const std::string& markup, double size, float width, const Colour& colour) {
+  Paragraph words{.markup = markup, .size = size, .line_pitch = size + 6, .colour = colour};
   if (ui.texts.size_of(words).x > width - beside_key - 6) words.width = width - beside_key - 6;
   return words;
 }
 
-bool choice_button(Ui& ui, const Choice& choice, const Rect& r) {
+bool choice_button(Ui& ui, const Choice& choice, double size_of_words, const Rect& r) {
   const Palette& c = ui.palette;
   const Press p = press(ui, choice.name, r);
   filled(r, choice.open && p.hovered ? c.hovered : c.frame);
   if (choice.open && p.hovered) outlined(r, c.first);
   if (!choice.open && (choice.right || choice.chosen)) outlined(r, choice.right ? c.hit : c.miss);
   const float y = r.middle_y();
-  if (choice.open) text(ui.fonts.small, r.left + 9, y, packed(c.muted), std::string(1, choice.key));
+  ImFont* const letter = size_of_words > 15 ? ui.fonts.body : ui.fonts.small;
+  if (choice.open) text(letter, r.left + 9, y, packed(c.muted), std::string(1, choice.key));
   if (!choice.open && choice.right) tick(r.left + 13, y, 11, packed(c.hit));
   if (!choice.open && !choice.right && choice.chosen) cross(r.left + 13, y, 11, packed(c.miss));
   const bool quiet = !choice.open && !choice.right && !choice.chosen;
-  const Paragraph words = choice_words(ui, choice.markup, r.width(), quiet ? c.muted : c.text);
+  const Paragraph words = choice_words(ui, choice.markup, size_of_words, r.width(), quiet ? c.muted : c.text);
   const ImVec2 size = ui.texts.size_of(words);
   const float left = words.width > 0 ? r.left + beside_key : r.middle_x() + 7 - size.x / 2;
   rich(ui, words, {left, y - size.y / 2});
   return p.clicked && choice.open;
 }
 
-/// Draws the question's answers, side by side if they fit. Returns the one that was pressed, or -1. Where it is not
-/// `open` any more, `given` was chosen; -1: none.
-int choices(Column& c, const Question& question, bool open, int given) {
-  Ui& ui = c.ui;
-  const int n = static_cast<int>(question.choices.size());
-  float widest = 0;
-  for (const std::string& markup : question.choices)
-    widest = std::max(widest, ui.texts.size_of({.markup = markup, .colour = ui.palette.text}).x);
-  const float share = (c.width - 8 * static_cast<float>(n - 1)) / static_cast<float>(std::max(n, 1));
-  const bool in_a_row = widest + 38 <= share;
-  int pressed = -1;
-  for (int i = 0; i < n; ++i) {
-    const float x = in_a_row ? c.x + static_cast<float>(i) * (share + 8) : c.x;
-    const float width = in_a_row ? share : c.width;
-    const float lines = ui.texts.size_of(choice_words(ui, question.choices[i], width, ui.palette.text)).y;
-    const Rect r{x, c.y, x + width, c.y + std::max(36.0f, lines + 12)};
-    const Choice choice{"choice " + std::to_string(i), question.choices[i], static_cast<char>('A' + i), open,
-                        i == question.answer,          i == given};
-    if (choice_button(ui, choice, r)) pressed = i;
-    if (!in_a_row || i + 1 == n) c.y = r.bottom + (i + 1 < n ? 6.0f : 0.0f);
+constexpr float across_choices = 8, below_choices = 6;  ///< gaps between answers
+
+/// Answers in rows, `columns` beside each other.
+struct ChoiceGrid {
+  int columns = 1;
+  float width = 0, height = 0;  ///< of each answer; of all rows
+  std::vector<float> rows = {};
+};
+
+ChoiceGrid grid_of(Column& c, const std::vector<std::string>& choices, int columns) {
+  ChoiceGrid grid{columns, (c.width - across_choices * static_cast<float>(columns - 1)) / static_cast<float>(columns)};
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const Paragraph words = choice_words(c.ui, choices[i], c.size, grid.width, c.ui.palette.text);
+    if (i % static_cast<std::size_t>(columns) == 0) grid.rows.push_back(36);
+    grid.rows.back() = std::max(grid.rows.back(), c.ui.texts.size_of(words).y + 12);
   }
+  for (const float row : grid.rows) grid.height += row + below_choices;
+  return grid;
+}
+
+/// Returns the lowest rows in which each answer stands on one line, or has room enough for several.
+ChoiceGrid lowest_grid(Column& c, const std::vector<std::string>& choices) {
+  constexpr float room_for_lines = 280;
+  const int count = static_cast<int>(choices.size());
+  float widest = 0;
+  for (const std::string& markup : choices)
+    widest = std::max(widest, c.ui.texts.size_of({.markup = markup, .size = c.size, .colour = c.ui.palette.text}).x);
+  ChoiceGrid best = grid_of(c, choices, 1);
+  for (int rows = 1; rows < count; ++rows) {
+    const ChoiceGrid grid = grid_of(c, choices, (count + rows - 1) / rows);
+    const bool has_room = widest + 38 <= grid.width || grid.width >= room_for_lines;
+    if (has_room && grid.height < best.height) best = grid;
+  }
+  return best;
+}
+
+/// Draws these of the question's answers. Returns the one that was pressed, or -1. Where it is not `open` any more,
+/// `given` was chosen; -1: none.
+int choices(Column& c, const Question& question, const std::vector<int>& which, bool open, int given) {
+  std::vector<std::string> words;
+  for (const int i : which) words.push_back(question.choices[static_cast<std::size_t>(i)]);
+  const ChoiceGrid grid = lowest_grid(c, words);
+  int pressed = -1;
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const std::size_t column = k % static_cast<std::size_t>(grid.columns);
+    const std::size_t row = k / static_cast<std::size_t>(grid.columns);
+    if (column == 0 && row > 0) c.y += grid.rows[row - 1] + below_choices;
+    const float x = c.x + static_cast<float>(column) * (grid.width + across_choices);
+    const Choice choice{"choice " + std::to_string(which[k]), words[k],         static_cast<char>('A' + which[k]), open,
+                        which[k] == question.answer,          which[k] == given};
+    if (choice_button(c.ui, choice, c.size, {x, c.y, x + grid.width, c.y + grid.rows[row]})) pressed = which[k];
+  }
+  if (!which.empty()) c.y += grid.rows.back();
   return pressed;
 }
 
-}  // namespace
+std::vector<int> all_choices(const Question& question) {
+  std::vector<int> all(question.choices.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
 
-void question(Column& c, Player& player, AnswerField& field, bool fresh, bool values) {
+/// Draws the open question with what answers it.
+void open_question(Column& c, Player& player, AnswerField& field) {
+  const Question& asked = *player.quiz().asked();
+  c.paragraph(asked.prompt, c.ui.palette.text);
+  c.y += 10;
+  if (player.quiz().asks_more()) return answer_field(c, player, field);
+  const int pressed = choices(c, asked, all_choices(asked), true, -1);
+  if (pressed >= 0) player.answer(pressed);
+}
+
+/// Draws what came of an answer, these of the answers, and why.
+void told_answer(Column& c, const Answered& answered, const std::vector<int>& which, AnswerField& field) {
   const Palette& ink = c.ui.palette;
-  if (const Question* asked = player.quiz().asked()) {
-    c.y += 24;
-    if (fresh) ImGui::SetScrollFromPosY(c.y - ImGui::GetWindowPos().y, 0);
-    c.paragraph("Your turn", ink.text, 15, 23, true);
-    c.y += 2;
-    c.paragraph(asked->prompt, ink.text);
-    if (const std::vector<Value>& known = player.shown().values; values && !known.empty()) {
-      const float top = c.y += 8;
-      c.paragraph(given_text(known), ink.text);
-      c.ui.rects["known values"] = {c.x, top, c.x + c.width, c.y};
-    }
-    c.y += 10;
-    if (player.quiz().asks_more()) return answer_field(c, player, field, values);
-    const int pressed = choices(c, *asked, true, -1);
-    if (pressed >= 0) player.answer(pressed);
-    return;
-  }
-  const auto answered = player.quiz().answered();
-  if (!answered) return;
-  c.y += 24;
   const float begin = c.y;
-  const bool right = answered->right();
+  const bool right = answered.right();
   const Colour& colour = right ? ink.hit : ink.miss;
-  (right ? tick : cross)(c.x + 7, c.y + 11, 13, packed(colour));
+  (right ? tick : cross)(c.x + 7, c.y + static_cast<float>(std::floor(c.pitch / 2)), 13, packed(colour));
   c.x += 22, c.width -= 22;
-  c.paragraph(right ? "Right" : "Not quite", colour, 15, 23, true);
+  c.paragraph(right ? "Right" : "Not quite", colour, true);
   c.x -= 22, c.width += 22;
   c.ui.rects["what came of it"] = {c.x, begin, c.x + c.width, c.y};
   const Rect again{c.x + c.width - 92, begin - 1, c.x + c.width, begin + 23};
   if (chip(c.ui, "numbers again", again, "Again (Y)", false, c.ui.fonts.small)) field.other = true;
   if (ImGui::IsItemHovered()) tooltip(c.ui, "The same question with other numbers");
-  c.paragraph(answered->question->prompt, ink.muted);
-  if (!answered->told.empty()) {
+  c.paragraph(answered.question->prompt, ink.muted);
+  if (!answered.told.empty()) {
     const float top = c.y;
-    c.paragraph(answered->told, ink.text);
+    c.paragraph(answered.told, ink.text);
     c.ui.rects["what was typed"] = {c.x, top, c.x + c.width, c.y};
   }
-  if (!answered->reply.empty()) {
+  if (!answered.reply.empty()) {
     const float top = c.y;
-    c.paragraph(answered->reply, ink.text);
+    c.paragraph(answered.reply, ink.text);
     c.ui.rects["reply"] = {c.x, top, c.x + c.width, c.y};
   }
   c.y += 8;
-  choices(c, *answered->question, false, answered->choice);
+  choices(c, *answered.question, which, false, answered.choice);
   c.y += 10;
-  c.paragraph(answered->question->because, ink.text);
+  c.paragraph(answered.question->because, ink.text);
+}
+
+}  // namespace
+
+void question(Column& c, Player& player, AnswerField& field, bool fresh) {
+  if (player.quiz().asked()) {
+    c.y += 24;
+    if (fresh) ImGui::SetScrollFromPosY(c.y - ImGui::GetWindowPos().y, 0);
+    c.paragraph("Your turn", c.ui.palette.text, true);
+    c.y += 2;
+    return open_question(c, player, field);
+  }
+  const std::optional<Answered>& answered = player.quiz().answered();
+  if (!answered) return;
+  c.y += 24;
+  const float begin = c.y;
+  told_answer(c, *answered, all_choices(*answered->question), field);
   if (!fresh) return;
   // scroll until its end is in sight, or its beginning at the top
   constexpr float margin = 20;
@@ -128,38 +174,27 @@ void question(Column& c, Player& player, AnswerField& field, bool fresh, bool va
                              c.y - begin + margin < height ? 1 : 0);
 }
 
-namespace {
-
-/// Draws the question at the lower end of `r`, as high as its words, which scroll if there is too little room.
-void question_within(Player& player, Ui& ui, StepWords& step_words, bool values, Rect r) {
-  constexpr float margin = 16;
-  r.top = std::max(r.top, r.bottom - step_words.question_height);
-  begin_region(ui, "question over scene", r, ui.palette.window, true);
-  outlined(r, ui.palette.rule, 1.5f, 0);
-  const float top = ImGui::GetCursorScreenPos().y;
-  Column c{ui, r.left + margin, top - 12, r.width() - 2 * margin};
-  question(c, player, step_words.answer, false, values);
-  step_words.question_height = c.y - top + margin;
-  ImGui::SetCursorScreenPos({r.left, c.y});
-  ImGui::Dummy({1, margin});
-  ImGui::End();
-}
-
-bool has_question(const Player& player) { return player.quiz().asked() || player.quiz().answered(); }
-
-}  // namespace
-
-void question_over_scene(Player& player, Ui& ui, StepWords& step_words, const Rect& scene, const Rect& words) {
-  if (!has_question(player)) return;
-  // Once it is answered, the axes in the scene's corner and a ray's t-axis stay visible below it, if there is room.
-  const float width = std::min(640.0f, scene.width() - 40), axes = scene.height() < 480 ? 0 : 94;
-  const float bottom = player.quiz().asked() ? words.bottom : scene.bottom - axes;
-  question_within(player, ui, step_words, true,
-                  {scene.left + 20, scene.top + 70, scene.left + 20 + width, bottom - 12});
-}
-
-void question_over_scenes(Player& player, Ui& ui, StepWords& step_words, bool values, const Rect& scenes) {
-  if (has_question(player)) question_within(player, ui, step_words, values, scenes.inset(12));
+void question_in_lecture(Column& c, Player& player, AnswerField& field) {
+  if (player.quiz().asked()) return open_question(c, player, field);
+  const float begin = c.y;
+  if (const std::optional<Answered>& answered = player.quiz().answered()) {
+    std::vector<int> which = {answered->question->answer};
+    if (answered->choice >= 0 && !answered->right()) which.push_back(answered->choice);
+    told_answer(c, *answered, which, field);
+  } else if (const std::optional<Question>& passed = player.step().question;
+             passed && player.quiz().is_past(player.index())) {
+    c.paragraph("The answer", c.ui.palette.text, true);
+    c.paragraph(passed->prompt, c.ui.palette.muted);
+    c.y += 8;
+    choices(c, *passed, {passed->answer}, false, -1);
+    c.y += 10;
+    c.paragraph(passed->because, c.ui.palette.text);
+    c.ui.rects["the answer"] = {c.x, begin, c.x + c.width, c.y};
+  }
+  if (c.y == begin) return;
+  c.y += 10;
+  rule(c.ui, c.x, c.x + c.width, c.y);
+  c.y += 12;
 }
 
 }  // namespace isect::viz

@@ -175,19 +175,15 @@ void SecondPane::show_other(const ScenePane& first, const Settings& settings, co
   const bool methods = !settings.beside->method.empty();
   const WalkDifference difference = difference_now(first.player, *other_);
   const Parted parted = {difference.line_b, difference.value_b};
-  const std::map<std::string, Rect> before = std::exchange(ui.rects, {});
   if (std::exchange(named_, other_->revision()) != other_->revision() || names_.empty())
     names_ = names_of(other_->lesson(), other_->walk());
   std::swap(ui.names, names_);
-  ui.side = "other ";
   Toast toast;
   double zoom = 1;
-  scene_.show({*other_, ui, toast, zoom, methods ? Pane::along : Pane::fixed}, at.second_scene);
-  code_panel(*other_, ui, at.second_code, &parted);
-  std::map<std::string, Rect> all = before;
-  for (const auto& [name, rect] : ui.rects) all[ui.side + name] = rect;
-  ui.rects = std::move(all);
-  ui.side.clear();
+  on_other_side(ui, [&] {
+    scene_.show({*other_, ui, toast, zoom, methods ? Pane::along : Pane::fixed}, at.second_scene);
+    if (at.second_code.height() > 0) code_panel(*other_, ui, at.second_code, &parted);
+  });
   std::swap(ui.names, names_);
 
   Parameters shared = methods ? other_->parameters() : first.player.parameters();
@@ -202,7 +198,7 @@ void SecondPane::show(const ScenePane& first, Settings& settings, SceneView& lea
     toggle_panes(first.player, settings, first.toast);
   const Parted parted = {difference.line_a, difference.value_a};
   lead.show(first, at.first_scene);
-  code_panel(first.player, first.ui, at.first_code, &parted);
+  if (at.first_code.height() > 0) code_panel(first.player, first.ui, at.first_code, &parted);
   if (two_panes(first.player, settings) && follow(first.player, settings, first.toast)) show_other(first, settings, at);
 }
 

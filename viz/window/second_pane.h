@@ -24,6 +24,8 @@ class SecondPane {
   void show(const ScenePane& first, Settings&, SceneView& lead, const PanesLayout&);
   /// Returns to one pane.
   void leave(Player& first, Settings&);
+  /// Returns the player of the second pane; null if there is none.
+  Player* other() { return other_ ? &*other_ : nullptr; }
   /// Whether the second scene wants another frame (SceneView::behind), while there are two panes.
   bool behind() const { return other_ && scene_.behind(); }
   void rescale(double scale) { scene_.rescale(scale); }

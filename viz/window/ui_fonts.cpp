@@ -38,7 +38,8 @@ UiFonts load_fonts(double scale) {
           .bold = load("DejaVu Sans:bold", 15, scale),
           .heading = load("DejaVu Sans:bold", 19, scale),
           .mono = load("DejaVu Sans Mono", 15, scale),
-          .mono_small = load("DejaVu Sans Mono", 13, scale)};
+          .mono_small = load("DejaVu Sans Mono", 13, scale),
+          .mono_large = load("DejaVu Sans Mono", 20, scale)};
 }
 
 }  // namespace isect::viz

@@ -6,7 +6,7 @@
 namespace isect::viz {
 
 struct UiFonts {
-  ImFont *body, *small, *bold, *heading, *mono, *mono_small;
+  ImFont *body, *small, *bold, *heading, *mono, *mono_small, *mono_large;
 };
 
 /// Fills the atlas of the current Dear ImGui context; `scale`: framebuffer pixels per px. Throws

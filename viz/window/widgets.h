@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "viz/window/focus.h"
@@ -91,6 +92,18 @@ void scrolling(Ui& ui, const char* name, const Rect& r, Inside&& inside) {
   ImGui::EndChild();
 }
 void tooltip(const Ui&, const std::string&);
+/// Draws what belongs to the second of two panes: the names of its widgets get a prefix.
+template <class Draw>
+void on_other_side(Ui& ui, Draw&& draw) {
+  std::map<std::string, Rect> all = std::exchange(ui.rects, {});
+  ui.side = "other ";
+  ImGui::PushID("other side");
+  draw();
+  ImGui::PopID();
+  for (const auto& [name, rect] : ui.rects) all[ui.side + name] = rect;
+  ui.rects = std::move(all);
+  ui.side.clear();
+}
 
 void filled(const Rect&, const Colour&, float rounding = 6);
 void outlined(const Rect&, const Colour&, float width = 1.5f, float rounding = 6);

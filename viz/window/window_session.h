@@ -150,14 +150,8 @@ struct AnswerField {
 /// The words of a step, beside its scene or below it.
 struct StepWords {
   unsigned seen = 0;                         ///< the revision whose words are shown
-  float question_height = 120;               ///< of the question over the scene, as the last frame found it
   std::set<const Exercise*> solutions = {};  ///< those that are shown
   AnswerField answer = {};
-  /// The words below the scene, as high as the fullest step of the lesson so far, so that the scene keeps its size.
-  struct Lecture {
-    const Lesson* lesson = nullptr;
-    float width = 0, height = 0;
-  } lecture = {};
 };
 
 /// Where the walks of two panes part: a line, one of the step's values; -1: nowhere.
@@ -212,7 +206,8 @@ struct WindowSession {
   const Course& course;
   std::string figures;  ///< folder for saved figures
   SceneFile scene_file = {};
-  bool panels = true, full_screen = false;
+  bool panels = true, full_screen = false;  ///< without panels it is a lecture
+  bool dark = false;                        ///< a lecturer has made the screen dark
   Requests requests = {};
   SaveSheet save_sheet = {};
   Picker picker = {};

@@ -188,12 +188,7 @@ struct WindowUi::Impl {
 
   WindowLayout layout() {
     const ImVec2& whole = ImGui::GetIO().DisplaySize;
-    const WindowLayout at = window_layout(whole.x, whole.y);
-    if (session.panels || session.review) return at;
-    const float room = at.transport.top - at.top.bottom;
-    return window_layout_without_panels(
-        whole.x, whole.y,
-        two_panes(player, settings) ? 0 : lecture_height(player, ui, session.step_words, whole.x, room));
+    return session.panels || session.review ? window_layout(whole.x, whole.y) : lecture_layout(whole.x, whole.y);
   }
 
   /// Shows a question of a review as its lesson does; at the end what came of all.
@@ -212,12 +207,11 @@ struct WindowUi::Impl {
     const LessonPanel lesson{player, ui, settings, session.fields, session.step_words, session.requests, session.toast};
     if (session.review) return show_review(at, pane, lesson);
     if (two_panes(player, settings)) {
-      const PanesLayout two = panes_layout(at);
+      const PanesLayout two = panes_layout(at, session.panels, player.quiz().asked() || player.quiz().answered());
       panes.show(pane, settings, scene, two);
       if (two.lesson.width() > 0) return lesson_panel(lesson, two.lesson);
-      return question_over_scenes(
-          player, ui, session.step_words, !session.panels,
-          {two.first_scene.left, two.first_scene.top, two.second_scene.right, two.first_scene.bottom});
+      if (two.strip.height() > 0) lecture(player, ui, session.step_words, two.strip, panes.other());
+      return;
     }
     panes.leave(player, settings);
     if (shows_map(player, settings)) {
@@ -227,10 +221,7 @@ struct WindowUi::Impl {
     } else {
       scene.show(pane, at.scene);
     }
-    if (!session.panels) {
-      lecture(player, ui, session.step_words, at.lesson);
-      return question_over_scene(player, ui, session.step_words, at.scene, at.lesson);
-    }
+    if (!session.panels) return lecture(player, ui, session.step_words, at.lesson);
     lesson_panel(lesson, at.lesson);
     code_panel(player, ui, at.code);
   }
@@ -297,12 +288,13 @@ void WindowUi::frame() {
     transport(w.player, w.ui, w.settings, w.session.toast, at.transport);
   }
   sheets(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
-  focus_ring(w.ui);
+  dark_screen(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
+  if (!w.session.dark) focus_ring(w.ui);
   w.ui.light.end_frame(io.DeltaTime, w.settings.reduced_motion || w.reduced_motion, moved, w.ui.focus.moved());
   const std::string name = w.ui.light.name();
   w.ui.sum =
       name.empty() ? name : sum_of(w.player.lesson(), w.player.parameters(), w.player.walk(), w.player.index(), name);
-  tell_sum(w.ui, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
+  if (!w.session.dark) tell_sum(w.ui, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
   w.ui.focus.end_frame();
   keep_score(w.player, w.settings, w.session.answers_kept);
   if (!w.session.review) keep_recent(w.player, w.settings);

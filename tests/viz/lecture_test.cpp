@@ -1,0 +1,281 @@
+// The strip of a lecture, and the keys with which one is given.
+
+#include <algorithm>
+#include <string>
+
+#include "lessons/lessons.h"
+#include "tests/catch.h"
+#include "tests/viz/at_question.h"
+#include "tests/viz/sample_lesson.h"
+#include "tests/viz/window_driver.h"
+#include "viz/text/rich_text.h"
+#include "viz/window/panels.h"
+
+namespace lecture_test {
+using namespace isect;
+using namespace isect::viz;
+
+namespace {
+
+const Lesson number = sample::asking_for_a_number(), disc = sample::lesson();
+
+ReaderState at(const std::string& lesson, const std::string& preset, int step) {
+  ReaderState state = place_at(lesson, preset);
+  state.step = step;
+  return state;
+}
+
+int step_called(const Player& player, const std::string& slug) {
+  const std::vector<Step>& steps = player.walk().steps;
+  const auto found = std::ranges::find(steps, slug, &Step::slug);
+  REQUIRE(found != steps.end());
+  return static_cast<int>(found - steps.begin());
+}
+
+bool within(const Rect& r, const Rect& whole) {
+  return r.left >= whole.left && r.right <= whole.right && r.top >= whole.top && r.bottom <= whole.bottom;
+}
+
+/// Checks that the strip stands where it stood, and that all of the question lies in it; what lies below its end is
+/// scrolled to.
+void check_strip(const WindowDriver& window, const Rect& strip) {
+  const Rect now = window.rect("lecture");
+  CHECK((now.top == strip.top && now.bottom == strip.bottom));
+  CHECK(window.rect("scene").bottom <= now.top);
+  CHECK(now.bottom <= window.rect("transport").top);
+  static const char* const words[] = {"choice ", "answer",         "tile ",      "give answer",    "show choices",
+                                      "reply",   "what was typed", "the answer", "what came of it"};
+  static const char* const state[] = {"point ", "told value ", "told formula", "line "};
+  for (const auto& [name, r] : window.ui.rects()) {
+    const auto begins = [&name = name](const char* start) { return name.starts_with(start); };
+    const bool beside = std::ranges::any_of(state, begins);
+    if (!beside && std::ranges::none_of(words, begins)) continue;
+    const std::string part = beside ? "told state" : "told words";
+    const Rect place = window.rect(part);
+    INFO(name << ": " << r.left << " " << r.top << " " << r.right << " " << r.bottom);
+    CHECK((r.left >= place.left && r.right <= place.right && r.top >= place.top));
+    if (r.bottom > place.bottom) CHECK(window.has("more below " + part));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("in a lecture a question stands in the strip and covers nothing, at any size and with larger words",
+          "[lecture][layout]") {
+  const auto [width, height, size] = GENERATE(table<float, float, double>(
+      {{800, 600, 1.0}, {1280, 800, 1.0}, {1280, 800, 1.6}, {1920, 1080, 1.0}, {1920, 1080, 2.0}, {2560, 1440, 1.0}}));
+  CAPTURE(width, height, size);
+  Settings settings;
+  settings.size = size;
+  WindowDriver window(lessons::all_lessons(), width, height, {}, settings, layout_only);
+  window.key(key::tab);
+  const Rect strip = window.rect("lecture");
+  const bool roomy = width >= 1280 && size == 1;
+  int asked = 0;
+  ask_all(window, lessons::all_lessons(), [&](const Question&) {
+    ++asked;
+    window.frames(2);
+    INFO(window.ui.title());
+    check_strip(window, strip);
+    const Rect words = window.rect("told words");
+    const bool more = window.player().quiz().asks_more();
+    if (roomy) CHECK(within(window.rect(more ? "answer" : "choice 0"), words));
+    if (more) {
+      window.player().show_choices();
+      window.frames(2);
+      check_strip(window, strip);
+    }
+    window.player().answer(0);
+    window.frames(2);
+    REQUIRE(window.player().quiz().answered());
+    CHECK(within(window.rect("what came of it"), words));
+    check_strip(window, strip);
+  });
+  CHECK(asked > 40);
+}
+
+TEST_CASE("the strip is a share of the window, and the same in all steps of all lessons", "[lecture]") {
+  for (const auto& [width, height] :
+       {std::pair(800.0f, 500.0f), std::pair(1280.0f, 800.0f), std::pair(2560.0f, 1440.0f)}) {
+    const WindowLayout layout = lecture_layout(width, height);
+    CHECK(layout.lesson.top == layout.scene.bottom);
+    CHECK(layout.lesson.height() >= 130);
+    CHECK(layout.lesson.height() < 0.6f * layout.scene.height());
+    WindowDriver window({&disc, &number}, width, height, {}, {}, layout_only);
+    window.key(key::tab);
+    for (int i = 0; i < window.player().count(); ++i) {
+      window.player().go_to(i);
+      window.frames(2);
+      CHECK(window.rect("lecture").top == layout.lesson.top);
+      CHECK(window.rect("scene").bottom == layout.scene.bottom);
+    }
+  }
+}
+
+TEST_CASE("in a lecture a question stands with the numbers it needs", "[lecture]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("ray-sphere", "inside"));
+  window.player().go_to(step_called(window.player(), "passing-distance") - 1);
+  window.key(key::tab);
+  window.key(key::right);
+  window.frames(2);
+  REQUIRE(window.player().quiz().asked());
+  for (const Value& given : window.player().quiz().asked()->given)
+    CHECK(within(window.rect("told value " + plain(given.name)), window.rect("told state")));
+  REQUIRE(window.has("known values"));
+  CHECK(window.rect("known values").left > window.rect("answer").right);
+}
+
+TEST_CASE("in a lecture the question is answered in the strip, and the scene stays as it is", "[lecture]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("ray-sphere", "two-roots", 4));
+  window.key(key::tab);
+  const Rect scene = window.rect("scene");
+  window.key(key::right);
+  window.frames(2);
+  REQUIRE(window.player().quiz().asked());
+  window.player().show_choices();
+  window.frames(2);
+  REQUIRE(window.has("choice 1"));
+  CHECK(within(window.rect("choice 1"), window.rect("told words")));
+  CHECK(window.rect("scene").bottom == scene.bottom);
+  const Camera camera = window.player().camera().goal();
+  const int right = window.player().quiz().asked()->answer;
+  window.click("choice " + std::to_string(right));
+  REQUIRE(window.player().quiz().answered());
+  CHECK(window.player().quiz().answered()->right());
+  CHECK(window.player().camera().goal().azimuth == camera.azimuth);
+  window.frames(2);
+  CHECK(within(window.rect("what came of it"), window.rect("told words")));
+  CHECK(window.has("choice " + std::to_string(right)));
+  CHECK(window.rect("scene").bottom == scene.bottom);
+}
+
+TEST_CASE("the last of five answers is reached by keys in the least window", "[lecture]") {
+  WindowDriver window(lessons::all_lessons(), 800, 600, place_at("speed-against-error", "ray-sphere"), {}, layout_only);
+  window.player().go_to(step_called(window.player(), "cost") - 1);
+  window.key(key::tab);
+  window.key(key::page_down);
+  window.frames(2);
+  REQUIRE(window.player().quiz().asked());
+  REQUIRE(window.player().quiz().asked()->choices.size() == 5);
+  for (int i = 0; i < 80 && window.ui.focus() != "choice 4"; ++i) window.key(key::down);
+  REQUIRE(window.ui.focus() == "choice 4");
+  window.frames(3);
+  CHECK(within(window.rect("choice 4"), window.rect("told words")));
+  window.key(key::enter);
+  REQUIRE(window.player().quiz().answered());
+  CHECK(window.player().quiz().answered()->choice == 4);
+}
+
+TEST_CASE("Page Down goes to a question, then to its answer, and Page Up back; N goes on, too", "[lecture]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("ray-sphere", "two-roots", 4));
+  const std::string preset = window.player().played().preset_id();
+  const bool by_letter = GENERATE(false, true);
+  const auto on = [&] {
+    if (by_letter) return window.type("n");
+    window.key(key::page_down);
+    window.frames(2);
+  };
+  window.key(key::tab);
+  on();
+  REQUIRE(window.player().quiz().asked());
+  CHECK(window.player().index() == 4);
+  CHECK_FALSE(window.has("the answer"));
+  on();
+  CHECK_FALSE(window.player().quiz().asked());
+  CHECK(window.player().index() == 5);
+  REQUIRE(window.has("the answer"));
+  CHECK(window.has("choice " + std::to_string(window.player().step().question->answer)));
+  CHECK(window.player().answers_given() == 0);  // nobody has answered it
+  on();
+  CHECK_FALSE(window.has("the answer"));
+  while (window.player().index() > 4) window.key(key::page_up);
+  CHECK(window.player().index() == 4);
+  CHECK(window.player().played().preset_id() == preset);
+  CHECK(window.player().clock().stops_at_questions());
+  window.type("2");
+  CHECK(window.player().played().preset_id() == window.player().played().group()[1]->id);
+  window.key(key::tab);
+  window.key(key::page_up);
+  CHECK(window.player().played().preset_id() == preset);  // with the panels it goes to presets
+}
+
+TEST_CASE("in a lecture Page Down leaves an answer that is being typed", "[lecture]") {
+  AtQuestion asked({&number});
+  asked.window.key(key::tab);
+  asked.type("0.5");
+  REQUIRE(asked.window.player().quiz().asked());
+  asked.window.key(key::page_down);
+  asked.window.frames(3);
+  CHECK(asked.window.player().index() == 2);
+  CHECK_FALSE(asked.window.player().quiz().asked());
+  asked.window.key(key::page_down);
+  CHECK(asked.window.player().index() == 3);
+}
+
+TEST_CASE("B or a dot makes the screen dark in a lecture, and any key or click makes it light", "[lecture]") {
+  WindowDriver window({&disc});
+  window.type("b");
+  CHECK_FALSE(window.has("dark"));
+  window.key(key::tab);
+  for (const char* sign : {"b", ".", "B"}) {
+    window.type(sign);
+    REQUIRE(window.has("dark"));
+    window.key(key::page_down);
+    CHECK_FALSE(window.has("dark"));
+    CHECK(window.player().index() == 0);
+  }
+  window.type(".");
+  window.type("x");
+  CHECK_FALSE(window.has("dark"));
+  window.type(".");
+  window.frames(2);
+  window.click("dark screen");
+  CHECK_FALSE(window.has("dark"));
+  window.type(".");
+  window.key(key::q, true);
+  CHECK((window.ui.wants_to_close() && !window.has("dark")));
+}
+
+TEST_CASE("what is shown large are at most three values: of the condition, new ones, of the line and the formula",
+          "[lecture]") {
+  const auto named = [](const char* name, bool fresh = false) {
+    Value v;
+    v.name = name, v.fresh = fresh;
+    return v;
+  };
+  const auto names = [](const std::vector<Value>& values) {
+    std::vector<std::string> all;
+    for (const Value& v : values) all.push_back(plain(v.name));
+    return all;
+  };
+  using Names = std::vector<std::string>;
+  Walk walk;
+  walk.pseudocode = {"if l² > r²", "  s ← l · d"};
+  Step step;
+  step.values = {named("*s*"), named("*l*"), named("*l*^2"), named("*r*^2", true), named("*q*", true)};
+  CHECK(names(values_in_use(walk, step)) == Names{"r²", "q"});
+  step.line = 1;
+  CHECK(names(values_in_use(walk, step)) == Names{"s", "r²", "q"});
+  step.line = 0;
+  step.comparison.emplace().text = "*l*^2 > *r*^2";
+  CHECK(names(values_in_use(walk, step)) == Names{"l²", "r²", "q"});
+  step.values[3].fresh = step.values[4].fresh = false;
+  CHECK(names(values_in_use(walk, step)) == Names{"l²", "r²"});  // l is not a part of l²
+  step.comparison.reset();
+  step.line = -1;
+  CHECK(values_in_use(walk, step).empty());
+  step.formula = "*q* = √(*r*^2 − *m*^2)";
+  CHECK(names(values_in_use(walk, step)) == Names{"r²", "q"});
+}
+
+TEST_CASE("in a lecture the current line is large, and says yes or no", "[lecture]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("ray-sphere", "two-roots"));
+  window.player().go_to(step_called(window.player(), "which-root"));
+  window.key(key::tab);
+  window.frames(2);
+  REQUIRE((window.has("line 10") && window.has("yes 10")));
+  CHECK(window.rect("line 10").height() >= 38);
+  CHECK(within(window.rect("yes 10"), window.rect("line 10")));
+}
+
+}  // namespace lecture_test
