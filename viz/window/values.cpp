@@ -125,8 +125,8 @@ void value_row(Ui& ui, const Value& v, const std::string& digits, const std::map
   if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) ui.light.point(names, r);
   ui.rects["value " + name] = r;
   if (focused(ui, "value " + name, r)) ui.light.hold(names, r);
-  lights_in(ui, font, r.left + 10, y, name);
   text(font, r.left + 10, y, packed(c.text), name);
+  lights_in(ui, font, r.left + 10, y, name);
   if (name != plain(v.name) && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) tooltip(ui, plain(v.name));
   const float from = number - text(ui.fonts.mono, number, y, packed(c.text), digits, 1);
   ui.rects["number " + name] = {from, y - 7, number, y + 7};
@@ -146,8 +146,8 @@ void value_row(Ui& ui, const Value& v, const std::string& digits, const std::map
 /// Draws a condition, and whether it is true. Returns where that ends.
 float truth(Ui& ui, const Comparison& c, ImFont* font, float x, float y) {
   const Colour& ink = c.holds ? ui.palette.hit : ui.palette.miss;
-  lights_in(ui, font, x, y, plain(c.text));
   const float end = x + text(font, x, y, packed(ui.palette.text), plain(c.text)) + 10;
+  lights_in(ui, font, x, y, plain(c.text));
   (c.holds ? tick : ring)(end + 6, y, 13, packed(ink));
   return end + 17 + text(ui.fonts.small, end + 17, y, packed(ink), c.holds ? "true" : "false");
 }
