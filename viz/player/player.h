@@ -93,8 +93,8 @@ class Player {
   // whatever reason, nothing has changed: neither what is shown, nor the camera, nor what undo() knows.
   void open(const Lesson&);
   void open_neighbour(int by);
-  /// Load a preset, or the one that was loaded last, and frame it, even if the reader has moved the camera, unless it is
-  /// pinned.
+  /// Load a preset, or the one that was loaded last, and frame it, even if the reader has moved the camera, unless it
+  /// is pinned.
   void load(const Preset&);
   void restart();
   void load_method(const std::string& choice);

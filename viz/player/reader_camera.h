@@ -1,6 +1,6 @@
 #pragma once
-// The camera of a player's reader: it frames the walk until the reader moves it, and again with every preset, unless the
-// reader has pinned it.
+// The camera of a player's reader: it frames the walk until the reader moves it, and again with every preset, unless
+// the reader has pinned it.
 
 #include <functional>
 #include <memory>

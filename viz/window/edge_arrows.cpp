@@ -65,7 +65,8 @@ Rect rect_of(const EdgeArrow& arrow) {
 
 std::vector<EdgeArrow> arrows_of(const Player& player, Ui& ui, const View& view, const Rect& scene) {
   if (player.scene().chart) return {};
-  return edge_arrows(out_of_view(player, ui, view, scene), room_of_arrows(player, ui, scene));
+  const std::vector<OutOfView> things = out_of_view(player, ui, view, scene);
+  return things.empty() ? std::vector<EdgeArrow>{} : edge_arrows(things, room_of_arrows(player, ui, scene));
 }
 
 void draw_arrow(Ui& ui, const EdgeArrow& arrow) {
@@ -129,7 +130,10 @@ std::vector<EdgeArrow> edge_arrows(const std::vector<OutOfView>& things, const R
     keep_off_corners(at, room);
     const auto near = [&](const EdgeArrow& other) { return (other.at - at).norm() < arrows_apart; };
     auto found = std::ranges::find_if(arrows, near);
-    if (found == arrows.end()) found = arrows.insert(arrows.end(), {at, way.normalized()});
+    if (found == arrows.end()) {
+      arrows.push_back({at, way.normalized()});
+      found = arrows.end() - 1;
+    }
     const auto same = [&](const std::string& name) { return plain(name) == plain(thing.name); };
     if (std::ranges::none_of(found->names, same)) found->names.push_back(thing.name);
     found->lit = found->lit || thing.lit;

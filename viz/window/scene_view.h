@@ -67,12 +67,12 @@ class SceneView {
   std::vector<PlacedLabel> labels_;
   KeptPicture picture_;
   TallestVerdict tallest_verdict_;
-  std::string drawn_;           ///< what the picture shows, as one line: it is not drawn twice
-  double turning_ = -1;         ///< seconds for which keys have turned or shifted it; < 0: they do not
+  std::string drawn_;             ///< what the picture shows, as one line: it is not drawn twice
+  double turning_ = -1;           ///< seconds for which keys have turned or shifted it; < 0: they do not
   std::vector<ChartMark> marks_;  ///< of the chart, once the pointer was over it
   std::string marked_;            ///< which chart they are of, as one line
-  bool sketched_ = false;       ///< drawn coarsely during a drag, smoothly once the button is released
-  std::optional<Handle> held_;  ///< while a handle is dragged: the handle as it is now
+  bool sketched_ = false;         ///< drawn coarsely during a drag, smoothly once the button is released
+  std::optional<Handle> held_;    ///< while a handle is dragged: the handle as it is now
   const Lesson* held_in_ = nullptr;
   /// A snap whose search takes more than a frame, and what was on show when it began.
   struct Search {
