@@ -150,9 +150,12 @@ void press_edge_arrows(Player& player, Ui& ui, const View& view, const Rect& sce
 }
 
 void draw_edge_arrows(const Player& player, Ui& ui, const View& view, const Rect& scene) {
-  for (const EdgeArrow& arrow : arrows_of(player, ui, view, scene)) {
+  const std::vector<EdgeArrow> arrows = arrows_of(player, ui, view, scene);
+  for (std::size_t i = 0; i < arrows.size(); ++i) {
+    const EdgeArrow& arrow = arrows[i];
     draw_arrow(ui, arrow);
     const Rect r = rect_of(arrow);
+    if (arrow.lit) ui.rects["lit " + name_of_button(i)] = r;
     if (!ImGui::GetIO().MouseDown[0] && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
       tooltip(ui, plain(arrow.words()) +
                       ": out of view\nHere: show all of this step. F: the whole walk. Ctrl+Z: one change back");

@@ -1,14 +1,12 @@
 #include "viz/window/value_bars.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "viz/text/rich_text.h"
 
 namespace isect::viz {
 namespace {
 
 void fill_bar(BarFill fill, const Rect& r, const Colour& ink) {
+  if (!(r.width() > 0)) return;
   const float rounding = std::min(4.0f, r.width() / 2);
   switch (fill) {
     case BarFill::full:

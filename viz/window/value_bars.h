@@ -1,6 +1,8 @@
 #pragma once
 // The bars beside values and conditions. Bars of one unit share a scale and a look, and the unit is named.
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
