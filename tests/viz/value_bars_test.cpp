@@ -55,7 +55,7 @@ TEST_CASE("a condition is measured in the unit of the value that is one of its s
   const Step step = step_of({{"*s*", "length"}, {"*m*^2", "area"}, {"*t*", ""}});
   const std::vector<UnitBars> units = units_of(step);
   const auto unit = [&](const std::string& text) {
-    const UnitBars* found = unit_of(units, step, {text});
+    const UnitBars* found = unit_of(units, step, {text, 0, 0, false, ""});
     return found ? found->unit : std::string();
   };
   CHECK(unit("*m*^2 ≤ *r*^2") == "area");

@@ -92,6 +92,7 @@ Rect visible(const WindowDriver& window, const std::string& full_name, Rect r) {
                                                               {"refused ", "lesson fields"},
                                                               {"meaning", "values"},
                                                               {"condition ", "values"},
+                                                              {"unit ", "values"},
                                                               {"value ", "values"}};
   if (is_of_question(name) && window.has("question over scene")) {  // the card scrolls
     const Rect card = window.rect("question over scene");

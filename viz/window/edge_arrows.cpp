@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "viz/compose/labels.h"
 #include "viz/player/camera_moves.h"
 #include "viz/player/lights.h"
 #include "viz/text/rich_text.h"
@@ -28,10 +27,24 @@ bool is_within(const Vec2& p, const TextBox& b) {
 
 Vec2 middle_of(const Rect& r) { return {r.middle_x(), r.middle_y()}; }
 
+/// Whether a part of the segment a b lies in a box.
+bool passes(const Vec2& a, const Vec2& b, const TextBox& box) {
+  const Vec2 lo(box.left, box.top), hi(box.right, box.bottom), along = b - a;
+  double from = 0, to = 1;
+  for (int i = 0; i < 2; ++i) {
+    if (along[i] == 0 && (a[i] < lo[i] || a[i] > hi[i])) return false;
+    if (along[i] == 0) continue;
+    const double enters = (lo[i] - a[i]) / along[i], leaves = (hi[i] - a[i]) / along[i];
+    from = std::max(from, std::min(enters, leaves)), to = std::min(to, std::max(enters, leaves));
+  }
+  return from <= to;
+}
+
 /// Whether a part of a stroke can be seen.
 bool is_seen(const LitStroke& stroke, const TextBox& scene) {
-  if (stroke.radius > 0) return is_within(stroke.a, grown(scene, stroke.radius));
-  return length_inside(stroke.a, stroke.b, scene) > 0;
+  const double r = stroke.radius;
+  if (r > 0) return is_within(stroke.a, {scene.left - r, scene.top - r, scene.right + r, scene.bottom + r});
+  return passes(stroke.a, stroke.b, scene);
 }
 
 /// Returns the part of the scene on whose rim the arrows stand: below the chips.
