@@ -62,7 +62,8 @@ void label_again(Ui& ui, const PlacedLabel& label, const std::string& markup, co
   constexpr double large = 100;  // px, to measure by
   const TextBox b = measure(Text{markup, {0, 0}, large, {}, 0, false, 0, {}});
   if (!(b.right > b.left)) return;
-  const double size = large * (label.box.right - label.box.left) / (b.right - b.left);
+  const double natural = large * (label.box.right - label.box.left) / (b.right - b.left);
+  const double size = std::round(4 * natural) / 4;  // the same at any place: its picture is kept
   const Paragraph words{.markup = markup,
                         .size = size,
                         .line_pitch = std::ceil(1.6 * size),
