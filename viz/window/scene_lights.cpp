@@ -57,24 +57,26 @@ bool is_straight(const Item& item) {
          std::holds_alternative<Span>(item);
 }
 
-/// Draws a label once more, near-black, as large as it stands in the picture.
-void label_again(Ui& ui, const PlacedLabel& label, const std::string& markup, const Rect& r, double strength) {
+/// Draws a label once more, near-black, where it stands in the picture and as large.
+void label_again(Ui& ui, const PlacedLabel& label, const std::string& markup, const Rect& scene, double strength) {
   constexpr double large = 100;  // px, to measure by
-  const TextBox b = measure(Text{markup, {0, 0}, large, {}, 0, false, 0, {}});
-  if (!(b.right > b.left)) return;
-  const double natural = large * (label.box.right - label.box.left) / (b.right - b.left);
-  const double size = std::round(4 * natural) / 4;  // the same at any place: its picture is kept
-  const Paragraph words{.markup = markup,
-                        .size = size,
-                        .line_pitch = std::ceil(1.6 * size),
-                        .math = true,
-                        .colour = ui.palette.on_highlight};
+  const TextBox ink = measure(Text{markup, {0, 0}, large, {}, 0, false, 0, {}});
+  if (!(ink.right > ink.left)) return;
+  const double scale = (label.box.right - label.box.left) / (ink.right - ink.left);
+  const double size = std::round(4 * large * scale) / 4;  // the same at any place: its picture is kept
+  const double pitch = std::ceil(1.6 * size);
+  const Paragraph words{
+      .markup = markup, .size = size, .line_pitch = pitch, .math = true, .colour = ui.palette.on_highlight};
   const ImTextureID image = ui.texts.of(words);
+  if (!image) return;
+  // A paragraph of one line has its baseline where its capitals stand in the middle, and its ink begins within it.
+  const double left = scene.left + label.box.left - scale * std::max(ink.left, 0.0);
+  const double baseline = scene.top + label.box.top - scale * ink.top;
+  const double top = baseline - std::round((pitch + 0.72 * size) / 2);
   const ImVec2 extent = ui.texts.size_of(words);
-  const ImVec2 from{std::round(r.middle_x() - extent.x / 2), std::round(r.middle_y() - extent.y / 2)};
-  if (image)
-    ImGui::GetWindowDrawList()->AddImage(image, from, {from.x + extent.x, from.y + extent.y}, {0, 0}, {1, 1},
-                                         packed({1, 1, 1, 1}, strength));
+  const ImVec2 from{static_cast<float>(std::round(left)), static_cast<float>(std::round(top))};
+  ImGui::GetWindowDrawList()->AddImage(image, from, {from.x + extent.x, from.y + extent.y}, {0, 0}, {1, 1},
+                                       packed({1, 1, 1, 1}, strength));
 }
 
 /// Draws the number of a lit name once.
@@ -118,7 +120,7 @@ void light_names(const Player& player, Ui& ui, const View& view, const Rect& sce
     const Rect r = rect_of(label, scene);
     lights(ui, names, r);
     const Label drawn = label_of(player, label.text);
-    label_again(ui, label, drawn.text, r, ui.light.of(names));
+    label_again(ui, label, drawn.text, scene, ui.light.of(names));
     if (!is_of_point(drawn)) tell_measure(player, ui, names, label.text, r, scene);
   }
   each_named(player.scene(), ui.names, [&](const Item& item, const std::vector<std::string>& names) {
