@@ -19,7 +19,7 @@ std::string program(const Box& box, const Frustum<double>& view) {
   return "DRAWN";
 }
 
-/// Asked of one box alone.
+/// The question is asked of one box alone.
 TwoVerdicts verdicts(const Parameters& p) {
   if (std::get<std::string>(p.at("volume")) != "box") return {};
   const Vec3 &center = std::get<Vec3>(p.at("p")), half = Vec3::Constant(std::get<double>(p.at("size")));

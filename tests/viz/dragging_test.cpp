@@ -8,6 +8,7 @@
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
 #include "viz/player/reader_state.h"
+#include "viz/window/edge_arrows.h"
 
 namespace dragging_test {
 using namespace isect;
@@ -59,6 +60,82 @@ TEST_CASE("who drops a handle out of sight is told how to see it again", "[windo
   window.frames(60);
   const Rect again = window.rect("handle v0");
   CHECK((again.left >= scene.left && again.right <= scene.right));
+}
+
+TEST_CASE("an arrow at the edge points to a handle that is out of view, and a click on it brings it back", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("crossings", "inside"));
+  CHECK_FALSE(window.has("edge arrow 1"));
+  const Rect scene = window.rect("scene"), corner = window.rect("handle v0");
+  window.drag("handle v0", scene.right + 60 - corner.middle_x(), 0);
+  REQUIRE(window.has("edge arrow 1"));
+  CHECK_FALSE(window.has("edge arrow 2"));
+  const Rect arrow = window.rect("edge arrow 1");
+  CHECK((arrow.middle_x() > scene.right - 60 && arrow.right <= scene.right));
+  CHECK(arrow.middle_y() == Approx(corner.middle_y()).margin(80));
+  window.click("edge arrow 1");
+  window.frames(60);
+  const Rect again = window.rect("handle v0");
+  CHECK((again.middle_x() > scene.left && again.middle_x() < scene.right));
+  CHECK_FALSE(window.has("edge arrow 1"));
+}
+
+TEST_CASE("a name that is lit has an arrow, too, if its line is out of view", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("ray-sphere", "two-roots"));
+  const std::vector<Step>& steps = window.player().walk().steps;
+  const auto drawn = std::ranges::find_if(steps, [](const Step& step) {
+    return std::ranges::any_of(step.scene.items, [](const Item& item) {
+      const Label* label = std::get_if<Label>(&item);
+      return label && label->text == "*s*" && label->until;
+    });
+  });
+  REQUIRE(drawn != steps.end());
+  window.player().go_to(static_cast<int>(drawn - steps.begin()));
+  window.player().move_camera("", [](CameraRig& camera) {
+    Camera away = camera.goal();
+    away.target += Vec3(0, 40 * away.half_height, 0);
+    camera.jump(away);
+  });
+  window.frames(2);
+  CHECK(window.has("edge arrow 1"));
+  CHECK_FALSE(window.has("lit edge arrow 1"));
+  const Rect row = window.rect("value s");
+  window.move(row.middle_x(), row.middle_y());
+  window.frames(3);
+  CHECK(window.has("lit edge arrow 1"));  // one for all, which lie the same way
+}
+
+TEST_CASE("arrows stand on the rim towards what they point to, and near ones are one", "[window]") {
+  const Rect room{0, 0, 1000, 600};
+  const std::vector<EdgeArrow> arrows = edge_arrows(
+      {{{2500, 300}, "*a*"}, {{2500, 310}, "*b*"}, {{500, -900}, "*c*"}, {{500, -900}, "**c**", true}}, room);
+  REQUIRE(arrows.size() == 2);
+  CHECK(arrows[0].at.x() == Approx(1000));
+  CHECK(arrows[0].at.y() == Approx(300));
+  CHECK(arrows[0].way.x() == Approx(1));
+  CHECK(arrows[0].words() == "*a*, *b*");
+  CHECK(arrows[1].at.y() == Approx(0).margin(1e-9));
+  CHECK(arrows[1].words() == "*c*");
+  CHECK(arrows[1].lit);
+  CHECK(EdgeArrow{.names = {"*a*", "*b*", "*c*", "*d*"}}.words() == "*a* and 3 more");
+  CHECK(edge_arrows({{{2500, 300}, "*a*"}}, {0, 0, 0, 0}).empty());
+}
+
+TEST_CASE("L and a pin in the corner keep the reader's view for all presets", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("ray-sphere", "two-roots"));
+  CHECK_FALSE(window.has("pin"));
+  window.key(key::right, false, true);
+  const Camera own = window.player().camera().goal();
+  window.frames(2);
+  window.click("pin");
+  CHECK(window.player().camera().pinned());
+  window.type("2");
+  CHECK(window.player().camera().goal() == own);
+  window.type("l");
+  CHECK_FALSE(window.player().camera().pinned());
+  window.type("3");
+  CHECK_FALSE(window.player().camera().moved());
+  window.frames(2);
+  CHECK_FALSE(window.has("pin"));
 }
 
 TEST_CASE("a corner of a polygon in space stays in its plane under the pointer and under the keys", "[window]") {

@@ -5,9 +5,12 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
+#include "viz/chart/chart.h"
+#include "viz/compose/halos.h"
 #include "viz/text/names.h"
 #include "viz/walk/closing.h"
 #include "viz/walk/pseudocode.h"
+#include "viz/window/measures.h"
 
 namespace light_test {
 using namespace isect;
@@ -52,6 +55,19 @@ std::set<std::string> parts(const WindowDriver& window, const std::string& key) 
       if (window.rect(part).contains(r.middle_x(), r.middle_y())) all.insert(part);
   }
   return all;
+}
+
+/// The first step whose picture has this label beside a line.
+int step_with_label(const Player& player, const std::string& markup) {
+  const std::vector<Step>& steps = player.walk().steps;
+  const auto found = std::ranges::find_if(steps, [&](const Step& step) {
+    return std::ranges::any_of(step.scene.items, [&](const Item& item) {
+      const Label* label = std::get_if<Label>(&item);
+      return label && label->text == markup && label->until;
+    });
+  });
+  if (found == steps.end()) throw std::runtime_error("no label " + markup);
+  return static_cast<int>(found - steps.begin());
 }
 
 }  // namespace
@@ -103,6 +119,89 @@ TEST_CASE("the pointer on a value lights its name in text, code, values and scen
   window.frames(2);
   CHECK(lit(window, "s") == 0);
   CHECK_FALSE(window.has("sum"));
+}
+
+TEST_CASE("a lit name is near-black on the highlight, in every theme and in every part", "[window]") {
+  Settings settings;
+  settings.theme = GENERATE(ThemeName::dark, ThemeName::screen, ThemeName::print, ThemeName::grey);
+  INFO(name_of(settings.theme));
+  const Palette colours = palette(settings.theme);
+  CHECK(contrast_ratio(colours.on_highlight, colours.highlight) >= 7);
+  WindowDriver window(lessons::all_lessons(), 1280, 800, haines(), settings);
+  window.player().go_to(step_with_label(window.player(), "*s*"));
+  window.frames(2);
+  const Rect row = window.rect("value s");
+  window.move(row.middle_x(), row.middle_y());
+  window.frames(4);
+  const Picture picture = window.picture();
+  const auto at = [&](int x, int y) {
+    const std::uint8_t* p = &picture.rgba[4 * (static_cast<std::size_t>(y) * picture.width + x)];
+    return Colour{p[0] / 255.0, p[1] / 255.0, p[2] / 255.0};
+  };
+  int seen = 0;
+  for (int i = 1; i <= lit(window, "s"); ++i) {
+    const Rect r = window.rect("lit s " + std::to_string(i)).inset(2);
+    int bright = 0, all = 0;
+    double most = 1;
+    for (int y = static_cast<int>(r.top); y < static_cast<int>(r.bottom); ++y)
+      for (int x = static_cast<int>(r.left); x < static_cast<int>(r.right); ++x) {
+        ++all, bright += contrast_ratio(at(x, y), colours.highlight) < 1.05;
+        most = std::max(most, contrast_ratio(at(x, y), colours.highlight));
+      }
+    if (bright < all / 3) continue;  // scrolled out of its part
+    ++seen;
+    INFO("place " << i);
+    CHECK(most >= 5);  // thin strokes of small letters are smoothed
+  }
+  CHECK(seen >= 3);
+}
+
+TEST_CASE("a lit line has its number beside it, from the step or from a knob", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, haines());
+  Player& player = window.player();
+  player.go_to(step_with_label(player, "*s*"));
+  const std::optional<Measure> s = measure_of(player, "s");
+  REQUIRE(s);
+  CHECK(s->name == "s");
+  for (const Value& v : player.step().values)
+    if (v.name == "*s*") CHECK(s->number == shown(v.value));
+  REQUIRE(measure_of(player, "r"));
+  CHECK_FALSE(measure_of(player, "zz"));
+  CHECK(words_beside({"s", "4.472"}, "s") == "= 4.472");
+  CHECK(words_beside({"m²", "21.15"}, "m") == "m² = 21.15");
+
+  window.frames(2);
+  CHECK_FALSE(window.has("measure s"));
+  const Rect row = window.rect("value s"), scene = window.rect("scene");
+  window.move(row.middle_x(), row.middle_y());
+  window.frames(3);
+  REQUIRE(window.has("measure s"));
+  const Rect r = window.rect("measure s");
+  CHECK((r.left >= scene.left && r.right <= scene.right && r.top >= scene.top && r.bottom <= scene.bottom));
+}
+
+TEST_CASE("the pointer at a marker of a chart is told its numbers", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, {}, {}, names_only);
+  window.player().open(lesson_named(lessons::all_lessons(), "speed-against-error"));
+  const std::vector<Step>& steps = window.player().walk().steps;
+  const auto plot = std::ranges::find_if(
+      steps, [](const Step& step) { return step.scene.chart && std::holds_alternative<Plot>(step.scene.chart->kind); });
+  REQUIRE(plot != steps.end());
+  window.player().go_to(static_cast<int>(plot - steps.begin()));
+  window.frames(2);
+  const Rect scene = window.rect("scene");
+  bool found = false;
+  for (float y = scene.bottom - 60; y > scene.top + 40 && !found; y -= 14)
+    for (float x = scene.left + 20; x < scene.right - 20 && !found; x += 14) {
+      window.move(x, y);
+      found = window.has("chart marker");
+    }
+  REQUIRE(found);
+  const Rect marker = window.rect("chart marker");
+  CHECK(std::abs(marker.middle_x() - ImGui::GetIO().MousePos.x) <= 12);
+  CHECK(std::abs(marker.middle_y() - ImGui::GetIO().MousePos.y) <= 12);
+  window.move(scene.left + 2, scene.bottom - 2);
+  CHECK_FALSE(window.has("chart marker"));
 }
 
 TEST_CASE("a name in the text, in the code or in the picture lights all others", "[window]") {

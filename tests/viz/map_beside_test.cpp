@@ -1,5 +1,6 @@
 // The map of cases beside the scene: dragging either moves both, and the step keeps its role.
 
+#include "viz/player/map_beside.h"
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
@@ -191,6 +192,38 @@ TEST_CASE("the map keeps a question's answer to itself", "[window]") {
   CHECK_FALSE(window.has("map setting"));
   window.key(key::right);
   CHECK(window.has("map setting"));
+}
+
+TEST_CASE("the map does not say where the setting lies before the last question of its outcome", "[window]") {
+  Settings settings;
+  settings.map = true;
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("sphere-sphere", "overlapping"), settings);
+  const auto left = [&] { return window.player().index() < outcome(window.player().walk()); };
+  CHECK(window.has("map waits"));
+  CHECK(window.has("map setting"));  // it can be moved, over regions without names
+  while (!window.player().quiz().asked()) window.key(key::right);
+  CHECK(window.has("map waits"));
+  for (int i = 0; i < 200 && (left() || window.player().quiz().asked()); ++i) window.key(key::right);
+  CHECK_FALSE(left());
+  window.frames();
+  CHECK(window.has("map tells"));
+  CHECK_FALSE(waits_for_answer(window.player()));
+}
+
+TEST_CASE("no place of a map is told while a question up to the outcome is still to come", "[player]") {
+  Player player(lessons::all_lessons());
+  for (const Lesson* lesson : lessons::all_lessons()) {
+    if (!lesson->map) continue;
+    INFO(lesson->id);
+    player.open(*lesson);
+    const std::vector<Step>& steps = player.walk().steps;
+    for (int i = 0; i < player.count(); ++i) {
+      player.go_to(i);
+      bool to_come = false;
+      for (int k = i + 1; k <= outcome(player.walk()); ++k) to_come = to_come || steps[k].question;
+      CHECK(waits_for_answer(player) == to_come);
+    }
+  }
 }
 
 TEST_CASE("a window that a display made too small for the map goes on without it", "[window]") {

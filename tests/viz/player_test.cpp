@@ -408,6 +408,91 @@ TEST_CASE("orbit stops straight above and straight below", "[player]") {
   CHECK(player.camera().now().elevation == Approx(-std::numbers::pi / 2));
 }
 
+TEST_CASE("a preset frames itself after the camera was moved by hand, a step does not", "[player]") {
+  Player player(both, {}, true);
+  player.set_aspect(1.5);
+  const std::vector<const Preset*> group = player.played().group();
+  player.load(*group[1]);
+  const Camera framed = player.camera().goal();
+  player.load(*group[0]);
+  orbit(player, {40, 10});
+  zoom(player, View(player.camera().now(), 900, 600), {450, 300}, 3);
+  const Camera own = player.camera().goal();
+  player.go_to(1);
+  CHECK(player.camera().goal() == own);
+  CHECK(player.camera().moved());
+
+  player.load(*group[1]);
+  CHECK(player.camera().goal() == framed);
+  CHECK_FALSE(player.camera().moved());
+  REQUIRE(player.undo());
+  CHECK(player.camera().goal() == own);
+  CHECK(player.camera().moved());
+}
+
+TEST_CASE("a pinned view stays for all presets and for a restart, until it is let go or another lesson is opened",
+          "[player]") {
+  Player player(both, {}, true);
+  player.set_aspect(1.5);
+  const std::vector<const Preset*> group = player.played().group();
+  orbit(player, {40, 10});
+  const Camera own = player.camera().goal();
+  player.pin_camera(true);
+  player.load(*group[1]);
+  CHECK(player.camera().goal() == own);
+  player.go_to(2);
+  CHECK(player.camera().goal() == own);
+  player.restart();
+  CHECK(player.camera().goal() == own);
+  player.set_aspect(0.7);
+  CHECK(player.camera().goal() == own);
+  player.pin_camera(false);
+  player.load(*group[0]);
+  CHECK(player.camera().goal() != own);
+  CHECK_FALSE(player.camera().moved());
+
+  player.pin_camera(true);
+  player.open_neighbour(1);
+  CHECK_FALSE(player.camera().pinned());
+}
+
+TEST_CASE("frame all counts as not moved, and a chosen projection outlasts a preset", "[player]") {
+  Player player(both, {}, true);
+  player.set_aspect(1.5);
+  orbit(player, {40, 10});
+  frame_all(player);
+  CHECK_FALSE(player.camera().moved());
+  CHECK(player.camera().goal() == player.camera().whole(player.played()));
+  REQUIRE(player.undo());
+  CHECK(player.camera().moved());
+
+  set_perspective(player, true);
+  player.load(*player.played().group()[1]);
+  CHECK(player.camera().goal().perspective);
+  CHECK_FALSE(player.camera().moved());
+}
+
+TEST_CASE("what a step shows can be brought into view in the reader's own direction", "[player]") {
+  Player player(both, {}, true);
+  player.set_aspect(1.5);
+  orbit(player, {40, 10});
+  const double azimuth = player.camera().goal().azimuth;
+  player.move_camera("", [](CameraRig& camera) {
+    Camera away = camera.goal();
+    away.target += Vec3(100, 0, 0);
+    camera.jump(away);
+  });
+  const auto seen = [&](const Vec3& at) {
+    const Vec2 p = View(player.camera().goal(), 900, 600).project(at).at;
+    return p.x() >= 0 && p.x() <= 900 && p.y() >= 0 && p.y() <= 600;
+  };
+  REQUIRE_FALSE(player.scene().handles.empty());
+  for (const Handle& h : player.scene().handles) CHECK_FALSE(seen(h.at));
+  frame_shown(player);
+  for (const Handle& h : player.scene().handles) CHECK(seen(h.at));
+  CHECK(player.camera().goal().azimuth == azimuth);
+}
+
 TEST_CASE("a view nobody has moved follows the window's shape, one that was moved does not", "[player]") {
   Player player(both, {}, true);
   player.set_aspect(2);

@@ -121,6 +121,7 @@ const std::vector<Action> actions = {
      }},
     {"another aspect", [](Player& p) { p.set_aspect(2); }},
     {"frame all", [](Player& p) { frame_all(p); }},
+    {"frame the step", [](Player& p) { frame_shown(p); }},
     {"turn",
      [](Player& p) {
        p.end_action(), orbit(p, {5, 5});

@@ -86,6 +86,7 @@ Rect visible(const WindowDriver& window, const std::string& full_name, Rect r) {
                                                               {"refused ", "lesson fields"},
                                                               {"meaning", "values"},
                                                               {"condition ", "values"},
+                                                              {"unit ", "values"},
                                                               {"value ", "values"}};
   static const char* const of_strip[] = {"choice ",        "answer", "tile ",         "give answer",  "show choices",
                                          "what was typed", "reply",  "numbers again", "unread answer"};

@@ -8,12 +8,12 @@ namespace {
 /// Returns the theme whose sizes follow the width alone: a chart is as high as it must be.
 Theme theme_for(ThemeName name, double width) { return theme(name, width, width); }
 
+}  // namespace
+
 Bounds room_of(Vec2 corner, double width, double height, const Theme& theme) {
   const double m = theme.sizes.margin;
   return {corner.x() + m, corner.y() + m, corner.x() + width - m, corner.y() + height - m};
 }
-
-}  // namespace
 
 bool is_card(const Scene& scene) { return scene.chart && std::holds_alternative<Card>(scene.chart->kind); }
 

@@ -5,6 +5,7 @@
 
 #include "viz/chart/chart_parts.h"
 #include "viz/compose/marks.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::viz {
 namespace {
@@ -88,8 +89,11 @@ void draw(ChartInk& ink, const Bars& chart, const Bounds& room) {
     }
     for (std::size_t k = bar.dots.size(); k-- > 0;) {
       const Series& series = chart.series[bar.dots[k].first];
-      ink.glyph(series.glyph, {x.at(bar.dots[k].second), middle}, ink.glyph_radius(), t.ink(series.role),
-                series.role == Role::construction);
+      const Vec2 at(x.at(bar.dots[k].second), middle);
+      const std::string name = plain(series.name);
+      ink.tell(at, plain(bar.name) + (name.empty() ? "" : ", " + name) + "\n" + told_of(chart.x, bar.dots[k].second) +
+                       (bar.target ? "\n" + plain(chart.target_name) + ": " + shown(*bar.target) : ""));
+      ink.glyph(series.glyph, at, ink.glyph_radius(), t.ink(series.role), series.role == Role::construction);
     }
     if (bar.text.empty()) continue;
     const Role role = bar.kind == Verdict::Kind::yes  ? Role::hit

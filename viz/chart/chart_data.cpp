@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viz/chart/chart_parts.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::viz {
 namespace {
@@ -30,6 +31,13 @@ class PanelInk {
   Colour colour(const Spot& spot) const {
     const Colour ink = ink_.theme().ink(spot.front ? Role::hit : Role::construction);
     return panel_.muted ? tinted(ink_.theme(), ink, 0.45) : ink;
+  }
+
+  /// Returns what is told of a marker, or of a point of a curve.
+  std::string told(const std::string& series, double x, double y) const {
+    std::string head = plain(series);
+    if (!panel_.title.empty()) head += (head.empty() ? "" : ", ") + plain(panel_.title);
+    return (head.empty() ? "" : head + "\n") + told_of(plot_.x, x) + "\n" + told_of(plot_.y, y);
   }
 
   void front() {
@@ -71,6 +79,8 @@ class PanelInk {
       const Series& series = plot_.series[spot->series];
       all.push_back({at(spot->x, spot->y), series.glyph, colour(*spot), !spot->front, panel_.muted ? "" : series.name});
       if (spot->low) keep_off(all.back().at, at(spot->x, *spot->low));
+      const std::string down = spot->low ? ", down to " + shown(*spot->low) : "";
+      ink_.tell(all.back().at, told(series.name, spot->x, spot->y) + down);
     }
     for (std::size_t i = 1; i < steps_.size(); ++i) keep_off(steps_[i - 1], steps_[i]);
     draw_markers(ink_, all, lines, b_);
@@ -82,6 +92,9 @@ class PanelInk {
       const Series& series = plot_.series[curve.series];
       std::vector<Vec2> points;
       for (const Vec2& p : curve.points) points.push_back(at(p.x(), p.y()));
+      for (std::size_t i = 0; i < points.size(); ++i)
+        ink_.tell(points[i],
+                  told(curve.label.empty() ? series.name : curve.label, curve.points[i].x(), curve.points[i].y()));
       if (points.empty()) continue;
       const Colour ink = ink_.theme().ink(series.role);
       ink_.line(points, ink, 1.1 * s().outline, dash_of(series.dash, s()));

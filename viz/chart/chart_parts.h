@@ -2,6 +2,7 @@
 // The parts that all kinds of chart share: measured text, markers, scales with their ticks, and the legend.
 
 #include "viz/chart/chart.h"
+#include "viz/chart/chart_pick.h"
 #include "viz/compose/labels.h"
 
 namespace isect::viz {
@@ -43,12 +44,17 @@ class ChartInk {
   /// Draws a marker with a halo; hollow ones are filled with the background, or are see-through if `open`.
   void glyph(Glyph, const Vec2& at, double radius, const Colour&, bool hollow, bool open = false);
 
+  /// Says what a pointer is told at a place: it draws nothing.
+  void tell(const Vec2& at, std::string words) { marks_.push_back({at, std::move(words)}); }
+  const std::vector<ChartMark>& marks() const { return marks_; }
+
   const std::vector<PlacedLabel>& labels() const { return out_.labels; }
   Composed take();
 
  private:
   const Theme& theme_;
   Composed out_;
+  std::vector<ChartMark> marks_;
   int part_ = no_object;
   std::size_t assigned_ = 0;  ///< this many shapes have their part
 };
@@ -102,6 +108,10 @@ double natural_height(const ChartInk&, const Bars&, double width);
 double natural_height(const ChartInk&, const Mirrored&, double width);
 double natural_height(const ChartInk&, const Cases&, double width);
 double natural_height(const ChartInk&, const Card&, double width);
+/// Returns a chart's rectangle without its margins.
+Bounds room_of(Vec2 corner, double width, double height, const Theme&);
+/// Returns what is told of a point: "time (ns): 12.5".
+std::string told_of(const Scale&, double value);
 /// Returns the plane's own rectangle within a chart's rectangle.
 Bounds plane_within(const ChartInk&, const Cases&, const Bounds&);
 

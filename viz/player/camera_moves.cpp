@@ -15,9 +15,11 @@ void zoom(Player& player, const View& view, const Vec2& at, double factor) {
   player.move_camera("zoom", [&](CameraRig& camera) { camera.zoom(view, at, factor); });
 }
 
-void frame_all(Player& player) {
-  const Camera whole = player.camera().whole(player.played());
-  player.move_camera("", [&](CameraRig& camera) { camera.glide(whole); });
+void frame_all(Player& player) { player.frame(player.camera().whole(player.played())); }
+
+void frame_shown(Player& player) {
+  const Camera all = player.camera().holding(player.scene());
+  player.move_camera("", [&](CameraRig& camera) { camera.glide(all); });
 }
 
 void set_perspective(Player& player, bool on) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viz/chart/case_map.h"
+#include "viz/walk/closing.h"
 
 namespace isect::viz {
 namespace {
@@ -45,6 +46,14 @@ Vec2 pixel_of(const Cases& cases, const Box2& plane, const Vec2& at) {
   const Vec2 share((at.x() - cases.x.lo) / (cases.x.hi - cases.x.lo),
                    (cases.y.hi - at.y()) / (cases.y.hi - cases.y.lo));
   return plane.lo + share.cwiseProduct(plane.hi - plane.lo);
+}
+
+bool waits_for_answer(const Player& player) {
+  if (player.quiz().asked()) return true;
+  const std::vector<Step>& steps = player.walk().steps;
+  for (int i = player.index() + 1; i <= outcome(player.walk()); ++i)
+    if (steps[static_cast<std::size_t>(i)].question && !player.quiz().is_past(i)) return true;
+  return false;
 }
 
 const Cases& MapBeside::find(const Player& player) {

@@ -15,6 +15,10 @@ Composed compose_map(const Cases&, const Vec2& corner, double width, double heig
 Vec2 case_at(const Cases&, const Box2& plane, const Vec2& pixel);
 Vec2 pixel_of(const Cases&, const Box2& plane, const Vec2& at);
 
+/// Whether a question up to the outcome is still to be passed: until then the map does not say in which case the
+/// setting lies.
+bool waits_for_answer(const Player&);
+
 /// The map of a player's lesson, which must have one.
 class MapBeside {
  public:

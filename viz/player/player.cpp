@@ -55,7 +55,9 @@ void Player::show(Chosen next, bool same_lesson) {
   if (chooses) quiz_.show_choices();
   motion_.end();
   ++revision_;
-  if (!same_lesson) camera_.jump(opening_view(), false);
+  if (same_lesson) return;
+  camera_.pin(false);
+  camera_.jump(opening_view(), false);
 }
 
 std::string Player::told_title(const Preset& preset) const {
@@ -96,7 +98,7 @@ void Player::arrive() {
 }
 
 void Player::look(double seconds) {
-  if (!camera_.moved()) camera_.glide(opening_view(), false, seconds);
+  if (!camera_.moved()) camera_.glide(framed_view(), false, seconds);
 }
 
 void Player::ask(bool wanted) {
@@ -199,7 +201,7 @@ void Player::load(const Preset& preset) {
     chosen.choose_first_step();
     next.quiz_.close();
     next.show(std::move(chosen), true);
-    next.look();
+    if (!camera_.pinned()) next.camera_.glide(next.framed_view(), false);
   });
 }
 
@@ -232,7 +234,7 @@ void Player::restart() {
     next.quiz_.close();
     next.clock_.play(false);
     next.show(std::move(chosen), true);
-    next.camera_.glide(next.opening_view(), false);
+    if (!camera_.pinned()) next.camera_.glide(next.opening_view(), false);
   });
 }
 
@@ -300,13 +302,18 @@ void Player::set_aspect(double aspect) {
   if (aspect == camera_.aspect()) return;
   all_or_nothing([&](Player& next) {
     next.camera_.set_aspect(aspect);
-    if (!camera_.moved()) next.camera_.jump(next.opening_view(), false);
+    if (!camera_.moved()) next.camera_.jump(next.framed_view(), false);
   });
 }
 
 void Player::move_camera(const std::string& action, const std::function<void(CameraRig&)>& move) {
   remember(action);
   camera_.move(move);
+}
+
+void Player::frame(const Camera& camera) {
+  remember("");
+  camera_.glide(camera, false);
 }
 
 void Player::remember(const std::string& action, bool with_step) {

@@ -93,9 +93,11 @@ class Player {
   // whatever reason, nothing has changed: neither what is shown, nor the camera, nor what undo() knows.
   void open(const Lesson&);
   void open_neighbour(int by);
+  /// Load a preset, or the one that was loaded last, and frame it, even if the reader has moved the camera, unless it
+  /// is pinned.
   void load(const Preset&);
-  void load_method(const std::string& choice);
   void restart();
+  void load_method(const std::string& choice);
   /// Reads the lesson again, which has other presets now.
   void reread();
   void edit(const std::string& name, const Setting&);
@@ -117,6 +119,10 @@ class Player {
   void set_aspect(double);
   /// Moves the camera for the reader, after `action` was remembered (viz/player/camera_moves.h).
   void move_camera(const std::string& action, const std::function<void(CameraRig&)>& move);
+  /// Glides to a view that counts as not moved: the next step and the next preset frame themselves.
+  void frame(const Camera&);
+  /// Keeps the reader's view whatever is loaded, until it is let go or another lesson is opened.
+  void pin_camera(bool pinned) { camera_.pin(pinned); }
 
   // Two panes. (player_pair.cpp)
   /// Becomes a player with these parameters at the lead's step and through the lead's camera. If it throws BadInput,
@@ -162,6 +168,8 @@ class Player {
   void ask(bool);  ///< about the next step, if it has a question
   void answer(GivenAnswer);
   Camera opening_view() const { return camera_.opening(*played_, scene()); }
+  /// The same in the projection that the reader has chosen.
+  Camera framed_view() const { return camera_.opening(*played_, scene(), camera_.goal().perspective); }
 
   std::vector<const Lesson*> lessons_;
   Chosen chosen_;

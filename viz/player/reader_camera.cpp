@@ -15,8 +15,9 @@ std::vector<const Scene*> scenes_of(const Walk& walk) {
 
 }  // namespace
 
-Camera ReaderCamera::opening(const PlayedWalk& played, const Scene& shown) const {
-  const Camera view = viz::opening(played.lesson());
+Camera ReaderCamera::opening(const PlayedWalk& played, const Scene& shown, std::optional<bool> perspective) const {
+  Camera view = viz::opening(played.lesson());
+  view.perspective = perspective.value_or(view.perspective);
   if (!beside_) return closer(frame_alike(view, played.walk(), played.samples(), aspect_), shown, aspect_);
   std::vector<const Scene*> scenes = scenes_of(played.walk());
   for (const Scene* scene : scenes_of(*beside_)) scenes.push_back(scene);
@@ -27,6 +28,12 @@ Camera ReaderCamera::whole(const PlayedWalk& played) const {
   Camera from = viz::opening(played.lesson());
   from.perspective = goal().perspective;
   return viz::frame(from, scenes_of(played.walk()), aspect_);
+}
+
+Camera ReaderCamera::holding(const Scene& shown) const {
+  Scene all = shown;
+  for (const Handle& h : shown.handles) all.items.emplace_back(Dot{h.at});
+  return viz::frame(goal(), {&all}, aspect_);
 }
 
 bool ReaderCamera::accompany(std::shared_ptr<const Walk> other) {

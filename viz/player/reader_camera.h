@@ -1,8 +1,10 @@
 #pragma once
-// The camera of a player's reader: it frames the walk until the reader moves it.
+// The camera of a player's reader: it frames the walk until the reader moves it, and again with every preset, unless
+// the reader has pinned it.
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "viz/player/camera_rig.h"
 #include "viz/player/played_walk.h"
@@ -18,18 +20,24 @@ class ReaderCamera {
   const Camera& now() const { return rig_.now(); }
   const Camera& goal() const { return rig_.goal(); }
   bool moving() const { return rig_.moving(); }
-  bool moved() const { return moved_; }      ///< by the reader: no preset frames it anew
+  /// Whether it is the reader's own: moved by hand or pinned. Then no step frames it anew.
+  bool moved() const { return moved_ || pinned_; }
+  bool pinned() const { return pinned_; }    ///< no preset frames it anew, either
   double aspect() const { return aspect_; }  ///< width / height of the scene
 
   /// Returns the lesson's view of the walk, at the scale that all presets share; with another walk beside it, of both.
-  Camera opening(const PlayedWalk&, const Scene& shown) const;
+  /// `perspective`: the projection, if it is not the lesson's own.
+  Camera opening(const PlayedWalk&, const Scene& shown, std::optional<bool> perspective = {}) const;
   /// Returns the lesson's opening direction with the whole walk in view.
   Camera whole(const PlayedWalk&) const;
+  /// Returns the reader's own direction with the whole scene in view, and all of its handles.
+  Camera holding(const Scene&) const;
   /// From now on opening() has that walk in view, too; null: no longer. Returns whether that is a change.
   bool accompany(std::shared_ptr<const Walk>);
   void set_aspect(double aspect) { aspect_ = aspect; }
 
   void advance(double seconds) { rig_.advance(seconds); }
+  void pin(bool pinned) { pinned_ = pinned; }
   void reduce_motion(bool reduced) { rig_.reduce_motion(reduced); }
   /// Ends a glide at once.
   void arrive();
@@ -44,7 +52,7 @@ class ReaderCamera {
  private:
   CameraRig rig_;
   double aspect_ = 1;
-  bool moved_ = false;
+  bool moved_ = false, pinned_ = false;
   std::shared_ptr<const Walk> beside_;  ///< in the other pane
 };
 

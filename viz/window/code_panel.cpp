@@ -144,8 +144,8 @@ void code_line(Player& player, Ui& ui, int line, const CodeLine& words, float pi
   const std::optional<bool> said = said_at(player, line);
   ImGui::PushClipRect({number + 8, r.top}, {r.right - (said ? words.beside : 4), r.bottom}, true);
   for (const std::string& row : words.rows) {
-    lights_in(ui, words.font, r.left + code_left, y, row, lit);
     text(words.font, r.left + code_left, y, packed(ink), row);
+    lights_in(ui, words.font, r.left + code_left, y, row, lit);
     y += words.pitch_of_rows;
   }
   ImGui::PopClipRect();

@@ -42,6 +42,7 @@ constexpr Row right_keys[] = {
     {"drag, right-drag", "turn, shift the scene"},
     {"wheel", "zoom at the pointer"},
     {"double click or F", "frame all"},
+    {"L", "keep this view, or not"},
     {"P / O", "perspective / orthographic"},
     {"Shift+arrows", "turn, or move the held handle"},
     {"Ctrl+Shift+arrows", "snap it to the next case"},

@@ -9,6 +9,7 @@
 #include "viz/window/key_codes.h"
 #include "viz/window/map_view.h"
 #include "viz/window/panels.h"
+#include "viz/window/scene_marks.h"
 #include "viz/window/second_pane.h"
 
 namespace isect::viz {
@@ -164,6 +165,8 @@ void command(WindowSession& s, char c) {
     case 'g':
       s.requests.sheet = Sheet::terms;
       return;
+    case 'l':
+      return toggle_pin(player, s.toast);
     case 'm':
       s.settings.reduced_motion = !s.settings.reduced_motion;
       player.reduce_motion(s.settings.reduced_motion);

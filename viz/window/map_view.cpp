@@ -91,14 +91,16 @@ void MapView::leave_trail(const Player& player) {
   if (trail_.size() > trail_kept) trail_.pop_front();
 }
 
-void MapView::draw(const Rect& r, const Theme& theme) {
+void MapView::draw(const Rect& r, const Theme& theme, bool named) {
   if (r.width() < 1 || r.height() < 1) return;  // a display may make a window as small as it likes
   const Vec2 here = map_.cases().here ? map_.cases().here->at : Vec2(NAN, NAN);
-  const std::string wanted = fmt::format("{} {} {} {} {} {} {}", map_.found(), here.x(), here.y(), r.width(),
+  const std::string wanted = fmt::format("{} {} {} {} {} {} {} {}", named, map_.found(), here.x(), here.y(), r.width(),
                                          r.height(), scale_, name_of(theme.name));
   if (wanted == drawn_ || !drawing_) return;
   Drawing drawing{r.width(), r.height(), theme.background, {}};
-  drawing.shapes = compose_map(map_.cases(), Vec2::Zero(), r.width(), r.height(), theme).shapes;
+  Cases cases = map_.cases();
+  if (!named) cases.named = Cases::Named::none;
+  drawing.shapes = compose_map(cases, Vec2::Zero(), r.width(), r.height(), theme).shapes;
   renderer_.draw(drawing, scale_);
   const PixelBox size = pixels(drawing, scale_);
   picture_.take(renderer_.texture(), size.width, size.height);
@@ -167,16 +169,18 @@ void MapView::show(Player& player, Ui& ui, Toast& toast, const Rect& r) {
     map_.find(player);
   }
   leave_trail(player);
-  draw(within, theme);
+  const bool waits = waits_for_answer(player), placed = map_.cases().here.has_value();
+  draw(within, theme, !(waits && placed));  // the setting's place in a region with a name would be the answer
   ImGui::GetWindowDrawList()->AddImage(picture_.id(), top_left(within), bottom_right(within), {0, 1}, {1, 0});
   draw_trail(ui, plane);
-  if (hovered && !ImGui::GetIO().MouseDown[0]) name_under_pointer(player, ui, plane);
+  if (hovered && !ImGui::GetIO().MouseDown[0] && !(waits && placed)) name_under_pointer(player, ui, plane);
 
   const float x = r.left + 20, y = r.top + 22;
   std::string told = "here: after your answer";
-  if (!player.quiz().asked())
-    told = map_.cases().here ? "here: " + map_.cases().branches[map_.cases().here->branch] : "beyond this map";
-  const Paragraph words{.markup = told, .colour = map_.cases().here ? ui.palette.text : ui.palette.muted};
+  if (!waits && placed) told = "here: " + map_.cases().branches[map_.cases().here->branch];
+  if (!player.quiz().asked() && !placed) told = "beyond this map";
+  const Paragraph words{.markup = told, .colour = placed && !waits ? ui.palette.text : ui.palette.muted};
+  ui.rects[waits ? "map waits" : "map tells"] = {x, r.top, r.right - 8, within.top};
   ImGui::PushClipRect({x, r.top}, {r.right - 8, within.top}, true);
   rich_line(ui, words, x, y);
   ImGui::PopClipRect();

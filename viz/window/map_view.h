@@ -43,7 +43,7 @@ class MapView {
 
  private:
   void leave_trail(const Player&);
-  void draw(const Rect&, const Theme&);
+  void draw(const Rect&, const Theme&, bool named);
   void draw_trail(Ui&, const Box2& plane) const;
   void keyboard(Player&, const Ui&, Toast&, const Box2& plane);
   void name_under_pointer(const Player&, const Ui&, const Box2& plane) const;

@@ -138,6 +138,11 @@ float head_of(const Player& player, Ui& ui, float steady, const Rect& scene) {
   return (verdict > 0 ? verdict + 28 : 12) + alarm;
 }
 
+float chips_height(const Player& player, Ui& ui, const Rect& scene) {
+  const float verdict = verdict_height(player, ui, scene), alarm = has_alarm(player) && !is_low(scene) ? 40.0f : 0.0f;
+  return verdict + alarm > 0 ? edge(scene) + verdict + alarm : 0;
+}
+
 void verdict_chip(const Player& player, Ui& ui, const Rect& scene) {
   const Verdict& verdict = player.shown().verdict;
   const float height = verdict_height(player, ui, scene), in = edge(scene);
@@ -265,6 +270,44 @@ void projection_text(const Player& player, Ui& ui, const Rect& scene, const std:
   const Palette& c = ui.palette;
   const char* name = player.camera().goal().perspective ? "perspective" : "orthographic";
   text(ui.fonts.small, r.right - 8, r.middle_y(), packed(hovered ? c.text : c.muted), name, 1);
+}
+
+namespace {
+
+/// Above the place of "changed".
+Rect pin_rect(const Rect& scene) { return {scene.right - 40, scene.bottom - 94, scene.right - 12, scene.bottom - 66}; }
+
+void pin_sign(float x, float y, bool filled, ImU32 ink) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddLine({x, y}, {x, y + 9}, ink, 1.5f);
+  if (filled) list.AddCircleFilled({x, y - 3}, 5, ink, 20);
+  list.AddCircle({x, y - 3}, 5, ink, 20, 1.5f);
+}
+
+}  // namespace
+
+void toggle_pin(Player& player, Toast& toast) {
+  player.pin_camera(!player.camera().pinned());
+  toast.say(player.camera().pinned() ? "This view stays whatever preset is loaded; L lets it go"
+                                     : "A preset frames itself again");
+}
+
+void pin_mark(Player& player, Ui& ui, Toast& toast, const View& view, const Rect& scene,
+              const std::vector<Handle>& handles) {
+  if (!player.camera().moved() || player.scene().chart) return;
+  if (!player.camera().pinned() && meets_handle(handles, view, pin_rect(scene))) return;
+  if (press(ui, "pin", pin_rect(scene)).clicked) toggle_pin(player, toast);
+}
+
+void pin_text(const Player& player, const Ui& ui, const Rect& scene) {
+  if (!ui.rects.contains("pin")) return;
+  const Rect r = pin_rect(scene);
+  const bool hovered = ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)), pinned = player.camera().pinned();
+  filled(r, ui.palette.window.with_alpha(0.85));
+  pin_sign(r.middle_x(), r.middle_y() - 1, pinned, packed(hovered || pinned ? ui.palette.text : ui.palette.muted));
+  if (hovered)
+    tooltip(ui, pinned ? "This view stays whatever preset is loaded. Here or L: let it go"
+                       : "You have moved the view; a preset frames itself anew. Here or L: keep this view");
 }
 
 void toast(Ui& ui, const Toast& toast, const Rect& scene) {

@@ -19,6 +19,8 @@ struct TallestVerdict {
 float head_of(const Player&, Ui&, float steady, const Rect& scene);
 /// Returns the part of that height that does not change from step to step. `known`: from the frame before.
 float steady_head(const Player&, Ui&, TallestVerdict& known, const Rect& scene);
+/// Returns how far the chips reach below the scene's top; 0 if there are none.
+float chips_height(const Player&, Ui&, const Rect& scene);
 /// Draws the verdict in a chip at the top left.
 void verdict_chip(const Player&, Ui&, const Rect& scene);
 /// Draws, below the verdict, or beside it in a low scene, a chip if methods that should agree do not: how many differ,
@@ -36,6 +38,11 @@ void projection_text(const Player&, Ui&, const Rect& scene, const std::vector<Pl
 float changed_room(const Player&);
 void changed_mark(Player&, Ui&, Toast&, const Rect& scene);
 void changed_text(const Player&, const Ui&, const Rect& scene);
+/// Keeps the reader's view for all presets of the lesson, or no longer.
+void toggle_pin(Player&, Toast&);
+/// A pin above these, once the reader has moved the view: a button (before the scene's own), and its sign.
+void pin_mark(Player&, Ui&, Toast&, const View&, const Rect& scene, const std::vector<Handle>&);
+void pin_text(const Player&, const Ui&, const Rect& scene);
 /// Draws the current message at the bottom.
 void toast(Ui&, const Toast&, const Rect& scene);
 

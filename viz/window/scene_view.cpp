@@ -9,11 +9,13 @@
 #include <utility>
 
 #include "viz/chart/chart.h"
+#include "viz/chart/chart_pick.h"
 #include "viz/compose/compose.h"
 #include "viz/compose/t_axis.h"
 #include "viz/player/camera_moves.h"
 #include "viz/player/dragging.h"
 #include "viz/player/transition.h"
+#include "viz/window/edge_arrows.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/scene_lights.h"
 #include "viz/window/scene_marks.h"
@@ -330,6 +332,23 @@ void SceneView::handles_and_names(const ScenePane& s, const Rect& r, const View&
     item_under_pointer(s.player, s.ui, view, mouse());
 }
 
+/// Tells the numbers of the marker or the point of a curve that the pointer is at.
+void SceneView::chart_under_pointer(const ScenePane& s, const Rect& r, const View& view, bool hovered) {
+  const Scene& scene = s.player.scene();
+  if (!scene.chart || !hovered || map_of(s.player)) return;
+  const std::string now = line_of(s, r, scale_) + fmt::format(" {} {}", r.left, r.top);
+  if (now != marked_) {
+    const Theme ink = look(scene, s.ui.palette.theme, view);
+    marks_ = marks_of(*scene.chart, view.corner(), view.width(), view.height(), ink), marked_ = now;
+  }
+  const std::optional<ChartMark> mark = mark_near(marks_, mouse());
+  if (!mark) return;
+  const float x = static_cast<float>(mark->at.x()), y = static_cast<float>(mark->at.y());
+  ImGui::GetWindowDrawList()->AddCircle({x, y}, 11, packed(s.ui.palette.text), 32, 2);
+  s.ui.rects["chart marker"] = {x - 11, y - 11, x + 11, y + 11};
+  tooltip(s.ui, mark->words);
+}
+
 void SceneView::show(const ScenePane& s, const Rect& r) {
   Player& player = s.player;
   Ui& ui = s.ui;
@@ -344,6 +363,8 @@ void SceneView::show(const ScenePane& s, const Rect& r) {
   const bool lead = s.pane == Pane::lead, in_space = !player.scene().chart && !has_drawings(player.scene());
   if (lead && in_space && !player.lesson().flat) projection_name(player, ui, before, r, s.handles());
   if (lead) changed_mark(player, ui, s.toast, r);
+  if (lead) pin_mark(player, ui, s.toast, before, r, s.handles());
+  if (s.pane != Pane::fixed) press_edge_arrows(player, ui, before, r);
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::InvisibleButton("picture", {r.width(), r.height()},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
@@ -357,12 +378,15 @@ void SceneView::show(const ScenePane& s, const Rect& r) {
   draw(s, r, view);
   ImGui::GetWindowDrawList()->AddImage(picture_.id(), top_left(r), bottom_right(r), {0, 1}, {1, 0});
   handles_and_names(s, r, view, hovered, active);
+  chart_under_pointer(s, r, view, hovered);
 
   verdict_chip(player, ui, r);
   alarm_chip(player, ui, r);
   if (in_space && !(player.lesson().flat && is_low(r))) tripod(ui, view, r, labels_, s.handles());
   if (lead && in_space && !player.lesson().flat) projection_text(player, ui, r, labels_);
   if (lead) changed_text(player, ui, r);
+  if (lead) pin_text(player, ui, r);
+  if (s.pane != Pane::fixed) draw_edge_arrows(player, ui, view, r);
   toast(ui, s.toast, r);
   if (!lead) filled({r.left, r.top, r.left + 1, r.bottom}, ui.palette.rule, 0);
   ImGui::End();

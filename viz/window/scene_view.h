@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "viz/chart/chart_pick.h"
 #include "viz/compose/compose.h"
 #include "viz/gl/renderer.h"
 #include "viz/player/dragging.h"
@@ -45,7 +46,7 @@ class SceneView {
   bool behind() const { return behind_ || turning_ >= 0 || search_; }
   void rescale(double scale) { scale_ = scale, tallest_verdict_ = {}; }
   /// Forgets what it has drawn: it shows another player from now on, whose numbers may be the same.
-  void forget() { drawn_.clear(), tallest_verdict_ = {}; }
+  void forget() { drawn_.clear(), marked_.clear(), tallest_verdict_ = {}; }
 
  private:
   void draw(const ScenePane&, const Rect&, const View&);
@@ -57,6 +58,7 @@ class SceneView {
   void begin_snap(const Player&, Snap);
   void go_on_snapping(Player&, Toast&);
   void end_search(Toast&);
+  void chart_under_pointer(const ScenePane&, const Rect&, const View&, bool hovered);
   void handles_and_names(const ScenePane&, const Rect&, const View&, bool hovered, bool active);
 
   Renderer& renderer_;
@@ -65,10 +67,12 @@ class SceneView {
   std::vector<PlacedLabel> labels_;
   KeptPicture picture_;
   TallestVerdict tallest_verdict_;
-  std::string drawn_;           ///< what the picture shows, as one line: it is not drawn twice
-  double turning_ = -1;         ///< seconds for which keys have turned or shifted it; < 0: they do not
-  bool sketched_ = false;       ///< drawn coarsely during a drag, smoothly once the button is released
-  std::optional<Handle> held_;  ///< while a handle is dragged: the handle as it is now
+  std::string drawn_;             ///< what the picture shows, as one line: it is not drawn twice
+  double turning_ = -1;           ///< seconds for which keys have turned or shifted it; < 0: they do not
+  std::vector<ChartMark> marks_;  ///< of the chart, once the pointer was over it
+  std::string marked_;            ///< which chart they are of, as one line
+  bool sketched_ = false;         ///< drawn coarsely during a drag, smoothly once the button is released
+  std::optional<Handle> held_;    ///< while a handle is dragged: the handle as it is now
   const Lesson* held_in_ = nullptr;
   /// A snap whose search takes more than a frame, and what was on show when it began.
   struct Search {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <sstream>
 
 #include "viz/text/names.h"
@@ -11,6 +10,7 @@
 #include "viz/walk/alt_text.h"
 #include "viz/walk/step_text.h"
 #include "viz/window/panels.h"
+#include "viz/window/value_bars.h"
 
 namespace isect::viz {
 namespace {
@@ -67,38 +67,6 @@ float card_height(const Ui& ui, const Comparison& c, float width) {
   return height;
 }
 
-/// A bar scale that several values share: where zero lies and what fills the scale.
-struct BarScale {
-  double lo = 0, hi = 0;
-  void take(double value) {
-    if (!std::isfinite(value)) return;
-    lo = std::min(lo, value);
-    hi = std::max(hi, value);
-  }
-  /// Returns the position of a value between x0 and x1.
-  float at(double value, float x0, float x1) const {
-    if (!(hi > lo)) return x0;
-    const double share = std::clamp((value - lo) / (hi - lo), 0.0, 1.0);
-    return x0 + (x1 - x0) * static_cast<float>(share);
-  }
-};
-
-std::map<std::string, BarScale> scales_of(const Step& step) {
-  std::map<std::string, BarScale> scales;
-  for (const Value& v : step.values)
-    if (!v.unit.empty()) scales[v.unit].take(v.value);
-  return scales;
-}
-
-void value_bar(const Ui& ui, const BarScale& scale, const Value& v, float x0, float x1, float y) {
-  filled({x0, y - 4, x1, y + 4}, ui.palette.card, 4);
-  const float zero = scale.at(0, x0, x1), end = scale.at(v.value, x0, x1);
-  const float left = std::min(zero, end), right = std::max(zero, end);
-  if (!(right - left > 0.25f)) return;
-  const Colour& ink = v.role == Role::muted ? ui.palette.theme.ink(Role::construction) : ui.palette.theme.ink(v.role);
-  filled({left, y - 4, std::max(right, left + 3), y + 4}, ink, std::min(4.0f, (right - left) / 2));
-}
-
 /// Returns the room for the word "new" beside bars and numbers: the same for all bars of a step, as they share a scale.
 float room_for_new(const Step& step) { return std::ranges::any_of(step.values, &Value::fresh) ? 38 : 0; }
 
@@ -112,8 +80,8 @@ float number_column(const Ui& ui, const Step& step, const std::vector<std::strin
 }
 
 /// `number`: where the digits end; `beside_bar`: the room for the word "new".
-void value_row(Ui& ui, const Value& v, const std::string& digits, const std::map<std::string, BarScale>& scales,
-               const Rect& r, float number, float beside_bar) {
+void value_row(Ui& ui, const Value& v, const std::string& digits, const std::vector<UnitBars>& units, const Rect& r,
+               float number, float beside_bar) {
   const Palette& c = ui.palette;
   const float y = r.middle_y();
   const float room = number - text_width(ui.fonts.mono, digits) - 8 - (r.left + 10);
@@ -125,8 +93,8 @@ void value_row(Ui& ui, const Value& v, const std::string& digits, const std::map
   if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) ui.light.point(names, r);
   ui.rects["value " + name] = r;
   if (focused(ui, "value " + name, r)) ui.light.hold(names, r);
-  lights_in(ui, font, r.left + 10, y, name);
   text(font, r.left + 10, y, packed(c.text), name);
+  lights_in(ui, font, r.left + 10, y, name);
   if (name != plain(v.name) && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) tooltip(ui, plain(v.name));
   const float from = number - text(ui.fonts.mono, number, y, packed(c.text), digits, 1);
   ui.rects["number " + name] = {from, y - 7, number, y + 7};
@@ -138,37 +106,24 @@ void value_row(Ui& ui, const Value& v, const std::string& digits, const std::map
     const float width = text(ui.fonts.small, right - 2, y, packed(c.fresh_text), "new", 1);
     ui.rects["new " + name] = {right - 2 - width, y - 7, right - 2, y + 7};
   }
-  const auto scale = scales.find(v.unit);
+  const auto unit = std::ranges::find(units, v.unit, &UnitBars::unit);
   const bool room_for_bar = right - beside_bar - number - 26 > 20;
-  if (scale != scales.end() && room_for_bar) value_bar(ui, scale->second, v, number + 26, right - beside_bar, y);
+  if (unit != units.end() && room_for_bar) value_bar(ui, *unit, v, number + 26, right - beside_bar, y);
 }
 
 /// Draws a condition, and whether it is true. Returns where that ends.
 float truth(Ui& ui, const Comparison& c, ImFont* font, float x, float y) {
   const Colour& ink = c.holds ? ui.palette.hit : ui.palette.miss;
-  lights_in(ui, font, x, y, plain(c.text));
   const float end = x + text(font, x, y, packed(ui.palette.text), plain(c.text)) + 10;
+  lights_in(ui, font, x, y, plain(c.text));
   (c.holds ? tick : ring)(end + 6, y, 13, packed(ink));
   return end + 17 + text(ui.fonts.small, end + 17, y, packed(ink), c.holds ? "true" : "false");
 }
 
-/// Draws both sides on one scale: the left one as a bar, the right one as a tick.
-void comparison_bar(const Palette& c, const Comparison& comparison, float x0, float x1, float y) {
-  BarScale scale;
-  scale.take(comparison.left);
-  scale.take(comparison.right);
-  const Colour& ink = comparison.holds ? c.hit : c.miss;
-  const float zero = scale.at(0, x0, x1), left = scale.at(comparison.left, x0, x1);
-  const float right = scale.at(comparison.right, x0, x1);
-  filled({x0, y - 4, x1, y + 4}, c.frame, 4);
-  filled({std::min(zero, right), y - 4, std::max(zero, right), y + 4}, c.second.with_alpha(0.35), 4);
-  filled({std::min(zero, left), y - 4, std::max(zero, left), y + 4}, ink, 4);
-  filled({right - 1, y - 10, right + 1, y + 10}, c.second, 0);
-}
-
 /// Draws the condition with its sign, its meaning, and both sides of each of its inequalities as bars. The meaning
 /// stands beside the condition or, if there is no room, on lines of its own.
-void comparison_card(Ui& ui, const Comparison& comparison, const Rect& r) {
+void comparison_card(Ui& ui, const Step& step, const Comparison& comparison, const Rect& r) {
+  const std::vector<UnitBars> units = units_of(step);
   const Palette& c = ui.palette;
   ui.rects["comparison"] = r;
   filled(r, c.card, 8);
@@ -202,7 +157,7 @@ void comparison_card(Ui& ui, const Comparison& comparison, const Rect& r) {
       lines(numbers, c.text);
       ui.rects["meaning in full"] = {x0, top, x1, bar_y - 10};
     }
-    comparison_bar(c, part, x0, x1, bar_y);
+    comparison_bar(ui, part, unit_of(units, step, part), x0, x1, bar_y);
     bar_y += bar_room;
   }
 }
@@ -226,11 +181,12 @@ void values_block(Ui& ui, const Step& step, const Rect& r, float pitch, const Pa
     rule(ui, r.left + 10, r.right - 10, y + 5);
     text(ui.fonts.bold, r.left + 10, y + 22, packed(ui.palette.text), "Values");
     y += block_heading;
-    const std::map<std::string, BarScale> scales = scales_of(step);
+    const std::vector<UnitBars> units = units_of(step);
+    unit_key(ui, units, r.left + 22 + text_width(ui.fonts.bold, "Values"), r.right - 10, y - block_heading + 22);
     const std::vector<std::string> digits = shown(step.values);
     const float indent = parted ? 10 : 0, number = number_column(ui, step, digits, {r.left + indent, y, r.right, y});
     for (std::size_t i = 0; i < digits.size(); ++i) {
-      value_row(ui, step.values[i], digits[i], scales, {r.left + indent, y, r.right, y + pitch}, number,
+      value_row(ui, step.values[i], digits[i], units, {r.left + indent, y, r.right, y + pitch}, number,
                 room_for_new(step));
       if (parted && static_cast<int>(i) == parted->value)
         parted_mark(ui, "parted value", {r.left, y, r.right, y + pitch});
@@ -240,7 +196,7 @@ void values_block(Ui& ui, const Step& step, const Rect& r, float pitch, const Pa
   if (step.comparison) {
     y += 8;
     const float card = card_height(ui, *step.comparison, r.width() - 20);
-    comparison_card(ui, *step.comparison, {r.left + 10, y, r.right - 10, y + card - 10});
+    comparison_card(ui, step, *step.comparison, {r.left + 10, y, r.right - 10, y + card - 10});
     y += card;
   }
   ImGui::SetCursorScreenPos({r.left, top});

@@ -96,21 +96,43 @@ float text(ImFont* font, float x, float y, ImU32 colour, const std::string& s, f
   return width;
 }
 
+namespace {
+
+/// Draws a part of a paragraph that stands in `whole` once more, in the ink that the light wants.
+void draw_again(Ui& ui, const Paragraph& p, const Rect& whole, const Rect& part, double strength) {
+  if (!(strength > 0)) return;
+  Paragraph lit = p;
+  lit.colour = ui.palette.on_highlight;
+  const ImTextureID image = ui.texts.of(lit);
+  const ImVec2 lo{std::max(part.left, whole.left), std::max(part.top, whole.top)};
+  const ImVec2 hi{std::min(part.right, whole.right), std::min(part.bottom, whole.bottom)};
+  if (!image || !(lo.x < hi.x && lo.y < hi.y)) return;
+  const auto uv = [&](const ImVec2& at) {
+    return ImVec2{(at.x - whole.left) / whole.width(), (at.y - whole.top) / whole.height()};
+  };
+  list().AddImage(image, lo, hi, uv(lo), uv(hi), packed({1, 1, 1, 1}, strength));
+}
+
+}  // namespace
+
 ImVec2 rich(Ui& ui, const Paragraph& p, ImVec2 at) {
   if (p.markup.empty()) return {0, 0};
   const ImVec2 size = ui.texts.size_of(p);
   const ImVec2 from{std::round(at.x), std::round(at.y)}, to{from.x + size.x, from.y + size.y};
   tell_if_cut(p.markup, from.x, to.x);
+  const bool seen = ImGui::IsRectVisible(from, to);
+  if (seen)
+    if (const ImTextureID image = ui.texts.of(p)) list().AddImage(image, from, to);
   const bool near = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(from, to);
   if ((near || ui.light.on()) && !(ImGui::GetCurrentWindow()->RootWindow->Flags & ImGuiWindowFlags_Popup))
     for (const NameBox& name : ui.texts.names(p)) {
       const TextBox& b = name.box;
       const auto x = [&](double px) { return from.x + static_cast<float>(px); };
       const auto y = [&](double px) { return from.y + static_cast<float>(px); };
-      lights(ui, {name.key}, {x(b.left) - 1, y(b.top), x(b.right) + 1, y(b.bottom)});
+      const Rect r{x(b.left) - 1, y(b.top), x(b.right) + 1, y(b.bottom)};
+      lights(ui, {name.key}, r);
+      if (seen) draw_again(ui, p, {from.x, from.y, to.x, to.y}, r, ui.light.of(name.key));
     }
-  if (ImGui::IsRectVisible(from, to))
-    if (const ImTextureID image = ui.texts.of(p)) list().AddImage(image, from, to);
   return size;
 }
 
@@ -123,18 +145,21 @@ void lights(Ui& ui, const std::vector<std::string>& names, const Rect& r, bool b
 }
 
 void lights_in(Ui& ui, ImFont* font, float x, float y, const std::string& s, bool bright) {
-  const float half = font->FontSize * font->Scale * 0.6f;
+  const float size = font->FontSize * font->Scale, half = size * 0.6f;
   for (const Name& name : names_in_line(s, ui.names)) {
-    const float from = x + text_width(font, s.substr(0, name.begin));
-    const float width = text_width(font, s.substr(name.begin, name.end - name.begin));
-    lights(ui, {name.key}, {from - 1, y - half, from + width + 1, y + half}, bright);
+    const std::string word = s.substr(name.begin, name.end - name.begin);
+    const float from = std::round(x) + text_width(font, s.substr(0, name.begin));
+    lights(ui, {name.key}, {from - 1, y - half, from + text_width(font, word) + 1, y + half}, bright);
+    if (const double strength = ui.light.of(name.key); strength > 0)
+      list().AddText(font, size, {from, std::round(y - size / 2)}, packed(ui.palette.on_highlight, strength),
+                     word.c_str());
   }
 }
 
 void light_up(Ui& ui, const Rect& r, double strength, bool bright) {
   if (!(strength > 0)) return;
   const Palette& c = ui.palette;
-  if (!bright) filled(r, c.highlight.with_alpha(0.35 * strength), 3);
+  if (!bright) filled(r, c.highlight.with_alpha(strength), 3);
   outlined(r, (bright ? c.on_highlight : c.fresh).with_alpha(strength), 1.5f, 3);
 }
 

@@ -55,9 +55,10 @@ ImVec2 rich_line(Ui&, const Paragraph&, float x, float y, float align = 0);
 
 /// A place where names stand: the pointer on it lights them, and they are lit there. `bright`: on a bright ground.
 void lights(Ui&, const std::vector<std::string>& names, const Rect&, bool bright = false);
-/// Does so for the names in a line of plain text that is drawn from x on, around the middle y.
+/// Does so for the names in a line of plain text that was drawn from x on, around the middle y: a lit name is drawn
+/// once more, near-black on the highlight.
 void lights_in(Ui&, ImFont*, float x, float y, const std::string&, bool bright = false);
-/// Draws the light itself, behind or over what stands there.
+/// Draws the light itself, over what stands there, which is drawn once more on it, near-black.
 void light_up(Ui&, const Rect&, double strength, bool bright = false);
 /// Shows what is known of the lit name, beside it, over everything.
 void tell_sum(Ui&, const Rect& window);
