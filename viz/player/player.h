@@ -56,7 +56,8 @@ class Player {
   /// Returns a number that grows with every change of what is shown, except the camera's.
   unsigned revision() const { return revision_; }
 
-  // Stepping. A step with a question is asked about before it is shown; stepping on again skips the question.
+  // Stepping. A step with a question is asked about before it is shown; stepping on again skips the question, which is
+  // asked again whenever the reader comes by.
   void next();
   void back();
   void go_to(int step);
@@ -94,6 +95,7 @@ class Player {
   void open(const Lesson&);
   void open_neighbour(int by);
   void load(const Preset&);
+  /// Shows what another method does with this setting: its step that corresponds to the one on show.
   void load_method(const std::string& choice);
   void restart();
   /// Reads the lesson again, which has other presets now.

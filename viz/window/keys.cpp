@@ -86,7 +86,8 @@ void focus_keys(Focus& focus, bool in_popup) {
 void moving_keys(WindowSession& s) {
   Player& player = s.player;
   const bool shift = ImGui::GetIO().KeyShift;  // with it the arrows turn the scene, or move a handle
-  if (!shift && pressed(key::right, true)) player.next();
+  const bool to_next = leads_to_next_lesson(player);  // a key that is held does not run on into it
+  if (!shift && pressed(key::right, !to_next)) to_next ? open_next_lesson(player, s.toast) : player.next();
   if (!shift && pressed(key::left, true)) player.back();
   if (pressed(key::page_down, true)) neighbour_preset(player, s.toast, 1);
   if (pressed(key::page_up, true)) neighbour_preset(player, s.toast, -1);
@@ -139,15 +140,19 @@ void command(WindowSession& s, char c) {
     case ']':
       return attempt(s.toast, [&] { player.open_neighbour(1); });
     case 'e':
-      return attempt(s.toast, [&] { show_erratum(player); });
+      return attempt(s.toast, [&] { fault_or_back(player, s.step_words.before_fault); });
     case 'g':
       s.requests.sheet = Sheet::terms;
+      return;
+    case 'h':
+      s.requests.sheet = Sheet::progress;
       return;
     case 'm':
       s.settings.reduced_motion = !s.settings.reduced_motion;
       player.reduce_motion(s.settings.reduced_motion);
       return s.toast.say(s.settings.reduced_motion ? "Nothing moves by itself now" : "Steps and views glide again");
     case 'n':
+      if (leads_to_next_lesson(player)) return open_next_lesson(player, s.toast);
       return pass_questions(player, s.settings, s.toast);
     case 'v':
       return toggle_panes(player, s.settings, s.toast);

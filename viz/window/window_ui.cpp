@@ -305,7 +305,7 @@ void WindowUi::frame() {
   tell_sum(w.ui, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
   w.ui.focus.end_frame();
   keep_score(w.player, w.settings, w.session.answers_kept);
-  if (!w.session.review) keep_recent(w.player, w.settings);
+  if (!w.session.review) keep_place(w.player, w.settings);
   ImGui::PopItemFlag();
   ImGui::PopFont();
   ImGui::Render();
