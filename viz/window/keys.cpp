@@ -85,7 +85,7 @@ void focus_keys(Focus& focus, bool in_popup) {
 
 void moving_keys(WindowSession& s) {
   Player& player = s.player;
-  const bool shift = ImGui::GetIO().KeyShift;  // with it the arrows turn the scene, or move a handle
+  const bool shift = ImGui::GetIO().KeyShift;         // with it the arrows turn the scene, or move a handle
   const bool to_next = leads_to_next_lesson(player);  // a key that is held does not run on into it
   if (!shift && pressed(key::right, !to_next)) to_next ? open_next_lesson(player, s.toast) : player.next();
   if (!shift && pressed(key::left, true)) player.back();

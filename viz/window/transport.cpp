@@ -61,8 +61,7 @@ void buttons(Player& player, Ui& ui, Settings& settings, Toast& toast, float mid
   const bool to_next = leads_to_next_lesson(player);
   if (icon_button(ui, "next", at(1), Icon::next, false, to_next || !player.at_end()))
     to_next ? open_next_lesson(player, toast) : player.next();
-  if (ImGui::IsItemHovered() && leads_to_next_lesson(player))
-    tooltip(ui, "Next: " + plain(next_lesson(player)->title));
+  if (ImGui::IsItemHovered() && leads_to_next_lesson(player)) tooltip(ui, "Next: " + plain(next_lesson(player)->title));
   if (icon_button(ui, "last", at(2), Icon::last, false, !player.at_end())) player.last();
 
   constexpr const char* speeds[] = {"0.5×", "1×", "1.5×", "2×"};

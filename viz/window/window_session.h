@@ -120,6 +120,7 @@ struct SaveSheet {
   std::string name = {};         ///< as typed, without ending; empty: the usual one
   std::string folder = {};       ///< as typed
   std::string failed = {};       ///< why the last file could not be written
+  bool progress = false;         ///< that file was the reader's progress
 };
 
 /// The list of lessons.
