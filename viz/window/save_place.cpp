@@ -83,9 +83,9 @@ void failure(Ui& ui, SaveSheet& sheet, const Settings& settings, const std::stri
 }  // namespace
 
 std::string given_name(const SaveSheet& sheet, const Settings& settings) {
-  std::string name = without_spaces_around(sheet.name);
-  const std::string ending = "." + settings.save_format;
-  if (name.size() > ending.size() && name.ends_with(ending)) name.resize(name.size() - ending.size());
+  const std::string name = without_spaces_around(sheet.name);
+  for (const std::string& ending : {"." + settings.save_format, std::string(".json")})
+    if (name.size() > ending.size() && name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
   return name;
 }
 

@@ -7,7 +7,8 @@
 
 namespace isect::viz {
 
-/// Returns the typed name without spaces around it and without the format's ending; empty: the usual one.
+/// Returns the typed name without spaces around it and without the ending of a figure or a preset; empty: the usual
+/// one.
 std::string given_name(const SaveSheet&, const Settings&);
 /// Returns why that is no name for a file; empty if it is one.
 std::string wrong_name(const SaveSheet&, const Settings&);
