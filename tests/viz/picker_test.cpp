@@ -7,6 +7,7 @@
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
 #include "viz/compose/halos.h"
+#include "viz/player/practice.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
 
@@ -208,12 +209,7 @@ TEST_CASE("the row that Enter opens looks chosen from the start, in all themes",
     window.key(key::o, true);
     window.frames(2);
     window.key(key::down);  // from the chosen row on
-    CHECK(window.ui.focus() ==
-          "lesson " + window.player()
-                          .lessons()[static_cast<std::size_t>(
-                              std::ranges::find(window.player().lessons(), "ray-sphere", &Lesson::id) -
-                              window.player().lessons().begin() + 1)]
-                          ->id);
+    CHECK(window.ui.focus() == "lesson " + next_lesson(window.player())->id);
     CHECK(holds(window.ui.focus()));
     window.type("b");  // what is found is chosen anew
     CHECK(window.ui.focus().empty());
@@ -343,7 +339,7 @@ TEST_CASE("what was skipped is kept, and offered at the end until it is answered
   REQUIRE(skipped.size() >= 3);
   CHECK(kept.scores.at("ray-sphere").answers.empty());
   kept.reader_state.reset();
-  WindowDriver window(lessons::all_lessons(), 1280, 2400, at("ray-sphere"), kept, with_course_undrawn());
+  WindowDriver window(lessons::all_lessons(), 1280, 3600, at("ray-sphere"), kept, with_course_undrawn());
   window.ui.player().last();
   window.frames(2);
   int step = 1;
