@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "lessons/course.h"
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/scratch.h"

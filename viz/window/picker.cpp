@@ -18,7 +18,8 @@
 namespace isect::viz {
 namespace {
 
-constexpr float row_height = 25, heading_height = 27, gutter = 20;
+constexpr float row_height = 25, heading_height = 27, gutter = 20, beside_progress = 124;
+constexpr const char* legend = "; ✓ read to the end";
 
 /// A row of the picker: a heading, a lesson, or a saved preset.
 struct Entry {
@@ -200,7 +201,9 @@ void foot(Ui& ui, Picker& picker, const Lesson& l, const std::string& near, cons
   const float end = r.top + 30 + rich(ui, words, {left, r.top + 26}).y;
   const Paragraph others{.markup = near, .width = room, .size = 13, .line_pitch = 19, .colour = c.muted};
   if (end + ui.texts.size_of(others).y < r.bottom - 22) rich(ui, others, {left, end});
-  text(ui.fonts.small, left, r.bottom - 10, packed(c.muted), "↓ and ↑ choose, Enter opens, Escape closes");
+  const std::string keys = "↓ and ↑ choose, Enter opens, Escape closes";
+  const bool roomy = text_width(ui.fonts.small, keys + legend) < room - beside_progress;
+  text(ui.fonts.small, left, r.bottom - 10, packed(c.muted), roomy ? keys + legend : keys);
 }
 
 /// Returns the heading that begins the second column, so that the longer one is as short as possible; null: none.
