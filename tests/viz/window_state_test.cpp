@@ -509,10 +509,10 @@ TEST_CASE("a folder is chosen from those that are offered, and ~ is the reader's
   write_file(file, "a file where a folder should be");
   const char* const old = std::getenv("HOME");
   const std::string before = old ? old : "";
-  setenv("HOME", home.c_str(), 1);
   for (const bool typed : {false, true}) {
     CAPTURE(typed);
     WindowDriver window(both, 1280, 800, {}, {}, {.reduced_motion = true, .figures = file});
+    setenv("HOME", home.c_str(), 1);  // its fonts have been found by now
     window.type("s");
     window.key(key::enter);
     window.frames(2);
@@ -529,8 +529,8 @@ TEST_CASE("a folder is chosen from those that are offered, and ~ is the reader's
     window.frames(2);
     CHECK(window.ui.message().starts_with("Saved " + home + "/isect/point-disc/"));
     CHECK(window.ui.settings().save_folder == home + "/isect");
+    old ? setenv("HOME", before.c_str(), 1) : unsetenv("HOME");
   }
-  old ? setenv("HOME", before.c_str(), 1) : unsetenv("HOME");
   std::filesystem::remove(file);
   std::filesystem::remove_all(home);
 }
