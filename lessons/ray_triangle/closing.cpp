@@ -29,8 +29,8 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "Let a line cross the triangle's plane in one point: it meets the triangle if no two of three signed volumes "
-          "have opposite signs. Divided by their sum they are the barycentric coordinates.",
+          "A line that crosses the plane in one point meets the triangle if no two of three signed volumes have "
+          "opposite signs. Divided by their sum they are the barycentric coordinates.",
       .cost =
           "O(1): a few dozen sums and products, and no square root. Möller and Trumbore store nothing but the "
           "vertices.",
@@ -65,14 +65,12 @@ const Closing& closing() {
           {"A texture coordinate is 10 at **a**, 20 at **b** and 40 at **c**. What is it where *u* = 0.3 and *v* = "
            "0.5?",
            "The weight of **a** is 1 − 0.3 − 0.5 = 0.2. So it is 0.2 · 10 + 0.3 · 20 + 0.5 · 40 = 28."},
-          {"A program accepts weights down to −*ε*. Why does that not make a mesh watertight? And what becomes of a "
-           "count "
-           "of crossings, which is odd where a ray starts inside a closed mesh?",
-           "It makes each triangle larger: near an edge a ray then meets both, and past the outline it meets the mesh, "
-           "too. Which *ε* suffices depends on all sizes, as the rounding errors do. The count is then even where it "
-           "should be odd. With exact tests, too, a ray through an edge or a vertex meets several triangles. Count by "
-           "a "
-           "half-open rule, or take another ray."},
+          {"A program accepts weights down to −*ε*. Why does that not make a mesh watertight? And what becomes of "
+           "a count of crossings, which is odd where a ray starts inside a closed mesh?",
+           "It makes each triangle larger: near an edge a ray then meets both, and past the outline it meets the "
+           "mesh, too. Which *ε* suffices depends on all sizes, as the rounding errors do. Such a count may then be "
+           "even where it should be odd. With exact tests, too, a ray through an edge or a vertex meets several triangles. "
+           "Count by a half-open rule, or take another ray."},
           wrong_line(),
       }};
   return closing;

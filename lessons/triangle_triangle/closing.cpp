@@ -32,17 +32,15 @@ const Closing& closing() {
   static const Closing closing = {
       .result =
           "Two triangles are disjoint if one lies strictly on one side of the other's plane. Else, in two planes, they "
-          "meet if and only if their intervals on the line of both share a number. In one plane, they meet if no side "
-          "parts them.",
+          "meet if their intervals on the common line share a number; in one plane, if no side parts them.",
       .cost =
-          "Six heights, then four divisions, or two more signs; in one plane, up to six sides. A pair beside a plane "
+          "Six heights, then four divisions or two more signs; in one plane, up to six sides. A pair beside a plane "
           "ends after three or six heights.",
       .choose =
           "Signs of volumes, exactly, for meshes without faults. Intervals in doubles where a wrong answer near a "
           "touch does no harm.",
       .used = "Collision of meshes after a broad phase, Boolean operations, checks of meshes for self-intersection.",
-      .bug =
-          "Taking “they meet” for a fault in a mesh: it is true of all neighbours. Their shared corners must be known.",
+      .bug = "Taking “they meet” for a fault in a mesh: it is true of all neighbours.",
       .bug_preset = "neighbours",
       .reading =
           {"Tomas Möller, A Fast Triangle-Triangle Intersection Test, *Journal of Graphics Tools* 2, 1997, pages "

@@ -6,6 +6,9 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
+#include "viz/compose/halos.h"
+#include "viz/player/practice.h"
+#include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
 
 namespace picker_test {
@@ -24,6 +27,21 @@ WindowOptions with_course() {
   WindowOptions options{.reduced_motion = true};
   options.course = lessons::course();
   return options;
+}
+
+WindowOptions with_course_undrawn() {
+  WindowOptions options = with_course();
+  options.draw_scene = options.place_names = false;
+  return options;
+}
+
+/// How well these words, in small letters, name a lesson: its title, the title's begin, a part of it, or none.
+int rank_of(const Lesson& lesson, const std::string& words) {
+  std::string title = plain(lesson.title);
+  std::ranges::transform(title, title.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (title == words || title.substr(0, title.find(':')) == words || lesson.id == words) return 0;
+  const auto at = title.find(words);
+  return at == 0 ? 1 : at != title.npos ? 2 : 3;
 }
 
 }  // namespace
@@ -120,6 +138,82 @@ TEST_CASE("words narrow the picker, and Enter opens the first that has them", "[
   CHECK(window.has("recent relations"));  // where we were before
   window.click("recent relations");
   CHECK(window.player().lesson().id == "relations");
+}
+
+TEST_CASE("a title that is typed opens its lesson, whole or up to its colon, and so does an id", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, {}, {}, with_course_undrawn());
+  for (const Lesson* lesson : lessons::all_lessons())
+    for (const std::string& words : {plain(lesson->title), plain(short_title(*lesson)), lesson->id}) {
+      CAPTURE(words);
+      window.key(key::o, true);
+      window.frames(2);
+      window.type(words);
+      window.key(key::enter);
+      window.frames(2);
+      CHECK(window.player().lesson().id == lesson->id);
+      CHECK_FALSE(window.has("picker"));
+    }
+}
+
+TEST_CASE("what is found by its title stands before the rest, the exact title first", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, {}, {}, with_course_undrawn());
+  for (const std::string words : {"collision", "polygon", "sphere", "ray and", "interval", "slab"}) {
+    CAPTURE(words);
+    window.key(key::o, true);
+    window.frames(2);
+    window.type(words);
+    window.frames(2);
+    std::vector<std::tuple<float, float, int>> rows;  // from the left, from the top
+    for (const Lesson* lesson : lessons::all_lessons())
+      if (const std::string name = "lesson " + lesson->id; window.has(name))
+        rows.emplace_back(window.rect(name).left, window.rect(name).top, rank_of(*lesson, words));
+    REQUIRE_FALSE(rows.empty());
+    std::ranges::sort(rows);
+    for (std::size_t i = 1; i < rows.size(); ++i) CHECK(std::get<2>(rows[i - 1]) <= std::get<2>(rows[i]));
+    CHECK(window.rect("chosen row").left == std::get<0>(rows.front()));
+    CHECK(window.rect("chosen row").top == std::get<1>(rows.front()));
+    window.key(key::escape);
+    window.frames(2);
+  }
+}
+
+TEST_CASE("the row that Enter opens looks chosen from the start, in all themes", "[window]") {
+  for (const ThemeName theme : {ThemeName::dark, ThemeName::screen, ThemeName::grey}) {
+    CAPTURE(name_of(theme));
+    Settings kept;
+    kept.theme = theme;
+    WindowDriver window(lessons::all_lessons(), 1280, 800, at("ray-sphere"), kept, with_course());
+    window.key(key::o, true);
+    window.frames(2);
+    REQUIRE(window.has("chosen row"));
+    const auto holds = [&](const std::string& name) {
+      const Rect row = window.rect("chosen row"), r = window.rect(name);
+      return row.left == r.left && row.top == r.top;
+    };
+    CHECK(holds("lesson ray-sphere"));
+    const Palette c = palette(theme);
+    CHECK(contrast_ratio(c.on_first, c.first) >= 4.5);
+    CHECK(contrast_ratio(c.first, c.window) >= 3);
+    const Rect r = window.rect("chosen row");
+    const Picture all = window.picture();
+    const std::uint8_t* p =
+        &all.rgba[4 * (static_cast<std::size_t>(r.middle_y()) * all.width + static_cast<std::size_t>(r.left + 4))];
+    CHECK(std::abs(p[0] - 255 * c.first.r) <= 1.5);
+    CHECK(std::abs(p[2] - 255 * c.first.b) <= 1.5);
+
+    window.key(key::enter);  // the lesson on show goes on
+    window.frames(2);
+    CHECK_FALSE(window.has("picker"));
+    CHECK(window.player().lesson().id == "ray-sphere");
+
+    window.key(key::o, true);
+    window.frames(2);
+    window.key(key::down);  // from the chosen row on
+    CHECK(window.ui.focus() == "lesson " + next_lesson(window.player())->id);
+    CHECK(holds(window.ui.focus()));
+    window.type("b");  // what is found is chosen anew
+    CHECK(window.ui.focus().empty());
+  }
 }
 
 TEST_CASE("the picker understands the words of the subject, and Enter on none of them keeps the search", "[window]") {
@@ -232,6 +326,35 @@ TEST_CASE("what was answered wrong is offered again at the end, until it is answ
   window.player().last();
   window.frames(2);
   CHECK_FALSE(window.has(again));
+}
+
+TEST_CASE("what was skipped is kept, and offered at the end until it is answered", "[window]") {
+  Settings kept;
+  {
+    WindowDriver window(lessons::all_lessons(), 1280, 800, at("ray-sphere"), {}, with_course_undrawn());
+    while (!window.player().at_end()) window.key(key::right);
+    kept = window.ui.settings();
+  }
+  const std::set<std::string> skipped = kept.scores.at("ray-sphere").skipped;
+  REQUIRE(skipped.size() >= 3);
+  CHECK(kept.scores.at("ray-sphere").answers.empty());
+  kept.reader_state.reset();
+  WindowDriver window(lessons::all_lessons(), 1280, 3600, at("ray-sphere"), kept, with_course_undrawn());
+  window.ui.player().last();
+  window.frames(2);
+  int step = 1;
+  while (step < window.player().count() && !window.has("again " + std::to_string(step + 1))) ++step;
+  REQUIRE(step < window.player().count());
+  window.click("again " + std::to_string(step + 1));
+  const Question* q = window.player().quiz().asked();
+  REQUIRE(q);
+  CHECK(window.player().index() + 1 == step);
+  window.answer(q->answer);
+  window.frames(2);
+  CHECK(window.ui.settings().scores.at("ray-sphere").skipped.size() == skipped.size() - 1);
+  window.ui.player().last();
+  window.frames(2);
+  CHECK_FALSE(window.has("again " + std::to_string(step + 1)));
 }
 
 TEST_CASE("G shows the terms, and each leads to its lesson", "[window]") {

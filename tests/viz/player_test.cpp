@@ -108,6 +108,27 @@ TEST_CASE("a question is asked before its step, and stepping on skips it", "[pla
   CHECK_FALSE(player.quiz().answered());
 }
 
+TEST_CASE("a question that was skipped is asked again when the reader comes by, and one that was answered is not",
+          "[player]") {
+  Player player(both);
+  player.go_to(1);
+  player.next();
+  player.next();
+  REQUIRE(player.index() == 2);
+  CHECK(player.quiz().is_skipped(2));
+  player.back();
+  player.next();
+  REQUIRE(player.quiz().asked());
+  CHECK(player.index() == 1);
+  player.answer(0);
+  CHECK(player.index() == 2);
+  CHECK((player.quiz().is_answered(2) && !player.quiz().is_skipped(2)));
+  player.back();
+  player.next();
+  CHECK(player.index() == 2);
+  CHECK_FALSE(player.quiz().asked());
+}
+
 TEST_CASE("a title to come is told where no question stands before it", "[player]") {
   Player player(both);  // its third step has a question
   player.go_to(0);
@@ -281,6 +302,22 @@ TEST_CASE("presets of the present group are offered, and another method keeps th
   CHECK(player.played().group()[1]->id == "distance-outside");
   CHECK_THROWS_AS(player.load_method("guess"), BadInput);
   CHECK(player.played().method() == "distance");
+}
+
+TEST_CASE("another method keeps the step's place, and what was before it comes back", "[player]") {
+  Player player(both);
+  player.go_to(2);
+  REQUIRE(player.step().slug == "compare");
+  player.load_method("distance");
+  CHECK(player.played().method() == "distance");
+  CHECK(player.step().slug == "compare");
+  CHECK_FALSE(player.quiz().asked());
+  REQUIRE(player.undo());
+  CHECK(player.played().method() == "squared");
+  CHECK(player.step().slug == "compare");
+  player.last();
+  player.load_method("distance");
+  CHECK(player.at_end());
 }
 
 TEST_CASE("parameters changed by hand are no preset, until they are one again", "[player]") {

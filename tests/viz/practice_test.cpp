@@ -224,6 +224,7 @@ TEST_CASE("an exercise is tried from its own preset, and found when the core say
   CHECK(window.player().index() == outcome(window.player().walk()));
   REQUIRE(window.has("exercise"));
   CHECK_FALSE(exercise_solved(window.player()));
+  CHECK(window.ui.settings().scores.at("sphere-sphere").solved.empty());
   find_it(window.ui.player());
   window.frames(2);
   CHECK(exercise_solved(window.player()));
@@ -232,6 +233,9 @@ TEST_CASE("an exercise is tried from its own preset, and found when the core say
   window.frames(2);
   CHECK(window.player().step().slug == closing_slug);
   CHECK_FALSE(window.has("exercise"));
+  CHECK(window.ui.settings().scores.at("sphere-sphere").solved ==
+        std::set<std::string>{spheres().closing->exercises.front().prompt});
+  CHECK((window.has("solved 1") && !window.has("solved 2")));
 }
 
 TEST_CASE("a program with a wrong line is shown, and its correction when a setting is found or asked for", "[window]") {
@@ -279,6 +283,87 @@ TEST_CASE("the closing step leads to lessons that share an idea", "[window]") {
   CHECK(window.player().lesson().id == "sphere-aabb");
 }
 
+TEST_CASE("the end leads on: the next lesson first, then exercises, the same ideas, and references folded",
+          "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 2400, at("inside"), {}, layout_only);
+  CHECK_FALSE(window.has("next lesson"));
+  window.key(key::end);
+  window.frames(2);
+  REQUIRE(window.has("next lesson"));
+  CHECK(window.rect("next lesson").bottom < window.rect("try 1").top);
+  CHECK(window.rect("try 1").bottom < window.rect("same idea Minkowski sum: sphere-aabb").top);
+  CHECK(window.rect("same idea Minkowski sum: sphere-aabb").bottom < window.rect("reading").top);
+  const std::string next = next_lesson(window.player())->id;
+  const auto open_from_end = [&](const auto& action) {
+    window.player().open(spheres());
+    window.key(key::end);
+    window.frames(2);
+    action();
+    window.frames(2);
+    CHECK(window.player().lesson().id == next);
+    CHECK(window.player().index() == 0);
+  };
+  open_from_end([&] { window.click("next lesson"); });
+  open_from_end([&] { window.key(key::right); });
+  open_from_end([&] { window.type("n"); });
+  CHECK_FALSE(window.ui.settings().nonstop);  // there N does this alone
+  open_from_end([&] { window.click("next"); });
+  window.key(key::z, true);
+  CHECK(window.player().lesson().id == "sphere-sphere");
+  CHECK(window.player().step().slug == closing_slug);
+}
+
+TEST_CASE("a key that is held stops at the end of its lesson, and the last lesson leads nowhere", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, at("inside"), {}, layout_only);
+  window.press(key::right, true);
+  window.frames(400);
+  CHECK(window.player().lesson().id == "sphere-sphere");
+  CHECK(window.player().at_end());
+  window.press(key::right, false);
+  window.frames(2);
+  window.key(key::right);
+  CHECK(window.player().lesson().id != "sphere-sphere");
+
+  window.player().open(*lessons::all_lessons().back());
+  window.key(key::end);
+  window.frames(2);
+  CHECK_FALSE(window.has("next lesson"));
+  window.key(key::right);
+  window.click("next");
+  CHECK(window.player().lesson().id == lessons::all_lessons().back()->id);
+  CHECK(window.player().at_end());
+}
+
+TEST_CASE("another method keeps the step's place, in every lesson", "[player]") {
+  int changed = 0;
+  for (const Lesson* lesson : lessons::all_lessons()) {
+    ReaderState state;
+    state.lesson = lesson->id;
+    Player player({lesson}, state);
+    for (const Method& method : player.played().methods())
+      for (const int i : {0, player.count() / 2, outcome(player.walk()), player.count() - 1}) {
+        player.go_to(i);
+        Player other = player;
+        try {
+          other.load_method(method.choice);
+        } catch (const BadInput&) {  // this method can't take the setting
+          continue;
+        }
+        INFO(lesson->id << ", " << method.choice << ", step " << i);
+        const bool has_it =
+            std::ranges::find(other.walk().steps, player.step().slug, &Step::slug) != other.walk().steps.end();
+        if (i > 0 && i == outcome(player.walk()))
+          CHECK(other.index() == outcome(other.walk()));
+        else if (has_it)
+          CHECK(other.step().slug == player.step().slug);
+        else
+          CHECK(other.index() == std::min(i, outcome(other.walk())));
+        ++changed;
+      }
+  }
+  CHECK(changed > 30);
+}
+
 TEST_CASE("one key shows the published line fail", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 1000, at("overlapping"));
   window.ui.player().go_to(3);
@@ -303,6 +388,43 @@ TEST_CASE("one key shows the published line fail", "[window]") {
       ++shown;
     }
   CHECK(shown > 5);
+}
+
+TEST_CASE("E leads back from the published line's failure to where the reader was", "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 1400, at("overlapping"), {}, layout_only);
+  window.ui.player().go_to(3);
+  window.frames(2);
+  CHECK_FALSE(window.has("way back"));
+  const ReaderState before = window.player().reader_state();
+  const auto is_back = [&] {
+    const ReaderState now = window.player().reader_state();
+    CHECK(now.preset == before.preset);
+    CHECK(now.step == before.step);
+    CHECK((now.camera == before.camera));
+    window.frames(2);
+    CHECK_FALSE(window.has("way back"));
+  };
+  const auto see = [&] {
+    window.type("e");
+    window.frames(2);
+    CHECK(window.player().played().preset_id() == "touching");
+    REQUIRE(window.has("way back"));
+  };
+  see();
+  window.type("e");
+  is_back();
+  see();
+  window.click("way back");
+  is_back();
+  see();
+  window.ui.player().edit("r_b", 0.5);  // from a setting made of it, too
+  window.frames(2);
+  window.click("way back");
+  is_back();
+  see();
+  window.type("1");  // on to another preset: the way back ends
+  window.frames(2);
+  CHECK_FALSE(window.has("way back"));
 }
 
 }  // namespace practice_test

@@ -378,17 +378,161 @@ TEST_CASE("a saved preset is listed wherever the window is opened next, until it
   CHECK_FALSE(elsewhere.has(name));
 }
 
-TEST_CASE("a figure that can't be written is told, and the window goes on", "[window]") {
-  const std::string file = isect::test::scratch("isect-window-no-folder").string();
+TEST_CASE("a preset keeps its name, its step and the camera that the reader has moved", "[window]") {
+  const std::string folder = isect::test::scratch("isect-window-named").string();
+  std::filesystem::remove_all(folder);
+  WindowDriver window(both, 1280, 800, {}, {}, {.reduced_motion = true, .figures = folder});
+  const auto save_as = [&](const char* name) {
+    window.type("s");
+    window.frames(2);
+    window.click("save name");
+    window.type(name);
+    window.click("save as preset");
+    window.frames(2);
+  };
+  window.key(key::right);
+  save_as("a step");
+  CHECK(window.ui.message() == "Saved " + folder + "/point-disc/a step.json");
+  CHECK_FALSE(reader_state_from_json(read_file(folder + "/point-disc/a step.json"), both).camera);
+  window.type("p");
+  const Camera seen = window.player().camera().goal();
+  save_as("seen near");
+  window.key(key::home);
+  save_as("a step");  // another setting: the first one is kept
+  CHECK(window.ui.message() == "Saved " + folder + "/point-disc/a step-2.json");
+
+  window.type("2f");
+  window.key(key::o, true);
+  window.frames(2);
+  window.click("saved point-disc, seen near");
+  window.frames(2);
+  CHECK(window.player().played().preset_id() == "squared-inside");
+  CHECK(window.player().index() == 1);
+  CHECK(window.player().camera().goal().perspective);
+  CHECK(window.player().camera().goal().half_height == Approx(seen.half_height));
+  window.key(key::o, true);
+  window.frames(2);
+  CHECK((window.has("saved point-disc, a step") && window.has("saved point-disc, a step-2")));
+
+  for (const char* wrong : {"a/b", ".hidden", "what?"}) {
+    CAPTURE(wrong);
+    window.key(key::escape);
+    window.frames(2);
+    window.type("s");
+    window.frames(2);
+    window.click("save name");
+    window.type(wrong);
+    window.frames(2);
+    REQUIRE(window.has("refused name"));
+    window.click("save");
+    window.click("save as preset");
+    CHECK(window.has("save sheet"));
+    window.key(key::escape);  // lets go of the field, or closes the sheet
+    window.frames(2);
+  }
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) files += entry.is_regular_file();
+  CHECK(files == 3);
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("a figure is saved under the name that was typed, with the format's ending once", "[window]") {
+  const std::string folder = isect::test::scratch("isect-window-name").string();
+  std::filesystem::remove_all(folder);
+  WindowDriver window(both, 1280, 800, {}, {}, {.reduced_motion = true, .figures = folder});
+  for (const char* typed : {"my disc", "my disc.png", "  my disc "}) {
+    CAPTURE(typed);
+    window.type("s");
+    window.frames(2);
+    window.click("save name");
+    window.type(typed);  // its s is a letter of the name
+    CHECK(window.has("save sheet"));
+    window.click("save");
+    window.frames(2);
+    CHECK(window.ui.message() == "Saved " + folder + "/my disc.png, with its alt text");
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("a folder that can't be written is told in the sheet, and another one is taken and kept", "[window]") {
+  const std::string file = isect::test::scratch("isect-window-no-folder").string(), other = file + "-other";
+  std::filesystem::remove_all(other);
   write_file(file, "a file where a folder should be");
-  WindowDriver window(both, 1280, 800, {}, {}, {.reduced_motion = true, .figures = file});
+  Settings kept;
+  {
+    WindowDriver window(both, 1280, 800, {}, {}, {.reduced_motion = true, .figures = file});
+    window.type("s");
+    window.key(key::enter);
+    window.frames(2);
+    CHECK(window.ui.message().find(file) != std::string::npos);
+    REQUIRE(window.has("save sheet"));
+    REQUIRE((window.has("refused folder") && window.has("folder 1")));
+    CHECK(window.rect("folder 1").bottom < window.rect("save").top);
+    CHECK(window.rect("save").bottom < window.rect("save sheet").bottom);
+    window.key(key::escape);
+    window.frames(2);
+    CHECK_FALSE(window.has("save sheet"));
+    window.key(key::right);  // the window goes on
+    CHECK(window.player().index() == 1);
+    CHECK(window.ui.settings().save_folder.empty());
+
+    window.type("s");
+    window.frames(2);
+    CHECK_FALSE(window.has("refused folder"));
+    window.click("save as preset");
+    window.frames(2);
+    REQUIRE(window.has("refused folder"));
+    window.click("save folder");
+    window.key(key::a, true);
+    window.type(other);
+    window.frames(2);
+    CHECK_FALSE(window.has("refused folder"));
+    window.click("save as preset");
+    window.frames(2);
+    CHECK(window.ui.message() == "Saved " + other + "/point-disc/setting-1.json");
+    kept = window.ui.settings();
+    CHECK(kept.save_folder == other);
+  }
+  kept.reader_state.reset();
+  WindowDriver window(both, 1280, 800, {}, kept, {.reduced_motion = true, .figures = file});
   window.type("s");
   window.key(key::enter);
   window.frames(2);
-  CHECK(window.ui.message().find(file) != std::string::npos);
-  window.key(key::right);
-  CHECK(window.player().index() == 1);
+  CHECK(window.ui.message().starts_with("Saved " + other + "/"));
   std::filesystem::remove(file);
+  std::filesystem::remove_all(other);
+}
+
+TEST_CASE("a folder is chosen from those that are offered, and ~ is the reader's own", "[window]") {
+  const std::string file = isect::test::scratch("isect-window-offered").string(), home = file + "-home";
+  std::filesystem::remove_all(home);
+  write_file(file, "a file where a folder should be");
+  const char* const old = std::getenv("HOME");
+  const std::string before = old ? old : "";
+  for (const bool typed : {false, true}) {
+    CAPTURE(typed);
+    WindowDriver window(both, 1280, 800, {}, {}, {.reduced_motion = true, .figures = file});
+    setenv("HOME", home.c_str(), 1);  // its fonts have been found by now
+    window.type("s");
+    window.key(key::enter);
+    window.frames(2);
+    REQUIRE(window.has("folder 1"));
+    if (typed) {
+      window.click("save folder");
+      window.key(key::a, true);
+      window.type("~/isect");
+    } else {
+      window.click("folder 1");
+    }
+    window.frames(2);
+    window.click("save");
+    window.frames(2);
+    CHECK(window.ui.message().starts_with("Saved " + home + "/isect/point-disc/"));
+    CHECK(window.ui.settings().save_folder == home + "/isect");
+    old ? setenv("HOME", before.c_str(), 1) : unsetenv("HOME");
+  }
+  std::filesystem::remove(file);
+  std::filesystem::remove_all(home);
 }
 
 TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "[window]") {
@@ -402,6 +546,9 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
   s.reader_state = Player(both).reader_state();
   s.reader_state->step = 3;
   s.scores["point-disc"] = {{{"squared/compare", true}, {"squared/length", false}}, true};
+  s.scores["point-disc"].skipped = {"distance/compare"}, s.scores["point-disc"].solved = {"Find a point."};
+  s.scores["point-disc"].seen = 3, s.scores["point-disc"].of = 5;
+  s.save_folder = "/a/folder";
   s.recent = {"point-ball", "point-disc"};
   s.saved = {"/b/point-disc/setting-1.json", "/a/point-disc/setting-2.json"};
   write_settings(file, s);
@@ -416,6 +563,10 @@ TEST_CASE("settings survive a run, and a spoilt file or field gives defaults", "
   CHECK(read.scores.at("point-disc").right() == 1);
   CHECK(read.scores.at("point-disc").answers.size() == 2);
   CHECK(read.scores.at("point-disc").finished);
+  CHECK(read.scores.at("point-disc").skipped == s.scores.at("point-disc").skipped);
+  CHECK(read.scores.at("point-disc").solved == s.scores.at("point-disc").solved);
+  CHECK((read.scores.at("point-disc").seen == 3 && read.scores.at("point-disc").of == 5));
+  CHECK(read.save_folder == "/a/folder");
   CHECK(read.recent == s.recent);
   CHECK(read.saved == s.saved);
 
@@ -464,6 +615,37 @@ TEST_CASE("a spoilt file of settings is set aside, and none that was set aside b
   CHECK(read_file(file + ".damaged") == R"({"theme": "grey", "pla)");
   CHECK(read_file(file + ".damaged-2") == "[]");
   remove_all();
+}
+
+TEST_CASE("a file without a version is read, damaged marks of a lesson are left out, a newer file is copied",
+          "[window]") {
+  const std::string file = isect::test::scratch("isect-versions-test.json").string(), aside = file + ".newer";
+  std::filesystem::remove(aside);
+  write_file(file, R"({"theme": "grey", "scores": {"point-disc": {"finished": true, "answers": {"/compare": true}}}})");
+  CHECK(set_spoilt_settings_aside(file).empty());
+  const Settings old = read_settings(file, both);
+  CHECK(old.theme == ThemeName::grey);
+  CHECK(old.scores.at("point-disc").finished);
+  CHECK(old.scores.at("point-disc").right() == 1);
+  CHECK((old.scores.at("point-disc").skipped.empty() && old.scores.at("point-disc").of == 0));
+  CHECK(text_of(old).find("\"version\": 2") != std::string::npos);
+
+  write_file(file, R"({"version": 2, "save_folder": 5, "scores": {"point-disc": {"skipped": ["/compare", 7],
+    "solved": "all", "seen": 9, "of": 4, "answers": {"/length": false, "/way": 3}}}})");
+  const Score damaged = read_settings(file, both).scores.at("point-disc");
+  CHECK(damaged.skipped == std::set<std::string>{"/compare"});
+  CHECK((damaged.solved.empty() && damaged.seen == 0 && damaged.of == 0));
+  CHECK(damaged.answers.size() == 1);
+  CHECK(read_settings(file, both).save_folder.empty());
+
+  const std::string newer = R"({"version": 3, "theme": "grey", "of tomorrow": {"a": 1}})";
+  write_file(file, newer);
+  const std::string told = file + " was written by a newer isect, of which this one keeps what it knows. ";
+  CHECK(set_spoilt_settings_aside(file) == told + "A copy of the file is kept as " + aside);
+  CHECK(read_file(aside) == newer);
+  CHECK(read_settings(file, both).theme == ThemeName::grey);
+  std::filesystem::remove(file);
+  std::filesystem::remove(aside);
 }
 
 TEST_CASE("a camera that nobody has moved is not kept, so that presets go on framing themselves", "[window]") {

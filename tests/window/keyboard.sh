@@ -27,8 +27,8 @@ expect 'How two sets are related' "the first lesson opens"
 press ctrl+o; sleep 0.5
 write 'ray ball'
 picture 02-picker
-press Down Return
-expect 'Ray and sphere, two roots, step 1 of' "the picker is searched, and opens what Down and Enter choose"
+press Return
+expect 'Ray and sphere, two roots, step 1 of' "the picker is searched, and Enter opens the row that looks chosen"
 
 steps=$(last)
 answered=0

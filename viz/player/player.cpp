@@ -111,8 +111,9 @@ void Player::ask(bool wanted) {
 void Player::next() {
   if (at_end()) return;
   const int to = index() + 1;
-  if (quiz_.asked()) quiz_.keep(to, std::nullopt);
-  if (!can_ask() || quiz_.is_past(to)) return go_to(to);
+  const bool skips = quiz_.asked() != nullptr;
+  if (skips) quiz_.keep(to, std::nullopt);
+  if (skips || !can_ask() || quiz_.is_answered(to)) return go_to(to);
   begin_motion();
   ask(true);
   look(seconds_to_move);
@@ -172,8 +173,9 @@ void Player::advance(double seconds) {
   camera_.advance(seconds);
   motion_.advance(seconds);
   if (!running() || !clock_.advance(seconds)) return;
-  if (!clock_.stops_at_questions()) quiz_.skip(index() + 1);
-  next();
+  const bool passes = !clock_.stops_at_questions() && can_ask();
+  if (passes) quiz_.skip(index() + 1);
+  passes ? go_to(index() + 1) : next();
   if (at_end()) clock_.play(false);
 }
 
@@ -210,9 +212,9 @@ void Player::load_method(const std::string& choice) {
     next.remember("", true);
     Chosen chosen = chosen_;
     chosen.parameters[lesson().group_by] = choice;
-    chosen.choose_first_step();
     next.quiz_.close();
     next.show(std::move(chosen), true);
+    next.look();
     const std::string &before = played_->preset_id(), &now = next.played_->preset_id();
     if (!before.empty() && !now.empty()) next.chosen_.origin = now;
   });

@@ -56,7 +56,8 @@ class Player {
   /// Returns a number that grows with every change of what is shown, except the camera's.
   unsigned revision() const { return revision_; }
 
-  // Stepping. A step with a question is asked about before it is shown; stepping on again skips the question.
+  // Stepping. A step with a question is asked about before it is shown; stepping on again skips the question, which is
+  // asked again whenever the reader comes by.
   void next();
   void back();
   void go_to(int step);
@@ -93,11 +94,12 @@ class Player {
   // whatever reason, nothing has changed: neither what is shown, nor the camera, nor what undo() knows.
   void open(const Lesson&);
   void open_neighbour(int by);
-  /// Load a preset, or the one that was loaded last, and frame it, even if the reader has moved the camera, unless it
-  /// is pinned.
+  /// Loads a preset, as restart() does the one that was loaded last, and frames it, even if the reader has moved the
+  /// camera, unless it is pinned.
   void load(const Preset&);
-  void restart();
+  /// Shows what another method does with this setting: its step that corresponds to the one on show.
   void load_method(const std::string& choice);
+  void restart();
   /// Reads the lesson again, which has other presets now.
   void reread();
   void edit(const std::string& name, const Setting&);
@@ -168,7 +170,7 @@ class Player {
   void ask(bool);  ///< about the next step, if it has a question
   void answer(GivenAnswer);
   Camera opening_view() const { return camera_.opening(*played_, scene()); }
-  /// The same in the projection that the reader has chosen.
+  /// Returns the opening view in the projection that the reader has chosen.
   Camera framed_view() const { return camera_.opening(*played_, scene(), camera_.goal().perspective); }
 
   std::vector<const Lesson*> lessons_;

@@ -1,5 +1,7 @@
 #include "viz/player/practice.h"
 
+#include <algorithm>
+
 #include "viz/walk/closing.h"
 #include "viz/walk/other_numbers.h"
 
@@ -23,6 +25,17 @@ void show_erratum(Player& player) {
   for (int i = 0; i < player.count(); ++i)
     if (player.walk().steps[i].line == line) return player.go_to(i);
   player.go_to(outcome(player.walk()));  // the line was refused on the way there
+}
+
+const Lesson* next_lesson(const Player& player) {
+  const std::vector<const Lesson*>& all = player.lessons();
+  if (!player.lesson().made_from.empty()) return nullptr;
+  const auto after = std::find(all.begin(), all.end(), &player.lesson()) + 1;
+  return after == all.end() || !(*after)->made_from.empty() ? nullptr : *after;
+}
+
+bool leads_to_next_lesson(const Player& player) {
+  return player.at_end() && player.step().slug == closing_slug && next_lesson(player);
 }
 
 void begin_exercise(Player& player, int index) {

@@ -39,12 +39,19 @@ void order_tiles(Column&, const OrderAsked&, AnswerField&);
 /// Draws the pseudocode in rows to point at. Returns the line that was pressed; -1: none. (answer_tiles.cpp)
 int lines_to_point_at(Column&, const Walk&);
 /// Draws, where the current line errs as published, what it should be and a button to see it fail. (practice.cpp)
-void erratum(Column&, Player&, Toast&);
-/// Draws, on the closing card, what was answered wrong, to be answered again. (practice.cpp)
+/// `before`: gets the player as it was, to come back.
+void erratum(Column&, Player&, std::optional<Player>& before, Toast&);
+/// Draws, while that failure is on show, a button that leads back to where the reader was. (fault.cpp)
+void way_back(Column&, Player&, std::optional<Player>& before);
+/// Draws, on the closing card, the button to the next lesson. (ending.cpp)
+void next_lesson_button(Column&, Player&, Toast&);
+/// Draws, on the closing card, what was skipped or answered wrong, to be answered again. (ending.cpp)
 void missed(Column&, Player&, const Settings&);
-/// Draws the closing card's exercises, each to be tried or looked up: then its solution is among those `shown`.
-/// (practice.cpp)
-void exercises(Column&, Player&, std::set<const Exercise*>& shown, Toast&);
+/// Draws the closing card's references, folded away until they are asked for. (ending.cpp)
+void reading(Column&, const Player&, bool& open);
+/// Draws the closing card's exercises, each to be tried or looked up: then its solution is among those `shown`. One
+/// that is `solved`, by its prompt, has a tick. (practice.cpp)
+void exercises(Column&, Player&, std::set<const Exercise*>& shown, const std::set<std::string>& solved, Toast&);
 /// Draws the lessons in which this one's ideas occur again, each to be opened. (practice.cpp)
 void same_ideas(Column&, Player&, Toast&);
 /// Draws, on the closing card of every fifth lesson, the review of these lessons. (review.cpp)

@@ -18,6 +18,7 @@ void Focus::end_frame() {
   if (!in_popup && in_popup_) name_ = std::exchange(before_popup_, {});
   in_popup_ = in_popup;
   known_ = std::exchange(stops_, {});
+  known_begin_ = std::exchange(begin_, {});
   if (patience_ > 0) --patience_;
   if (patience_ == 0 && std::ranges::find(known_, name_, &Stop::name) == known_.end()) name_.clear();
   pressed_ = moved_ = false;
@@ -26,7 +27,7 @@ void Focus::end_frame() {
 void Focus::move(int by) {
   if (known_.empty()) return;
   const int count = static_cast<int>(known_.size());
-  const auto held = std::ranges::find(known_, name_, &Stop::name);
+  const auto held = std::ranges::find(known_, name_.empty() ? known_begin_ : name_, &Stop::name);
   const int at = held != known_.end() ? static_cast<int>(held - known_.begin()) + by : by > 0 ? 0 : count - 1;
   name_ = known_[static_cast<std::size_t>((at + count) % count)].name;
   moved_ = true;

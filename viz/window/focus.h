@@ -21,6 +21,8 @@ class Focus {
   void next_group();
   /// Moves to this widget, which may appear only in the next frames.
   void take(const std::string& name) { name_ = name, patience_ = 3, moved_ = true; }
+  /// Lets the next move begin at this widget, which looks chosen, if none is held. Holds for this frame.
+  void begin_at(const std::string& name) { begin_ = name; }
   /// Presses the held widget, in this frame.
   void press() { pressed_ = true; }
   void clear() { name_.clear(); }
@@ -37,7 +39,8 @@ class Focus {
   };
   std::vector<Stop> stops_, known_;  ///< of this frame; of the last one
   std::string name_, before_popup_;
-  int patience_ = 0;  ///< for how many frames the held widget may be missing
+  std::string begin_, known_begin_;  ///< of this frame; of the last one
+  int patience_ = 0;                 ///< for how many frames the held widget may be missing
   bool in_popup_ = false, pressed_ = false, moved_ = false;
 };
 

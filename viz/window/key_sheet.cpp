@@ -26,7 +26,7 @@ constexpr Row left_keys[] = {
     {"G", "terms"},
     {"T", "reviews"},
     {"R", "restart the preset"},
-    {"E", "see the published line fail"},
+    {"E", "see the line fail, or go back"},
     {"Ctrl+C / Ctrl+V", "copy / paste the whole state"},
     {"Ctrl+Z", "take the last change back"},
     {"Ctrl+Y, Ctrl+Shift+Z", "do it again"},
@@ -57,6 +57,7 @@ constexpr Row right_keys[] = {
     {"F11", "full screen"},
     {"V", "two panes, or one"},
     {"W", "where this case lies: the map"},
+    {"H", "how far I am, over all lessons"},
     {"M", "reduce motion, or not"},
     {"Ctrl and + / − / 0", "size of everything"},
 };

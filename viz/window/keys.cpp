@@ -109,8 +109,9 @@ bool makes_light(WindowSession& s) {
 
 void moving_keys(WindowSession& s) {
   Player& player = s.player;
-  const bool shift = ImGui::GetIO().KeyShift;  // with it the arrows turn the scene, or move a handle
-  if (!shift && pressed(key::right, true)) player.next();
+  const bool shift = ImGui::GetIO().KeyShift;         // with it the arrows turn the scene, or move a handle
+  const bool to_next = leads_to_next_lesson(player);  // a key that is held does not run on into it
+  if (!shift && pressed(key::right, !to_next)) to_next ? open_next_lesson(player, s.toast) : player.next();
   if (!shift && pressed(key::left, true)) player.back();
   if (pressed(key::escape)) s.ui.focus.clear();
   if (pressed(key::home)) player.first();
@@ -161,9 +162,12 @@ void command(WindowSession& s, char c) {
     case ']':
       return attempt(s.toast, [&] { player.open_neighbour(1); });
     case 'e':
-      return attempt(s.toast, [&] { show_erratum(player); });
+      return attempt(s.toast, [&] { fault_or_back(player, s.step_words.before_fault); });
     case 'g':
       s.requests.sheet = Sheet::terms;
+      return;
+    case 'h':
+      s.requests.sheet = Sheet::progress;
       return;
     case 'l':
       return toggle_pin(player, s.toast);
@@ -172,6 +176,7 @@ void command(WindowSession& s, char c) {
       player.reduce_motion(s.settings.reduced_motion);
       return s.toast.say(s.settings.reduced_motion ? "Nothing moves by itself now" : "Steps and views glide again");
     case 'n':
+      if (leads_to_next_lesson(player)) return open_next_lesson(player, s.toast);
       return s.panels ? pass_questions(player, s.settings, s.toast) : player.next();
     case 'b':
     case '.':

@@ -55,6 +55,23 @@ void side_by_side(Column& c, const Player& player, Requests& requests) {
   c.y += 34;
 }
 
+/// Draws what follows the closing card's result: where to go on first, what was read last. A button may leave the
+/// lesson: then its card ends here.
+void ending(Column& c, const LessonPanel& panel) {
+  Player& player = panel.player;
+  const auto on_show = [&, walk = player.walk_number(), step = player.index()] {
+    return player.walk_number() == walk && player.index() == step;
+  };
+  next_lesson_button(c, player, panel.toast);
+  if (on_show())
+    exercises(c, player, panel.words.solutions, panel.settings.scores[player.lesson().id].solved, panel.toast);
+  if (on_show()) missed(c, player, panel.settings);
+  if (on_show()) same_ideas(c, player, panel.toast);
+  if (!on_show()) return;
+  review_offer(c, player, panel.requests);
+  reading(c, player, panel.words.reading);
+}
+
 /// `fresh`: these words were not there in the last frame.
 void lesson_text(const LessonPanel& panel, const Rect& r, bool fresh, bool low) {
   Player& player = panel.player;
@@ -68,26 +85,23 @@ void lesson_text(const LessonPanel& panel, const Rect& r, bool fresh, bool low) 
   } else {
     c.paragraph(step.title, ink.text, 19, 26, true);
     c.y += 8;
-    c.paragraph(step.caption, ink.text);
+    c.paragraph(step.slug == closing_slug ? player.lesson().closing->result : step.caption, ink.text);
     if (!step.formula.empty()) {
       c.y += 16;
       formula_card(c, step.formula);
     }
-    if (!step.source.empty() && step.slug != closing_slug) {  // its caption has all sources
+    if (!step.source.empty() && step.slug != closing_slug) {  // there all sources stand at the end
       c.y += 8;
       c.paragraph(step.source, ink.muted, 13, 19);
     }
-    erratum(c, player, panel.toast);
+    erratum(c, player, panel.words.before_fault, panel.toast);
   }
   question(c, player, panel.words.answer, fresh);
-  if (step.slug == closing_slug) {
-    missed(c, player, panel.settings);
-    exercises(c, player, panel.words.solutions, panel.toast);
-    same_ideas(c, player, panel.toast);
-    review_offer(c, player, panel.requests);
-  } else {
+  way_back(c, player, panel.words.before_fault);
+  if (step.slug == closing_slug)
+    ending(c, panel);
+  else
     side_by_side(c, player, panel.requests);
-  }
   ImGui::SetCursorScreenPos({r.left, c.y});
   ImGui::Dummy({1, 16});
 }

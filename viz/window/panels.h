@@ -50,13 +50,26 @@ void pass_questions(Player&, Settings&, Toast&);
 /// Draws the key sheet, the picker and the save sheet, over everything else. (sheets.cpp)
 void sheets(WindowSession&, const Rect& window);
 
-/// Keeps the answers that were given, and that a lesson was read to its end. (score.cpp) `answers_kept`: how many of
-/// the player's answers are in the record; it keeps the last one where that is new.
+/// Keeps the answers that were given, the questions that were skipped, the exercise that was solved, and that a lesson
+/// was read to its end. (score.cpp) `answers_kept`: how many of the player's answers are in the record; it keeps the
+/// last one where that is new.
 void keep_score(const Player&, Settings&, unsigned& answers_kept);
-/// Returns the steps of this walk whose questions were answered wrong when they were asked last.
-std::vector<int> missed_questions(const Player&, const Settings&);
-/// Keeps the lessons opened last, the one on show first. (score.cpp)
-void keep_recent(const Player&, Settings&);
+/// A step of this walk whose question was answered wrong when it was asked last, or skipped and never answered.
+struct Missed {
+  int step = 0;
+  bool skipped = false;
+};
+std::vector<Missed> missed_questions(const Player&, const Settings&);
+/// Keeps the lessons opened last, the one on show first, and how far each was read. (score.cpp)
+void keep_place(const Player&, Settings&);
+
+/// Opens the lesson after this one, where the closing card is on show and there is one. (ending.cpp)
+void open_next_lesson(Player&, Toast&);
+/// Shows the published line fail or, where that is on show, leads back to where the reader was: `before`, which keeps
+/// that. (fault.cpp)
+void fault_or_back(Player&, std::optional<Player>& before);
+/// Whether the reader still looks at the failure that was asked for, or at a setting made from it. (fault.cpp)
+bool can_return(const Player&, const std::optional<Player>& before);
 
 /// Begins a review, whose questions the player then asks one after the other. (review.cpp)
 void begin_review(WindowSession&, int number);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 #include "viz/formats/files.h"
@@ -10,106 +9,55 @@
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
 #include "viz/window/lesson_picture.h"
+#include "viz/window/picker_rows.h"
 #include "viz/window/save_figure.h"
 #include "viz/window/sheets.h"
 
 namespace isect::viz {
 namespace {
 
-constexpr float row_height = 25, heading_height = 27, gutter = 20;
+constexpr float row_height = 25, heading_height = 27, gutter = 20, beside_progress = 124;
+float height_of(const PickerRow& row) { return row.heading.empty() ? row_height + 2 : heading_height; }
 
-/// A row of the picker: a heading, a lesson, or a saved preset.
-struct Entry {
-  std::string heading = {};
-  const Lesson* lesson = nullptr;
-  std::string preset = {};
-  bool again = false;  ///< the lesson is listed below, too
-  float height() const { return heading.empty() ? row_height + 2 : heading_height; }
-};
-
-bool wanted(const Lesson& l, const Course& course, const std::string& words) {
-  std::string all = l.id + " " + plain(l.title) + " " + l.summary;
-  for (const std::string& idea : l.ideas) all += " " + idea;
-  for (const Preset& preset : l.presets) all += " " + plain(preset.title);
-  for (const Course::Term& term : course.terms)
-    if (term.lesson == l.id) all += " " + term.name;
-  return matches(all, words);
-}
-
-/// Returns "ray-sphere, setting-1", with the folder unless that is the one for figures.
-std::string name_of_preset(const std::string& figures, const std::filesystem::path& file) {
-  const std::filesystem::path lesson = file.parent_path(), folder = lesson.parent_path();
-  const std::string name = lesson.filename().string() + ", " + file.stem().string();
-  std::error_code error;
-  const std::filesystem::path own = std::filesystem::absolute(figures, error);
-  return (own / "").lexically_normal() == folder / "" ? name : name + ", in " + folder.string();
-}
-
-/// `now`: the lesson on show.
-std::vector<Entry> rows_of(const Picker& picker, const Shelf& shelf, const Lesson& now) {
-  std::vector<Entry> rows;
-  const auto add = [&](const std::string& heading, const Entry& row) {
-    if (!heading.empty()) rows.push_back({heading});
-    rows.push_back(row);
-  };
-  if (picker.search.empty() && shelf.settings.recent.size() > 1) {
-    std::string heading = "Last opened";
-    for (const std::string& id : shelf.settings.recent) {
-      if (id == now.id) continue;
-      add(std::exchange(heading, {}), {{}, &lesson_named(shelf.lessons, id), {}, true});
-    }
-  }
-  std::string heading;
-  for (const Lesson* l : shelf.lessons) {
-    for (const Course::Part& part : shelf.course.parts)
-      if (part.first == l->id) heading = part.title;
-    if (wanted(*l, shelf.course, picker.search)) add(std::exchange(heading, {}), {{}, l});
-  }
-  heading = "Saved presets";
-  for (const std::string& file : picker.presets)
-    if (matches(name_of_preset(shelf.figures, file), picker.search))
-      add(std::exchange(heading, {}), {{}, nullptr, file});
-  return rows;
-}
+constexpr const char* legend = "; ✓ read to the end";
 
 /// Draws "5 of 6 right", after a tick if the lesson was read to its end: a green one if all answers were right.
-void draw_score(Ui& ui, const Score& score, const std::string& lesson, float right, float y) {
+void draw_score(Ui& ui, const Score& score, const std::string& lesson, float right, float y, bool chosen) {
   const Palette& c = ui.palette;
   float x = right;
   if (!score.answers.empty())
-    x -= 20 + text(ui.fonts.small, x, y, packed(c.muted),
+    x -= 20 + text(ui.fonts.small, x, y, packed(chosen ? c.on_first : c.muted),
                    std::to_string(score.right()) + " of " + std::to_string(score.answers.size()) + " right", 1);
   const bool all_right = !score.answers.empty() && score.right() == static_cast<int>(score.answers.size());
-  if (score.finished) tick(x, y, 12, packed(all_right ? c.hit : c.muted));
-  ui.rects["score " + lesson] = {x - 6, y - 9, right, y + 9};
+  if (score.finished) tick(x, y, 12, packed(chosen ? c.on_first : all_right ? c.hit : c.muted));
+  const Rect r{x - 6, y - 9, right, y + 9};
+  ui.rects["score " + lesson] = r;
+  if (score.finished && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
+    tooltip(ui, all_right ? "Read to its end, all answers right" : "Read to its end");
 }
 
 /// The row whose lesson is told about below all rows, and the one that was pressed; null: none.
 struct Touched {
   const Lesson* told = nullptr;
-  const Entry* pressed = nullptr;
+  const PickerRow* pressed = nullptr;
 };
 
-/// Draws a row. Returns whether it was pressed; if the pointer or the keyboard is at it, its lesson becomes `told`.
-bool lesson_row(Ui& ui, const Settings& settings, const Lesson& l, const Rect& r, bool again, bool now,
-                const Lesson*& told) {
-  const std::string name = (again ? "recent " : "lesson ") + l.id;
+/// Draws a row; the `chosen` one, which Enter opens, is filled. Returns whether it was pressed, or the pointer is
+/// there.
+Press row_of_list(Ui& ui, const Settings& settings, const PickerRow& row, const std::string& name, const Rect& r,
+                  bool chosen) {
+  const Palette& c = ui.palette;
   const Press p = press(ui, name, r);
-  if (p.hovered || ui.focus.name() == name) told = &l;
-  if (p.hovered || now) filled(r, p.hovered ? ui.palette.hovered : ui.palette.card, 5);
-  const auto score = settings.scores.find(l.id);
-  const float marks = score != settings.scores.end() ? 116.0f : 0.0f;
-  text(ui.fonts.body, r.left + 8, r.middle_y(), packed(ui.palette.text),
-       fitted(ui.fonts.body, plain(l.title), r.width() - 16 - marks));
-  if (score != settings.scores.end()) draw_score(ui, score->second, l.id, r.right - 8, r.middle_y());
-  return p.clicked;
-}
-
-bool preset_row(Ui& ui, const std::string& name, const Rect& r) {
-  const Press p = press(ui, "saved " + name, r);
-  if (p.hovered) filled(r, ui.palette.hovered, 5);
-  text(ui.fonts.body, r.left + 8, r.middle_y(), packed(ui.palette.text), fitted(ui.fonts.body, name, r.width() - 16));
-  return p.clicked;
+  if (chosen) ui.rects["chosen row"] = r;
+  if (p.hovered || chosen) filled(r, chosen ? c.first : c.hovered, 5);
+  const auto score = row.lesson ? settings.scores.find(row.lesson->id) : settings.scores.end();
+  const bool marked = score != settings.scores.end() && (score->second.finished || !score->second.answers.empty());
+  const float marks = marked ? 116.0f : 0.0f;
+  const std::string words = row.lesson ? plain(row.lesson->title) : name.substr(std::string("saved ").size());
+  text(ui.fonts.body, r.left + 8, r.middle_y(), packed(chosen ? c.on_first : c.text),
+       fitted(ui.fonts.body, words, r.width() - 16 - marks));
+  if (marked) draw_score(ui, score->second, row.lesson->id, r.right - 8, r.middle_y(), chosen);
+  return p;
 }
 
 void open_preset(Player& player, Toast& toast, const std::string& file) {
@@ -157,42 +105,46 @@ void foot(Ui& ui, Picker& picker, const Lesson& l, const std::string& near, cons
   const float end = r.top + 30 + rich(ui, words, {left, r.top + 26}).y;
   const Paragraph others{.markup = near, .width = room, .size = 13, .line_pitch = 19, .colour = c.muted};
   if (end + ui.texts.size_of(others).y < r.bottom - 22) rich(ui, others, {left, end});
-  text(ui.fonts.small, left, r.bottom - 10, packed(c.muted), "↓ and ↑ choose, Enter opens, Escape closes");
+  const std::string keys = "↓ and ↑ choose, Enter opens, Escape closes";
+  const bool roomy = text_width(ui.fonts.small, keys + legend) < room - beside_progress;
+  text(ui.fonts.small, left, r.bottom - 10, packed(c.muted), roomy ? keys + legend : keys);
 }
 
 /// Returns the heading that begins the second column, so that the longer one is as short as possible; null: none.
-const Entry* second_column(const std::vector<Entry>& rows) {
+const PickerRow* second_column(const std::vector<PickerRow>& rows) {
   float total = 0, before = 0;
-  for (const Entry& row : rows) total += row.height();
-  const Entry* best = nullptr;
+  for (const PickerRow& row : rows) total += height_of(row);
+  const PickerRow* best = nullptr;
   float least = total;
-  for (const Entry& row : rows) {
+  for (const PickerRow& row : rows) {
     if (const float longer = std::max(before, total - before); !row.heading.empty() && longer < least)
       least = longer, best = &row;
-    before += row.height();
+    before += height_of(row);
   }
   return best;
 }
 
 /// Draws the rows in as many columns as there is room for, of about equal length.
-Touched columns(Ui& ui, const Shelf& shelf, const Lesson& now, const std::vector<Entry>& rows, ImVec2 at, float width) {
+Touched columns(Ui& ui, const Shelf& shelf, const PickerRow* chosen, const std::vector<PickerRow>& rows, ImVec2 at,
+                float width) {
   const int count = width >= 660 ? 2 : 1;
   const float wide = (width - gutter * static_cast<float>(count - 1)) / static_cast<float>(count);
-  const Entry* const second = count > 1 ? second_column(rows) : nullptr;
+  const PickerRow* const second = count > 1 ? second_column(rows) : nullptr;
   float x = at.x, y = at.y + 8, end = y;
   Touched touched;
-  for (const Entry& row : rows) {
+  for (const PickerRow& row : rows) {
     if (&row == second) x += wide + gutter, y = at.y + 8;
     const Rect r{x, y, x + wide, y + row_height};
-    bool clicked = false;
-    if (!row.heading.empty())
+    if (row.heading.empty()) {
+      const Press p = row_of_list(ui, shelf.settings, row, name_of_row(row, shelf.figures), r, &row == chosen);
+      if (&row == chosen && ImGui::IsWindowAppearing())
+        ImGui::SetScrollFromPosY(r.middle_y() - ImGui::GetWindowPos().y, 0.5f);
+      if (p.hovered) touched.told = row.lesson;
+      if (p.clicked) touched.pressed = &row;
+    } else {
       text(ui.fonts.bold, x + 8, y + 18, packed(ui.palette.muted), row.heading);
-    else if (row.lesson)
-      clicked = lesson_row(ui, shelf.settings, *row.lesson, r, row.again, row.lesson == &now, touched.told);
-    else
-      clicked = preset_row(ui, name_of_preset(shelf.figures, row.preset), r);
-    if (clicked) touched.pressed = &row;
-    y += row.height();
+    }
+    y += height_of(row);
     end = std::max(end, y);
   }
   if (rows.empty())
@@ -208,22 +160,33 @@ void picker(Player& player, Ui& ui, Picker& picker, const Shelf& shelf, Toast& t
   picker.lesson = nullptr;
   if (!begin_sheet(ui, "picker", window, 860, 730)) return;
   if (ImGui::IsWindowAppearing()) picker.presets = saved_presets(shelf.figures, shelf.settings.saved);
+  const std::string searched_before = picker.search;
   const bool entered = search_field(ui, picker.search, "Search lessons");
-  const std::vector<Entry> rows = rows_of(picker, shelf, player.lesson());
+  const bool typed = picker.search != searched_before && !ImGui::IsWindowAppearing();
+  if (typed) ui.focus.clear();  // what is found best is chosen again
+  const std::vector<PickerRow> rows = rows_of(picker, shelf, player.lesson());
 
   const float below_rows = window.height() < 700 ? 86 : picture_height;
   ImGui::BeginChild("lessons", {0, ImGui::GetContentRegionAvail().y - below_rows - 18});
-  Touched at =
-      columns(ui, shelf, player.lesson(), rows, ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail().x - 4);
+  const PickerRow* const chosen = chosen_row(rows, picker, shelf, player.lesson(), ui.focus.name());
+  if (chosen) ui.focus.begin_at(name_of_row(*chosen, shelf.figures));
+  Touched at = columns(ui, shelf, chosen, rows, ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail().x - 4);
   ImGui::EndChild();
   const ImVec2 below = ImGui::GetCursorScreenPos(), left = ImGui::GetContentRegionAvail();
-  const auto first = std::ranges::find_if(rows, [](const Entry& row) { return row.heading.empty(); });
-  if (!at.told && picker.search.empty()) at.told = &player.lesson();
-  if (!at.told && first != rows.end()) at.told = first->lesson;  // Enter opens it
-  if (at.told)
-    foot(ui, picker, *at.told, leads(shelf.lessons, *at.told),
-         {below.x, below.y + left.y - below_rows, below.x + left.x, below.y + left.y});
-  if (entered && !at.pressed && ui.focus.name().empty() && first != rows.end()) at.pressed = &*first;
+  if (!at.told && chosen) at.told = chosen->lesson;
+  if (!at.told && !chosen && picker.search.empty()) at.told = &player.lesson();
+  const Rect below_all{below.x, below.y + left.y - below_rows, below.x + left.x, below.y + left.y};
+  if (at.told) foot(ui, picker, *at.told, leads(shelf.lessons, *at.told), below_all);
+  const Rect progress{below_all.right - 110, below_all.bottom - 22, below_all.right, below_all.bottom};
+  if (chip(ui, "show progress", progress, "Progress", false)) {
+    picker.progress = true;
+    ImGui::CloseCurrentPopup();
+  }
+  const bool stays = chosen && chosen->lesson == &player.lesson() && picker.search.empty();
+  if (entered && !at.pressed && ui.focus.name().empty()) {
+    if (stays) ImGui::CloseCurrentPopup();  // the lesson on show is not begun anew
+    if (!stays) at.pressed = chosen;
+  }
   if (at.pressed) {
     if (at.pressed->lesson)
       attempt(toast, [&] { player.open(*at.pressed->lesson); });

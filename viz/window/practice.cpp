@@ -64,7 +64,7 @@ bool Column::button(const std::string& name, const std::string& words, float& fr
   return pressed;
 }
 
-void erratum(Column& c, Player& player, Toast& toast) {
+void erratum(Column& c, Player& player, std::optional<Player>& before, Toast& toast) {
   const std::vector<ErratumText> all = errata_text(player.lesson(), player.walk());
   const auto e = std::ranges::find(all, player.step().line + 1, &ErratumText::line);
   if (e == all.end()) return;
@@ -74,27 +74,12 @@ void erratum(Column& c, Player& player, Toast& toast) {
   if (player.played().preset_id() == e->shown_by->id) return;  // the line fails in this setting
   c.y += 8;
   float x = c.x;
-  if (c.button("see it fail", "See it fail (E)", x)) attempt(toast, [&] { show_erratum(player); });
+  if (c.button("see it fail", "See it fail (E)", x)) attempt(toast, [&] { fault_or_back(player, before); });
   c.y += button_height;
 }
 
-void missed(Column& c, Player& player, const Settings& settings) {
-  const std::vector<int> steps = missed_questions(player, settings);
-  if (steps.empty()) return;
-  const Palette& ink = c.ui.palette;
-  c.y += 24;
-  c.paragraph("Not yet right", ink.text, 15, 23, true);
-  for (const int step : steps) {
-    c.y += 10;
-    c.paragraph(player.walk().steps[step].question->prompt, ink.text);
-    c.y += 6;
-    float x = c.x;
-    if (c.button("again " + std::to_string(step + 1), "Answer again", x)) return player.ask_again(step);
-    c.y += button_height + 4;
-  }
-}
-
-void exercises(Column& c, Player& player, std::set<const Exercise*>& shown, Toast& toast) {
+void exercises(Column& c, Player& player, std::set<const Exercise*>& shown, const std::set<std::string>& solved,
+               Toast& toast) {
   const Closing* closing = player.lesson().closing;
   if (!closing) return;
   const Palette& ink = c.ui.palette;
@@ -104,7 +89,15 @@ void exercises(Column& c, Player& player, std::set<const Exercise*>& shown, Toas
     const Exercise& e = closing->exercises[i];
     const std::string number = std::to_string(i + 1);
     c.y += 10;
-    c.paragraph(number + ". " + e.prompt, ink.text);
+    if (solved.contains(e.prompt)) {
+      c.ui.rects["solved " + number] = {c.x, c.y + 4, c.x + 14, c.y + 18};
+      tick(c.x + 7, c.y + 11, 13, packed(ink.hit));
+      c.x += 22, c.width -= 22;
+      c.paragraph(number + ". " + e.prompt, ink.text);
+      c.x -= 22, c.width += 22;
+    } else {
+      c.paragraph(number + ". " + e.prompt, ink.text);
+    }
     program_lines(c, e);
     c.y += 6;
     float x = c.x;

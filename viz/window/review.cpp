@@ -87,6 +87,7 @@ void begin_review(WindowSession& s, int number) {
     review.prompts.push_back(all[static_cast<std::size_t>(i)]);
   if (review.prompts.empty()) return s.toast.say("These lessons ask nothing");
   s.review.emplace(std::move(review));
+  s.step_words.before_fault.reset();  // nothing in a review leads away from it
   ask_now(s);
 }
 

@@ -97,10 +97,22 @@ static std::string words_of(const Settings& settings) {
   return fmt::format("{{{}}}", fmt::join(words, ","));
 }
 
-std::string save_figure(const Player& player, const Settings& settings, Renderer& renderer, const std::string& folder) {
+std::string usual_stem(const Player& player) {
+  const std::string& preset = player.played().preset_id();
+  return player.lesson().id + "/" + (preset.empty() ? "changed" : preset) + "/" +
+         file_stem(player.index(), player.step());
+}
+
+std::string free_path(const std::string& stem, const std::string& ending, const std::string& bytes) {
+  std::string path = stem + "." + ending;
+  for (int i = 2; !is_free_for(path, bytes); ++i) path = stem + "-" + std::to_string(i) + "." + ending;
+  return path;
+}
+
+std::string save_figure(const Player& player, const Settings& settings, Renderer& renderer, const std::string& folder,
+                        const std::string& name) {
   const ReaderState state = player.reader_state();
-  const std::string preset = state.preset.empty() ? "changed" : state.preset;
-  const std::string wanted = folder + "/" + state.lesson + "/" + preset + "/" + file_stem(*state.step, player.step());
+  const std::string wanted = folder + "/" + (name.empty() ? usual_stem(player) : name);
   Made made = settings.save_width_cm > 0 ? on_paper(player, settings) : for_screen(player, settings);
   made.imprint.title = figure_title(player.lesson(), player.step());
   made.imprint.alt = alt_text(player.lesson(), player.parameters(), player.walk(), player.index());
@@ -132,14 +144,17 @@ PixelBox draw_preview(const Player& player, const Settings& settings, Renderer& 
   }
 }
 
-std::string save_preset(const Player& player, const std::string& folder) {
+std::string save_preset(const Player& player, const std::string& folder, const std::string& name) {
   ReaderState state = player.reader_state();
-  state.preset.clear(), state.camera.reset(), state.step.reset();
+  state.preset.clear();
+  if (!player.camera().moved()) state.camera.reset();  // then each window frames it
+  const std::string text = to_json(state), place = folder + "/" + state.lesson + "/";
   const std::string kind = player.played().methods_differ() ? "disagreement" : "setting";
-  std::string path;
-  for (int i = 1; path.empty() || std::filesystem::exists(path); ++i)
-    path = folder + "/" + state.lesson + "/" + kind + "-" + std::to_string(i) + ".json";
-  write_file(path, to_json(state));
+  std::string path = name.empty() ? std::string() : free_path(place + name, "json", text);
+  std::error_code error;
+  for (int i = 1; path.empty() || (name.empty() && std::filesystem::exists(path, error)); ++i)
+    path = place + kind + "-" + std::to_string(i) + ".json";
+  write_file(path, text);
   return std::filesystem::absolute(path).lexically_normal();
 }
 

@@ -9,6 +9,8 @@
 #include "viz/formats/formats.h"
 #include "viz/text/number_text.h"
 #include "viz/text/rich_text.h"
+#include "viz/window/save_figure.h"
+#include "viz/window/save_place.h"
 #include "viz/window/sheets.h"
 
 namespace isect::viz {
@@ -90,15 +92,18 @@ void choices_of_figure(SaveSheet& sheet, Ui& ui, Settings& settings, const ImVec
   }
 }
 
-/// Draws the buttons beside each other from `at` on, and presses the first one on Enter.
-void save_buttons(const Player& player, Ui& ui, const SaveSheet& sheet, bool to_file, Requests& requests,
+/// Draws the buttons beside each other from `at` on, and presses the first one on Enter. `ready`: nothing that was
+/// typed is refused.
+void save_buttons(const Player& player, Ui& ui, const SaveSheet& sheet, bool ready, bool to_file, Requests& requests,
                   const ImVec2& at) {
   const float x = at.x, y = at.y;
-  const bool again = ImGui::GetIO().InputQueueCharacters.contains('s') && !ImGui::IsWindowAppearing();
-  const bool held = !ui.focus.name().empty() || ImGui::GetIO().WantTextInput;  // then Enter belongs to them
+  const bool typing = ImGui::GetIO().WantTextInput;
+  const bool again = !typing && ImGui::GetIO().InputQueueCharacters.contains('s') && !ImGui::IsWindowAppearing();
+  const bool held = !ui.focus.name().empty() || typing;  // then Enter belongs to them
   const bool enter = (!held && (key_down(key::enter) || key_down(key::keypad_enter))) || key_down(key::f12) || again;
-  if ((chip(ui, "save", {x, y - 18, x + 110, y + 18}, "Save", true) || enter) && sheet.width_wrong.empty()) {
-    requests.save_figure = true;
+  const char* const words = sheet.progress ? "Save JSON" : "Save";
+  if ((chip(ui, "save", {x, y - 18, x + 110, y + 18}, words, true) || enter) && ready) {
+    (sheet.progress ? requests.save_progress : requests.save_figure) = true;
     ImGui::CloseCurrentPopup();
   }
   const bool scene = !player.lesson().made_from.empty();
@@ -106,7 +111,7 @@ void save_buttons(const Player& player, Ui& ui, const SaveSheet& sheet, bool to_
     requests.save_back = true;
     ImGui::CloseCurrentPopup();
   }
-  if (!scene && chip(ui, "save as preset", {x + 120, y - 18, x + 260, y + 18}, "Save as preset", false)) {
+  if (!scene && chip(ui, "save as preset", {x + 120, y - 18, x + 260, y + 18}, "Save as preset", false) && ready) {
     requests.save_preset = true;
     ImGui::CloseCurrentPopup();
   }
@@ -115,17 +120,25 @@ void save_buttons(const Player& player, Ui& ui, const SaveSheet& sheet, bool to_
 
 }  // namespace
 
-void save_sheet(const Player& player, Ui& ui, SaveSheet& sheet, Settings& settings, bool to_file, Requests& requests,
-                const Rect& window) {
-  sheet.open = begin_sheet(ui, "save sheet", window, 780, 310);
-  if (!sheet.open) return;
+void save_sheet(const Player& player, Ui& ui, SaveSheet& sheet, Settings& settings, const std::string& figures,
+                bool to_file, Requests& requests, const Rect& window) {
+  const float place = sheet.failed.empty() ? 88 : 142;  // of the name and the folder, with what is said below them
+  sheet.open = begin_sheet(ui, "save sheet", window, 780, 266 + place);
+  if (!sheet.open) {
+    sheet.name.clear(), sheet.folder.clear(), sheet.failed.clear();
+    sheet.progress = false;
+    return;
+  }
+  if (ImGui::IsWindowAppearing() && sheet.folder.empty()) sheet.folder = whole_folder(sheet, settings, figures);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  text(ui.fonts.heading, at.x, at.y + 10, packed(ui.palette.text), "Save this figure");
+  text(ui.fonts.heading, at.x, at.y + 10, packed(ui.palette.text),
+       sheet.progress ? "Save the progress" : "Save this figure");
   choices_of_figure(sheet, ui, settings, {at.x, at.y + 56});
-  save_buttons(player, ui, sheet, to_file, requests, {at.x, at.y + 200});
-  preview(sheet, ui,
-          {ui.rects["other width"].right + 20, at.y + 10, ui.rects["save sheet"].right - 20,
-           ui.rects["save sheet"].bottom - 20});
+  const float right = ui.rects["other width"].right, top = at.y + 196;
+  place_fields(ui, sheet, settings, figures, usual_stem(player), {at.x, top, right, top + place});
+  const bool ready = sheet.width_wrong.empty() && wrong_name(sheet, settings).empty();
+  save_buttons(player, ui, sheet, ready, to_file, requests, {at.x, top + place + 8});
+  preview(sheet, ui, {right + 20, at.y + 10, ui.rects["save sheet"].right - 20, ui.rects["save sheet"].bottom - 20});
   ImGui::EndPopup();
 }
 

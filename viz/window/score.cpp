@@ -1,7 +1,9 @@
-// A reader's progress that is kept: answers, lessons read to their ends, lessons opened last.
+// A reader's progress that is kept: answers, skipped questions, solved exercises, how far lessons were read, and which
+// were opened last.
 
 #include <utility>
 
+#include "viz/player/practice.h"
 #include "viz/walk/closing.h"
 #include "viz/walk/review.h"
 #include "viz/window/panels.h"
@@ -21,14 +23,21 @@ void keep_score(const Player& player, Settings& settings, unsigned& answers_kept
   if (const auto answered = player.quiz().answered()) {
     const std::string question = question_at(player, player.index());
     score.answers[question] = answered->right();
+    score.skipped.erase(question);
     if (fresh && player.lesson().made_from.empty())
       settings.record.keep(player.lesson().id, question, answered->right());
   }
+  if (player.quiz().is_skipped(player.index())) {
+    const std::string question = question_at(player, player.index());
+    if (!score.answers.contains(question)) score.skipped.insert(question);
+  }
+  const Exercise* e = player.exercise();
+  if (e && !score.solved.contains(e->prompt) && exercise_solved(player)) score.solved.insert(e->prompt);
   if (player.step().slug == closing_slug) score.finished = true;
 }
 
-std::vector<int> missed_questions(const Player& player, const Settings& settings) {
-  std::vector<int> missed;
+std::vector<Missed> missed_questions(const Player& player, const Settings& settings) {
+  std::vector<Missed> missed;
   const auto score = settings.scores.find(player.lesson().id);
   if (score == settings.scores.end()) return missed;
   std::set<std::string> seen;
@@ -36,15 +45,20 @@ std::vector<int> missed_questions(const Player& player, const Settings& settings
     if (!player.walk().steps[i].question) continue;
     const std::string name = question_at(player, i);
     const auto answer = score->second.answers.find(name);
-    if (answer != score->second.answers.end() && !answer->second && seen.insert(name).second) missed.push_back(i);
+    const bool wrong = answer != score->second.answers.end() && !answer->second;
+    const bool skipped = score->second.skipped.contains(name);
+    if ((wrong || skipped) && seen.insert(name).second) missed.push_back({i, skipped});
   }
   return missed;
 }
 
-void keep_recent(const Player& player, Settings& settings) {
+void keep_place(const Player& player, Settings& settings) {
   std::vector<std::string>& recent = settings.recent;
   const std::string& id = player.lesson().id;
   if (!player.lesson().made_from.empty()) return;  // scenes from files are not among the lessons
+  Score& score = settings.scores[id];
+  const int step = player.index() + 1;
+  if (step * score.of >= score.seen * player.count()) score.seen = step, score.of = player.count();
   if (!recent.empty() && recent.front() == id) return;
   std::erase(recent, id);
   recent.insert(recent.begin(), id);

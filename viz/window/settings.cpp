@@ -59,6 +59,23 @@ std::optional<Beside> beside_field(const Json& from) {
   return beside;
 }
 
+/// Returns the texts of a list; what is none is left out.
+std::set<std::string> texts_field(const Json& from, const char* name) {
+  std::set<std::string> texts;
+  const auto found = from.find(name);
+  if (found == from.end() || !found->is_array()) return texts;
+  for (const Json& text : *found)
+    if (text.is_string()) texts.insert(text.get<std::string>());
+  return texts;
+}
+
+/// Returns a number of steps; 0 where there is none.
+int count_field(const Json& from, const char* name) {
+  constexpr double most = 30'000;  // the product of two fits into an int
+  const double count = field(from, name, 0.0);
+  return count >= 1 && count <= most ? static_cast<int>(count) : 0;
+}
+
 std::map<std::string, Score> scores_field(const Json& from) {
   std::map<std::string, Score> scores;
   const auto found = from.find("scores");
@@ -67,6 +84,10 @@ std::map<std::string, Score> scores_field(const Json& from) {
     if (!lesson.value().is_object()) continue;
     Score& score = scores[lesson.key()];
     score.finished = field(lesson.value(), "finished", false);
+    score.skipped = texts_field(lesson.value(), "skipped");
+    score.solved = texts_field(lesson.value(), "solved");
+    score.seen = count_field(lesson.value(), "seen"), score.of = count_field(lesson.value(), "of");
+    if (score.seen > score.of) score.seen = score.of = 0;
     const Json answers = lesson.value().value("answers", Json::object());
     if (!answers.is_object()) continue;
     for (const auto& answer : answers.items())
@@ -97,19 +118,35 @@ std::string damage_of_record(const Json& from) {
 
 Json json_of(const std::map<std::string, Score>& scores) {
   Json all = Json::object();
-  for (const auto& [lesson, score] : scores)
-    if (score.finished || !score.answers.empty())
-      all[lesson] = {{"finished", score.finished}, {"answers", score.answers}};
+  for (const auto& [lesson, score] : scores) {
+    const bool touched = score.of > 0 || !score.skipped.empty() || !score.solved.empty();
+    if (!score.finished && score.answers.empty() && !touched) continue;
+    Json& kept = all[lesson];
+    kept = {{"finished", score.finished}, {"answers", score.answers}};
+    if (!score.skipped.empty()) kept["skipped"] = score.skipped;
+    if (!score.solved.empty()) kept["solved"] = score.solved;
+    if (score.of > 0) kept["seen"] = score.seen, kept["of"] = score.of;
+  }
   return all;
 }
 
-/// Returns a new name beside a file, for one that is damaged.
-std::string name_aside(const std::string& file) {
+/// Returns a new name beside a file, for one that is damaged, or newer than this program.
+std::string name_aside(const std::string& file, const std::string& kind = "damaged") {
   std::error_code error;
-  std::string aside = file + ".damaged";
-  for (int i = 2; std::filesystem::exists(aside, error); ++i) aside = fmt::format("{}.damaged-{}", file, i);
+  std::string aside = fmt::format("{}.{}", file, kind);
+  for (int i = 2; std::filesystem::exists(aside, error); ++i) aside = fmt::format("{}.{}-{}", file, kind, i);
   return aside;
 }
+
+/// Keeps a copy of a file under another name. Returns where it is, or why it is nowhere.
+std::string copied(const std::string& file, const std::string& aside) {
+  std::error_code error;
+  std::filesystem::copy_file(file, aside, error);
+  return error ? "The file can't be copied: " + error.message() : "A copy of the file is kept as " + aside;
+}
+
+/// Returns the version of the file; 1 where it names none.
+double version_of(const Json& from) { return field(from, "version", 1.0); }
 
 /// Returns the parsed file; empty if it is no JSON object.
 Json parsed(const std::string& file) {
@@ -149,6 +186,8 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
   s.size = std::clamp(field(json, "size", s.size), least_size, most_size);
   const double cm = field(json, "save_width_cm", s.save_width_cm);
   if (cm >= least_width_cm && cm <= most_width_cm) s.save_width_cm = cm;
+  s.save_folder = field(json, "save_folder", s.save_folder);
+  if (!s.save_folder.starts_with('/')) s.save_folder.clear();
   s.reader_state = place_field(json, lessons);
   s.beside = beside_field(json);
   s.scores = scores_field(json);
@@ -173,12 +212,13 @@ std::string set_spoilt_settings_aside(const std::string& file) {
   if (file.empty() || !fs::exists(file, error)) return {};
   const std::string aside = name_aside(file);
   if (const Json json = parsed(file); !json.is_null()) {
-    const std::string why = damage_of_record(json);
-    if (why.empty()) return {};
-    fs::copy_file(file, aside, error);
-    return fmt::format("The answers kept in {} can't be read ({}) and start afresh. {} {}", file, why,
-                       error ? "The file can't be copied:" : "A copy of the file is kept as",
-                       error ? error.message() : aside);
+    if (const std::string why = damage_of_record(json); !why.empty())
+      return fmt::format("The answers kept in {} can't be read ({}) and start afresh. {}", file, why,
+                         copied(file, aside));
+    if (version_of(json) > settings_version)
+      return fmt::format("{} was written by a newer isect, of which this one keeps what it knows. {}", file,
+                         copied(file, name_aside(file, "newer")));
+    return {};
   }
   fs::rename(file, aside, error);
   return error ? fmt::format("{} is damaged, and the window starts afresh. It can't be moved aside: {}", file,
@@ -187,7 +227,8 @@ std::string set_spoilt_settings_aside(const std::string& file) {
 }
 
 std::string text_of(const Settings& s) {
-  Json json = {{"theme", name_of(s.theme)},
+  Json json = {{"version", settings_version},
+               {"theme", name_of(s.theme)},
                {"save_theme", name_of(s.save_theme)},
                {"save_format", s.save_format},
                {"parameters_open", s.parameters_open},
@@ -199,6 +240,7 @@ std::string text_of(const Settings& s) {
                {"map", s.map},
                {"size", s.size},
                {"save_width_cm", s.save_width_cm},
+               {"save_folder", s.save_folder},
                {"recent", s.recent},
                {"saved", s.saved},
                {"scores", json_of(s.scores)},

@@ -32,7 +32,11 @@ void picker(Player&, Ui&, Picker&, const Shelf&, Toast&, const Rect& window);
 void terms_sheet(Player&, Ui&, std::string& searched, const Course&, Toast&, const Rect& window);
 /// Lists the reviews of the course with what came of each. (review.cpp)
 void reviews_sheet(WindowSession&, const Rect& window);
-/// Asks for the format, theme and size of a figure. `to_file`: the setting can be written into the scene's file.
-void save_sheet(const Player&, Ui&, SaveSheet&, Settings&, bool to_file, Requests&, const Rect& window);
+/// Lists all lessons with what the reader did in them, and the reviews. (progress_sheet.cpp)
+void progress_sheet(WindowSession&, const Rect& window);
+/// Asks for the format, theme, size, name and folder of a figure. `to_file`: the setting can be written into the
+/// scene's file. `figures`: the usual folder.
+void save_sheet(const Player&, Ui&, SaveSheet&, Settings&, const std::string& figures, bool to_file, Requests&,
+                const Rect& window);
 
 }  // namespace isect::viz

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "viz/player/practice.h"
 #include "viz/text/rich_text.h"
 #include "viz/window/map_view.h"
 #include "viz/window/panels.h"
@@ -57,7 +58,10 @@ void buttons(Player& player, Ui& ui, Settings& settings, Toast& toast, float mid
   if (icon_button(ui, "first", at(-2), Icon::first, false, !start)) player.first();
   if (icon_button(ui, "back", at(-1), Icon::back, false, !start)) player.back();
   if (icon_button(ui, "play", at(0), player.running() ? Icon::pause : Icon::play, true, true)) player.toggle_play();
-  if (icon_button(ui, "next", at(1), Icon::next, false, !player.at_end())) player.next();
+  const bool to_next = leads_to_next_lesson(player);
+  if (icon_button(ui, "next", at(1), Icon::next, false, to_next || !player.at_end()))
+    to_next ? open_next_lesson(player, toast) : player.next();
+  if (ImGui::IsItemHovered() && leads_to_next_lesson(player)) tooltip(ui, "Next: " + plain(next_lesson(player)->title));
   if (icon_button(ui, "last", at(2), Icon::last, false, !player.at_end())) player.last();
 
   constexpr const char* speeds[] = {"0.5×", "1×", "1.5×", "2×"};

@@ -29,11 +29,17 @@ constexpr double least_width_cm = 2, most_width_cm = 60;
 struct Score {
   std::map<std::string, bool> answers = {};  ///< by question: whether the last answer was right
   bool finished = false;                     ///< read to its end
+  std::set<std::string> skipped = {};        ///< questions that were passed over and never answered
+  std::set<std::string> solved = {};         ///< exercises, by their prompts
+  int seen = 0, of = 0;                      ///< the furthest step that was shown, from 1; and the steps of its walk
   int right() const {
     return static_cast<int>(std::ranges::count_if(answers, [](const auto& answer) { return answer.second; }));
   }
 };
 constexpr std::size_t recent_kept = 5, saved_kept = 100;
+/// The version of the file of settings: 1 had none, and neither skipped questions nor solved exercises. Files of all
+/// versions are read; a copy of a newer one is kept before it is written over.
+constexpr int settings_version = 2;
 
 /// The contents of the second of two panes: a method, or a preset.
 struct Beside {
@@ -56,9 +62,10 @@ struct Settings {
   bool nonstop = false;            ///< play passes over questions
   int width = 1280, height = 800;  ///< px of the layout, whatever the screen's density
   bool reduced_motion = false;
-  bool map = false;          ///< of cases, beside the scene
-  double size = 1;           ///< of everything
-  double save_width_cm = 0;  ///< of a saved figure on paper; 0: a picture for a screen
+  bool map = false;              ///< of cases, beside the scene
+  double size = 1;               ///< of everything
+  double save_width_cm = 0;      ///< of a saved figure on paper; 0: a picture for a screen
+  std::string save_folder = {};  ///< the one chosen last, a whole path; empty: the usual one
   std::optional<ReaderState> reader_state = {};
   std::optional<Beside> beside = {};
   std::map<std::string, Score> scores = {};  ///< by lesson
@@ -72,8 +79,8 @@ std::string settings_file();
 /// Reads the settings. A missing or damaged file gives the defaults, a damaged field its default.
 Settings read_settings(const std::string& file, const std::vector<const Lesson*>&);
 /// Renames a file that can't be read as settings, which would be overwritten at the end, to a new name beside it; keeps
-/// a copy there of one whose record of answers alone can't be read. Returns the message about it; empty if there was
-/// nothing to do.
+/// a copy there of one whose record of answers alone can't be read, or that a newer version has written. Returns the
+/// message about it; empty if there was nothing to do.
 std::string set_spoilt_settings_aside(const std::string& file);
 /// Returns the settings as the file holds them.
 std::string text_of(const Settings&);
@@ -81,16 +88,17 @@ std::string text_of(const Settings&);
 void write_settings(const std::string& file, const Settings&);
 
 /// The sheets that may cover the window.
-enum class Sheet { none, keys, picker, save, terms, reviews };
+enum class Sheet { none, keys, picker, save, terms, reviews, progress };
 
 /// What keys and buttons ask for, to be done between two frames.
 struct Requests {
-  Sheet sheet = Sheet::none;  ///< to be opened
-  bool save_figure = false;   ///< this frame's figure as a file
-  bool save_preset = false;   ///< the setting as a preset file
-  bool save_back = false;     ///< the setting into the scene's file
-  bool close = false;         ///< the reader wants to close the window
-  int review = 0;             ///< to be begun: its number
+  Sheet sheet = Sheet::none;   ///< to be opened
+  bool save_figure = false;    ///< this frame's figure as a file
+  bool save_preset = false;    ///< the setting as a preset file
+  bool save_back = false;      ///< the setting into the scene's file
+  bool save_progress = false;  ///< what the reader has done, as a file
+  bool close = false;          ///< the reader wants to close the window
+  int review = 0;              ///< to be begun: its number
   double zoom = 1;
 };
 
@@ -109,11 +117,16 @@ struct SaveSheet {
   std::string why = {};          ///< why there is none
   std::string width_text = {};   ///< as typed
   std::string width_wrong = {};  ///< why it is refused
+  std::string name = {};         ///< as typed, without ending; empty: the usual one
+  std::string folder = {};       ///< as typed
+  std::string failed = {};       ///< why the last file could not be written
+  bool progress = false;         ///< that file was the reader's progress
 };
 
 /// The list of lessons.
 struct Picker {
   std::string search = {};                ///< words that are searched for
+  bool progress = false;                  ///< the sheet of progress is wanted instead
   const Lesson* lesson = nullptr;         ///< the one whose picture is wanted; null: none
   ImTextureID picture = {};               ///< nothing until it has been drawn, between two frames
   std::vector<std::string> presets = {};  ///< files of saved ones, as they were found
@@ -151,6 +164,8 @@ struct AnswerField {
 struct StepWords {
   unsigned seen = 0;                         ///< the revision whose words are shown
   std::set<const Exercise*> solutions = {};  ///< those that are shown
+  bool reading = false;                      ///< the closing card's references are unfolded
+  std::optional<Player> before_fault = {};   ///< as the reader was before a published line was shown to fail
   AnswerField answer = {};
 };
 

@@ -24,7 +24,9 @@
 #include "viz/window/lesson_picture.h"
 #include "viz/window/map_view.h"
 #include "viz/window/panels.h"
+#include "viz/window/progress.h"
 #include "viz/window/save_figure.h"
+#include "viz/window/save_place.h"
 #include "viz/window/scene_view.h"
 #include "viz/window/second_pane.h"
 
@@ -93,10 +95,35 @@ struct WindowUi::Impl {
     if (at.beside) settings.beside = beside_of(at);
   }
 
+  /// Calls write(folder, name), by what the save sheet says, and tells what it returns. Where it fails, the sheet opens
+  /// again and says why.
+  template <class Write>
+  void save_by_sheet(const Write& write) {
+    SaveSheet& sheet = session.save_sheet;
+    const std::string folder = whole_folder(sheet, settings, session.figures);
+    sheet.failed.clear(), sheet.progress = false;
+    try {
+      session.toast.say("Saved " + write(folder, given_name(sheet, settings)));
+      settings.save_folder = folder == whole_folder({}, {}, session.figures) ? std::string() : folder;
+    } catch (const BadInput& wrong) {
+      session.toast.complain(wrong.what());
+    } catch (const FileError& failed) {
+      sheet.failed = failed.what(), sheet.folder = folder;
+      session.requests.sheet = Sheet::save;
+    }
+  }
+
   void save() {
-    attempt(session.toast, [&] {
-      session.toast.say("Saved " + save_figure(player, settings, renderer, session.figures) + ", with its alt text");
+    save_by_sheet([&](const std::string& folder, const std::string& name) {
+      return save_figure(player, settings, renderer, folder, name) + ", with its alt text";
     });
+  }
+
+  void save_done() {
+    save_by_sheet([&](const std::string& folder, const std::string&) {
+      return save_progress(player.lessons(), settings, folder);
+    });
+    session.save_sheet.progress = !session.save_sheet.failed.empty();
   }
 
   /// Draws the preview; again only if something has changed.
@@ -130,12 +157,12 @@ struct WindowUi::Impl {
   }
 
   void keep_setting() {
-    attempt(session.toast, [&] {
-      const std::string path = save_preset(player, session.figures);
+    save_by_sheet([&](const std::string& folder, const std::string& name) {
+      const std::string path = save_preset(player, folder, name);
       std::erase(settings.saved, path);  // a file of this name may have been there before
       settings.saved.insert(settings.saved.begin(), path);
       if (settings.saved.size() > saved_kept) settings.saved.pop_back();
-      session.toast.say("Saved " + path);
+      return path;
     });
   }
 
@@ -266,6 +293,7 @@ void WindowUi::frame() {
   // Only now: the frame built last shows the scene's texture, which saving overwrites.
   if (std::exchange(w.session.requests.save_figure, false)) w.save();
   if (std::exchange(w.session.requests.save_preset, false)) w.keep_setting();
+  if (std::exchange(w.session.requests.save_progress, false)) w.save_done();
   w.draw_preview();
   w.draw_pictured();
   follow_review(w.session);
@@ -297,7 +325,7 @@ void WindowUi::frame() {
   if (!w.session.dark) tell_sum(w.ui, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
   w.ui.focus.end_frame();
   keep_score(w.player, w.settings, w.session.answers_kept);
-  if (!w.session.review) keep_recent(w.player, w.settings);
+  if (!w.session.review) keep_place(w.player, w.settings);
   ImGui::PopItemFlag();
   ImGui::PopFont();
   ImGui::Render();
@@ -352,6 +380,7 @@ const std::map<std::string, Rect>& WindowUi::rects() const { return impl_->ui.re
 void WindowUi::complain(const std::string& words) { impl_->session.toast.complain(words); }
 std::string WindowUi::message() const {
   const WindowSession& s = impl_->session;
+  if (s.save_sheet.open && !s.save_sheet.failed.empty()) return s.save_sheet.failed;
   if (s.toast.seconds_left > 0) return s.toast.text;
   if (!s.save_sheet.width_wrong.empty()) return s.save_sheet.width_wrong;
   return s.fields.refused.revision == s.player.revision() ? s.fields.refused.why : std::string();
