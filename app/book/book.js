@@ -121,6 +121,12 @@
     const here = line.getBoundingClientRect(), room = code.getBoundingClientRect();
     code.scrollTop += (here.top + here.bottom - room.top - room.bottom) / 2;
   }
+  /// Scrolls a box of its own until all from one to another of its parts is in sight, or as much as there is room for.
+  function bring(box, from, to) {
+    if (box.scrollHeight <= box.clientHeight + 1 || getComputedStyle(box).overflowY !== "auto") return;
+    const room = box.getBoundingClientRect(), first = from.getBoundingClientRect().top, end = to.getBoundingClientRect().bottom;
+    box.scrollTop += Math.max(0, Math.min(end - room.bottom + 8, first - room.top - 4));
+  }
   const shown = () => live ? live.article : articles(walk)[at];
   let opened = "";  // the setting that is shown; "": none of the page's
   function mark_link(id) { opened = id, mark(); }
@@ -181,16 +187,17 @@
     const bottom = top_of(bar), head = top_of(article.closest(".walk"));
     if (box.top < 0 || box.bottom > bottom) scroll_by(box.bottom - head <= bottom ? head : box.top - 8);
     show_line();
+    const numbers = article.querySelector(".numbers"), fresh = article.querySelectorAll(".numbers .fresh");
+    if (fresh.length) bring(numbers, fresh[0], fresh[fresh.length - 1]);
     if (is_open(article)) show_answers(article);
   }
   /// Scrolls until all from one to another part of a question is above the bar, or as much as there is room for.
   function show_between(ask, from, to) {
-    const words = ask.querySelector(".words"), room = words.getBoundingClientRect();
-    const first = () => from.getBoundingClientRect().top, end = () => to.getBoundingClientRect().bottom;
-    if (words.scrollHeight > words.clientHeight + 1 && getComputedStyle(words).overflowY === "auto")
-      words.scrollTop += Math.max(0, Math.min(end() - room.bottom + 4, first() - room.top - 4));
-    const hidden = Math.min(end(), Math.max(room.bottom, first())) - top_of(bar) + 6;
-    if (hidden > 0) scroll_by(Math.min(hidden, first() - 6));
+    const words = ask.querySelector(".words");
+    bring(words, from, to);
+    const first = from.getBoundingClientRect().top, end = Math.min(to.getBoundingClientRect().bottom, words.getBoundingClientRect().bottom);
+    const hidden = end - top_of(bar) + 6;
+    if (hidden > 0) scroll_by(Math.min(hidden, first - 6));
   }
   /// The picture stays whole where both have room; else the choices, with what is asked.
   function show_answers(ask) {
