@@ -119,7 +119,7 @@
     const line = shown().closest(".walk").querySelector("ol.code .current"), code = line && line.closest(".steps > *");
     if (!code || code.scrollHeight <= code.clientHeight) return;
     const here = line.getBoundingClientRect(), room = code.getBoundingClientRect();
-    code.scrollTop += (here.top + here.bottom - room.top - room.bottom) / 2;
+    code.scrollTop += here.top - room.top - Math.max(0, room.height - here.height) / 2;
   }
   /// Scrolls a box of its own until all from one to another of its parts is in sight, or as much as there is room for.
   function bring(box, from, to) {
@@ -196,13 +196,15 @@
     const words = ask.querySelector(".words");
     bring(words, from, to);
     const first = from.getBoundingClientRect().top, end = Math.min(to.getBoundingClientRect().bottom, words.getBoundingClientRect().bottom);
-    const hidden = end - top_of(bar) + 6;
-    if (hidden > 0) scroll_by(Math.min(hidden, first - 6));
+    const hidden = end - top_of(bar);
+    if (hidden > 0) scroll_by(Math.min(hidden + 6, first - 6));
   }
   /// The picture stays whole where both have room; else the choices, with what is asked.
   function show_answers(ask) {
     const list = ask.classList.contains("typing") ? ask.querySelector(".typed") : ask.querySelector(".choices");
-    if (list) show_between(ask, ask.querySelector("h3"), list);
+    if (!list) return;
+    const first = list.querySelector("li") ?? list;
+    bring(ask.querySelector(".words"), first, first), show_between(ask, ask.querySelector("h3"), list);
   }
   /// What is said to an answer, and why it is so.
   function show_reply(ask) {

@@ -17,7 +17,7 @@ const every = process.env.ISECT_LONG === "1", thorough = every ? [phone, "1093x6
 const text = 9, least = 7;  // units of a picture's letters; px of a picture taller than wide, on a low screen
 
 /// Steps through a setting and tells of each station where its parts lie on the screen. `hidden`: what of its values, its
-/// line and its choices is not above the bar, or scrolled away in its own box. `desk`: they stand beside the picture.
+/// line and its choices is not above the bar, or scrolled away in its own box; on a low screen the first new values count. `desk`: they stand beside the picture.
 const stations = `(() => {
   const all = [], next = document.querySelector(".transport .next");
   const seen = element => element && element.getBoundingClientRect().height > 0;
@@ -26,23 +26,24 @@ const stations = `(() => {
     const article = document.querySelector(".live article") ?? document.querySelector(".walk.shown > .steps > .shown"), steps = article.parentElement;
     const picture = article.querySelector(".picture"), bar = document.querySelector(".transport").getBoundingClientRect();
     const desk = getComputedStyle(steps).display === "grid", asks = article.classList.contains("ask"), hidden = [];
-    const inside = (element, box) => {
+    const inside = (element, box, high = Infinity) => {
       const here = element.getBoundingClientRect(), room = desk && box ? box.getBoundingClientRect() : { top: 0, bottom: bar.top };
-      if (here.top < Math.max(0, room.top) - 1 || here.bottom > Math.min(room.bottom, bar.top) + 1)
+      if (here.top < Math.max(0, room.top) - 1 || Math.min(here.bottom, here.top + high) > Math.min(room.bottom, bar.top) + 1)
         hidden.push(element.textContent.trim().slice(0, 30) + " from " + Math.round(here.top) + " to " + Math.round(here.bottom));
     };
     const words = article.querySelector(".words"), numbers = article.querySelector(".numbers"), line = steps.querySelector("ol.code .current");
     const choices = [...words.querySelectorAll(".choices li, .typed input")].filter(seen);
     (desk ? choices.slice(0, 1) : choices).forEach(choice => inside(choice, words));
-    if (desk) [...article.querySelectorAll(".values tr" + (innerHeight < 640 ? ".fresh" : ""))].filter(seen).forEach(row => inside(row, numbers));
-    if (desk && seen(line)) inside(line, line.closest(".steps > *"));
+    const low = innerHeight < 640, rows = [...article.querySelectorAll(low ? ".values tr.fresh" : ".values tr")].filter(seen);
+    if (desk) rows.slice(0, low ? 4 : rows.length).forEach(row => inside(row, numbers));
+    if (desk && seen(line)) inside(line, line.closest(".steps > *"), 36);
     const pressed = [...document.querySelectorAll(".transport button, .live .tools button, .live .workshop > details > summary")]
       .filter(element => desk ? !element.closest(".own-scene") : element.closest(".transport")).map(place).join(" ") + (desk ? " " + scrollY : "");
     if (picture) {
       const box = picture.getBoundingClientRect(), view = picture.viewBox.baseVal;
       all.push({ at: location.hash, top: box.top, left: box.left, right: box.right, bottom: box.bottom, bar: bar.top, high: bar.height,
         scale: Math.min(box.width / view.width, box.height / view.height), tall: view.height > view.width, desk, hidden, pressed,
-        lower: asks && choices.length ? choices.at(-1).getBoundingClientRect().bottom : 0 });
+        lower: asks ? Math.max(...[...words.querySelectorAll(".choices li, .typed")].filter(seen).map(e => e.getBoundingClientRect().bottom)) : 0 });
     }
     if (next.disabled) break;
     next.click();
