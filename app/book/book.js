@@ -54,7 +54,9 @@
     };
     more.type = "button", more.className = "more", more.addEventListener("click", () => unfold(!about.classList.contains("open")));
     about.id = "about", more.setAttribute("aria-controls", about.id);
-    unfold(false), summary.append(" ", more);
+    const line = document.createElement("span");  // of a wide window: what is too long for it is told when unfolded
+    line.className = "told-in-short", line.append(...summary.childNodes);
+    unfold(false), summary.append(line, " ", more);
   }
   // While a question is open, settings are told by their numbers, which take the place of the names.
   links.forEach((link, i) => {

@@ -120,7 +120,7 @@ function isect_questions(told, changed = () => {}) {
     if (!isect_answers.told) return;
     const damage = document.createElement("p");
     damage.className = "damage", damage.setAttribute("role", "status"), damage.textContent = isect_answers.told;
-    ask.append(damage), isect_answers.told = "";
+    ask.querySelector(".words").append(damage), isect_answers.told = "";
   }
   /// Returns what a key does to a question: "typed", as it goes into the field, "taken", or nothing.
   function key(ask, pressed) {

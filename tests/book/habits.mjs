@@ -18,6 +18,12 @@ const seen = `(() => {
     names: [...document.querySelectorAll("nav.settings a > span")].filter(visible).length,
     has_opinions: document.querySelector(".live .opinions") !== null, lit: document.querySelectorAll(".live ol.code .current").length };
 })()`;
+/// Of the map beside the picture: the size of most of its letters, in px.
+const letters_of_map = `(() => {
+  const map = document.querySelector(".map svg:not(.over)"), scale = map.getScreenCTM().a;
+  const all = [...map.querySelectorAll("text")].map(text => parseFloat(getComputedStyle(text).fontSize) * scale).sort((a, b) => a - b);
+  return all[Math.floor(all.length / 2)] ?? Infinity;
+})()`;
 let questions = 0, verdicts = 0;
 try {
   await browser.look({ width: 1280, height: 900 });
@@ -45,6 +51,14 @@ try {
     }
 
     check(await browser.ask("heard") > 2, `${page}: its steps are not heard`);
+
+    // A map of cases can be read beside the picture.
+    await site.open(page);
+    if (await browser.ask(`(() => { const map = [...document.querySelectorAll(".tools button:not([hidden])")].find(b => b.textContent === "Map of cases");
+      if (map) map.click(); return Boolean(map); })()`)) {
+      const px = await browser.ask(letters_of_map);
+      check(px >= 9, `${page}: the letters of its map are ${px.toFixed(1)} px high`);
+    }
 
     // A drag tells the verdict at the step where it is made; the keys step on; Back brings what was before.
     await site.open(page);
