@@ -63,12 +63,6 @@
     const name = document.createElement("span");
     name.append(...link.childNodes), link.append(name), link.dataset.number = i + 1;
   });
-  /// What stands above the walks takes its part of the screen: desk.css asks for it.
-  function measure() {
-    const walk_top = top_of(document.getElementById("walks")), box = about && about.getBoundingClientRect();
-    const unfolded = box && box.top < walk_top ? box.height : 0;
-    root.style.setProperty("--head", `${Math.min(224, Math.ceil(walk_top + scrollY - unfolded))}px`);
-  }
   const lists = [...document.querySelectorAll("nav.settings ul")], methods = document.createElement("select");
   const links_of = list => [...list.querySelectorAll("a")];
   if (lists.length > 1) {
@@ -115,21 +109,10 @@
     });
     if (lit !== lines.line) lit = lines.line, show_line();
   }
-  let lit = -1;
-  /// The code stands in a box of its own where it is beside the picture: its lit line is in sight.
-  function show_line() {
-    const line = shown().closest(".walk").querySelector("ol.code .current"), code = line && line.closest(".steps > *");
-    if (!code || code.scrollHeight <= code.clientHeight) return;
-    const here = line.getBoundingClientRect(), room = code.getBoundingClientRect();
-    code.scrollTop += here.top - room.top - Math.max(0, room.height - here.height) / 2;
-  }
-  /// Scrolls a box of its own until all from one to another of its parts is in sight, or as much as there is room for.
-  function bring(box, from, to) {
-    if (box.scrollHeight <= box.clientHeight + 1 || getComputedStyle(box).overflowY !== "auto") return;
-    const room = box.getBoundingClientRect(), first = from.getBoundingClientRect().top, end = to.getBoundingClientRect().bottom;
-    box.scrollTop += Math.max(0, Math.min(end - room.bottom + 8, first - room.top - 4));
-  }
   const shown = () => live ? live.article : articles(walk)[at];
+  const { measure, show_line, show_picture, show_answers, show_reply, show_unfolded } =
+    isect_sight({ bar, shown, read: () => articles(walk)[at], is_open });
+  let lit = -1;     // the line that runs
   let opened = "";  // the setting that is shown; "": none of the page's
   function mark_link(id) { opened = id, mark(); }
   /// A setting's name may be the answer: while a question is open, it is not told.
@@ -180,39 +163,6 @@
     if (playing && (at === list.length - 1 || is_open(article))) toggle_play();
   }
   function step(by) { stand(position() + by); }
-  function scroll_by(way) { scrollBy({ top: way, behavior: "instant" }); }  // this page, and none around it
-  const top_of = element => element.getBoundingClientRect().top;
-  /// Scrolls where the picture is not whole on the screen; to its setting's name, if both have room.
-  function show_picture() {
-    if (root.classList.contains("reading")) return scroll_by(top_of(articles(walk)[at].querySelector("h3")) - 8);
-    const article = shown(), box = article.querySelector(".picture, .words").getBoundingClientRect();
-    const bottom = top_of(bar), head = top_of(article.closest(".walk"));
-    if (box.top < 0 || box.bottom > bottom) scroll_by(box.bottom - head <= bottom ? head : box.top - 8);
-    show_line();
-    const numbers = article.querySelector(".numbers"), fresh = article.querySelectorAll(".numbers .fresh");
-    if (fresh.length) bring(numbers, fresh[0], fresh[fresh.length - 1]);
-    if (is_open(article)) show_answers(article);
-  }
-  /// Scrolls until all from one to another part of a question is above the bar, or as much as there is room for.
-  function show_between(ask, from, to) {
-    const words = ask.querySelector(".words");
-    bring(words, from, to);
-    const first = from.getBoundingClientRect().top, end = Math.min(to.getBoundingClientRect().bottom, words.getBoundingClientRect().bottom);
-    const hidden = end - top_of(bar);
-    if (hidden > 0) scroll_by(Math.min(hidden + 6, first - 6));
-  }
-  /// The picture stays whole where both have room; else the choices, with what is asked.
-  function show_answers(ask) {
-    const list = ask.classList.contains("typing") ? ask.querySelector(".typed") : ask.querySelector(".choices");
-    if (!list) return;
-    const first = list.querySelector("li") ?? list;
-    bring(ask.querySelector(".words"), first, first), show_between(ask, ask.querySelector("h3"), list);
-  }
-  /// What is said to an answer, and why it is so.
-  function show_reply(ask) {
-    const told = ask.querySelector("details"), other = ask.querySelector("button.other");
-    show_between(ask, ask.querySelector(".reply") ?? told, other ?? told);
-  }
   function toggle_play() {
     if (playing) clearInterval(playing), playing = 0;
     else {
@@ -343,7 +293,7 @@
     const answer = asked => code.ccall("isect_answer", "string", ["string"], [asked]);
     live = isect_live({
       request: asked => JSON.parse(answer(JSON.stringify(asked))), walks, load, prepare, light_code, mark_link,
-      show_controls, show_picture, title_of, decoded, address, keep, stop: () => playing && toggle_play(),
+      show_controls, show_picture, show_unfolded, title_of, decoded, address, keep, stop: () => playing && toggle_play(),
       playing: () => playing !== 0,
       /// Keeps the page's own walks at the same place, for paper and for reading.
       follow: (id, to) => go(walks.find(w => w.id === id), to, true)

@@ -126,7 +126,6 @@ function isect_live(book) {
     const box = `0 0 ${frame.width} ${frame.height}`, unit = unit_of(frame);  // while the page is laid out
     put_first(holder, over, frame.picture);
     over.setAttribute("viewBox", box);
-    stage.toggleAttribute("data-tall", frame.height > frame.width);
     stage.style.setProperty("--least", frame.width > 330 ? `${Math.round(frame.width)}px` : "0");
     lights.replaceChildren();
     show_grips(frame.handles, unit);
@@ -256,6 +255,9 @@ function isect_live(book) {
   });
   // A finger on a handle drags it and never the page: touch-action counts for the whole drawing only, which may be scrolled.
   grips.addEventListener("touchstart", event => event.preventDefault(), { passive: false });
+
+  // A scene's own text is open from the beginning, and moves nothing.
+  [values, share].forEach(part => part.addEventListener("toggle", () => book.show_unfolded(part)));
 
   // The values, typed.
   function make_form(parameters) {
