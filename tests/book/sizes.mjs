@@ -88,7 +88,7 @@ try {
           const what = `${page}${now.at}, ${size}`, least_scale = on_phone.get(now.at) ?? 0;
           if (size === phone) on_phone.set(now.at, now.scale);
           // On a phone, where a question and the picture don't fit together, all that is asked comes first.
-          const asked_first = !now.desk && now.lower - now.top > now.bar;
+          const asked_first = !now.desk && now.lower - now.top > now.bar - 8;
           check(asked_first || (now.top >= 0 && now.bottom <= now.bar + 0.5 && now.left >= 0 && now.right <= width),
             `${what}: the picture lies from ${now.top.toFixed(0)} to ${now.bottom.toFixed(0)}, the bar begins at ${now.bar.toFixed(0)}`);
           check(now.hidden.length === 0, `${what}: out of sight: ${now.hidden.join("; ")}`);
