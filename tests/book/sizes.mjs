@@ -17,7 +17,7 @@ const every = process.env.ISECT_LONG === "1", thorough = every ? [phone, "1093x6
 const text = 9, least = 7;  // units of a picture's letters; px of a picture taller than wide, on a low screen
 
 /// Steps through a setting and tells of each station where its parts lie on the screen. `hidden`: what of its values, its
-/// line and its choices is not above the bar, or scrolled away in its own box; on a low screen the first new values count. `desk`: they stand beside the picture.
+/// verdict, its line and its choices is not above the bar, or scrolled away in its own box; on a low screen the first new values count. `desk`: they stand beside the picture.
 const stations = `(() => {
   const all = [], next = document.querySelector(".transport .next");
   const seen = element => element && element.getBoundingClientRect().height > 0;
@@ -36,6 +36,7 @@ const stations = `(() => {
     (desk ? choices.slice(0, 1) : choices).forEach(choice => inside(choice, words));
     const low = innerHeight < 640, rows = [...article.querySelectorAll(low ? ".values tr.fresh" : ".values tr")].filter(seen);
     if (desk) rows.slice(0, low ? 4 : rows.length).forEach(row => inside(row, numbers));
+    if (desk) [...words.querySelectorAll(":scope > .verdict")].forEach(verdict => inside(verdict, words));
     if (desk && seen(line)) inside(line, line.closest(".steps > *"), 36);
     const pressed = [...document.querySelectorAll(".transport button, .live .tools button, .live .workshop > details > summary")]
       .filter(element => desk ? !element.closest(".own-scene") : element.closest(".transport")).map(place).join(" ") + (desk ? " " + scrollY : "");
