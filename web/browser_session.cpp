@@ -302,8 +302,7 @@ Json BrowserSession::whole(const Json&) {
   const auto picture = [&](const Station& at) {
     stand_at(at);
     const viz::Figure drawn = composed(Drawn::at_rest);
-    return fmt::format("<figure{}>{}</figure>\n",
-                       program::book::attributes_of_picture(drawn.drawing.width, drawn.drawing.height),
+    return fmt::format("<figure{}>{}</figure>\n", program::book::attributes_of_picture(drawn.drawing.width),
                        viz::lone_svg(drawn.drawing, viz::drawn_text(player_->walk(), player_->scene(), !at.asks),
                                      fmt::format("whole-{}-{}-", at.step, at.asks)));
   };

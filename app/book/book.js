@@ -12,8 +12,9 @@
   let live = null;  // what live.js has made of the page
 
   const icons = {
-    first: "M3 3h2v10H3zM14 3v10L6 8z", back: "M12 3v10L4 8z", play: "M2 3l6 5-6 5zM8 3l6 5-6 5z",
-    pause: "M4 3h3v10H4zM9 3h3v10H9z", next: "M4 3l8 5-8 5z", last: "M11 3h2v10h-2zM2 3l8 5-8 5z"
+    first: "M3 2h2v12H3zM14.5 3.5L13 2 7 8l6 6 1.5-1.5L10 8z", back: "M11.5 3.5L10 2 4 8l6 6 1.5-1.5L7 8z", play: "M4 2l10 6-10 6z",
+    pause: "M4 2h3v12H4zM9 2h3v12H9z", next: "M4.5 3.5L6 2l6 6-6 6-1.5-1.5L9 8z", last: "M11 2h2v12h-2zM1.5 3.5L3 2l6 6-6 6-1.5-1.5L6 8z",
+    "Whole page": "M2 3h12v2H2zM2 7h12v2H2zM2 11h12v2H2z"
   };
   /// The name is its icon where there is one, or else its text.
   function name_button(button, name) {
@@ -21,6 +22,7 @@
     if (icons[name])
       button.innerHTML = `<svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="${icons[name]}"/></svg>`;
     else button.textContent = name;
+    button.classList.add(name.split(" ")[0].toLowerCase());
   }
   function button(name, action) {
     const made = document.createElement("button");
@@ -31,9 +33,9 @@
   bar.className = "transport", bar.setAttribute("role", "group"), bar.setAttribute("aria-label", "Steps");
   const first = button("first", () => stand(0)), back = button("back", () => step(-1));
   const play = button("play", toggle_play), next = button("next", () => step(1));
-  next.className = "next";
   const last = button("last", () => stand(count() - 1));
-  const all = button("Whole page", () => read(!root.classList.contains("reading")));
+  const all = button("Whole page", () => read(!root.classList.contains("reading"))), all_name = document.createElement("span");
+  all_name.textContent = "Whole page", all.append(all_name), all.setAttribute("aria-pressed", "false");
   const slider = document.createElement("input");
   slider.type = "range", slider.min = 1, slider.setAttribute("aria-label", "Step");
   slider.addEventListener("input", () => stand(Number(slider.value) - 1));
@@ -52,8 +54,15 @@
     };
     more.type = "button", more.className = "more", more.addEventListener("click", () => unfold(!about.classList.contains("open")));
     about.id = "about", more.setAttribute("aria-controls", about.id);
-    unfold(false), summary.append(" ", more);
+    const line = document.createElement("span");  // of a wide window: what is too long for it is told when unfolded
+    line.className = "told-in-short", line.append(...summary.childNodes);
+    unfold(false), summary.append(line, " ", more);
   }
+  // While a question is open, settings are told by their numbers, which take the place of the names.
+  links.forEach((link, i) => {
+    const name = document.createElement("span");
+    name.append(...link.childNodes), link.append(name), link.dataset.number = i + 1;
+  });
   const lists = [...document.querySelectorAll("nav.settings ul")], methods = document.createElement("select");
   const links_of = list => [...list.querySelectorAll("a")];
   if (lists.length > 1) {
@@ -100,8 +109,12 @@
       if (lines.line === i) line.setAttribute("aria-current", "step");
       else line.removeAttribute("aria-current");
     });
+    if (lit !== lines.line) lit = lines.line, show_line();
   }
   const shown = () => live ? live.article : articles(walk)[at];
+  const { measure, show_line, show_picture, show_answers, show_reply, show_unfolded } =
+    isect_sight({ bar, shown, read: () => articles(walk)[at], is_open });
+  let lit = -1;     // the line that runs
   let opened = "";  // the setting that is shown; "": none of the page's
   function mark_link(id) { opened = id, mark(); }
   /// A setting's name may be the answer: while a question is open, it is not told.
@@ -127,7 +140,8 @@
     first.disabled = back.disabled = here === 0;
     next.disabled = last.disabled = here === end;
     slider.max = end + 1, slider.value = here + 1;
-    place.textContent = told;
+    const [where, ...title] = told.split(": "), rest = document.createElement("span");
+    rest.textContent = title.length ? ": " + title.join(": ") : "", place.replaceChildren(where, rest);
     slider.setAttribute("aria-valuetext", told);
   }
 
@@ -146,19 +160,11 @@
     if (live) return;
     mark_link(walk.id);
     show_controls(told(article, list));
+    isect_tell("step", { setting: walk.id, at, asks: is_open(article) });
     if (!keep_address) keep("#" + article.id);
     if (playing && (at === list.length - 1 || is_open(article))) toggle_play();
   }
   function step(by) { stand(position() + by); }
-  function scroll_by(way) { scrollBy({ top: way, behavior: "instant" }); }  // this page, and none around it
-  const top_of = element => element.getBoundingClientRect().top;
-  /// Scrolls where the picture is not whole on the screen; to its setting's name, if both have room.
-  function show_picture() {
-    if (root.classList.contains("reading")) return scroll_by(top_of(articles(walk)[at].querySelector("h3")) - 8);
-    const article = shown(), box = article.querySelector(".picture, .words").getBoundingClientRect();
-    const bottom = top_of(bar), head = top_of(article.closest(".walk"));
-    if (box.top < 0 || box.bottom > bottom) scroll_by(box.bottom - head <= bottom ? head : box.top - 8);
-  }
   function toggle_play() {
     if (playing) clearInterval(playing), playing = 0;
     else {
@@ -178,7 +184,8 @@
     place.textContent = right ? "Right." : "Not quite.";
     offer_other(ask);
     mark();
-  }, mark);
+    show_reply(ask);
+  }, ask => (mark(), show_answers(ask)));
   /// All that tells a question from the same one in another setting.
   function numbers_of(ask) {
     const right = [...ask.querySelectorAll(".choices li")].findIndex(choice => "right" in choice.dataset);
@@ -197,6 +204,8 @@
     again.className = "other", ask.querySelector("details").after(again);
   }
   document.querySelectorAll(".ask").forEach(prepare);
+  measure();
+  addEventListener("resize", () => (measure(), show_line()));
   /// A line of the code that is shown is pointed at, where one is asked for.
   addEventListener("click", event => {
     const line = event.target.closest && event.target.closest(".algorithm ol.code li"), ask = shown();
@@ -286,15 +295,21 @@
     const answer = asked => code.ccall("isect_answer", "string", ["string"], [asked]);
     live = isect_live({
       request: asked => JSON.parse(answer(JSON.stringify(asked))), walks, load, prepare, light_code, mark_link,
-      show_controls, show_picture, title_of, decoded, address, keep, stop: () => playing && toggle_play(),
+      show_controls, show_picture, show_unfolded, title_of, decoded, address, keep, stop: () => playing && toggle_play(),
       playing: () => playing !== 0,
       /// Keeps the page's own walks at the same place, for paper and for reading.
       follow: (id, to) => go(walks.find(w => w.id === id), to, true)
     });
     if (live) live.begin(walk.id, at);
-    root.dataset.live = live ? "ready" : "none";
+    tell_live(live ? "ready" : "none");
+  }
+  function tell_live(state) {
+    root.dataset.live = state, root.classList.toggle("can-live", state === "ready");
+    isect_tell("live", { state });
   }
   const script = document.body.dataset.live;
-  if (script && window.WebAssembly && window.DecompressionStream)
-    come_alive(script).catch(() => { live = null, root.dataset.live = "none"; });
+  if (script && window.WebAssembly && window.DecompressionStream) {
+    root.classList.add("can-live");  // the room for what can be changed is kept from the beginning
+    come_alive(script).catch(() => { live = null, tell_live("none"); });
+  }
 })();

@@ -47,11 +47,11 @@ function isect_live(book) {
   const share = element("details", { class: "share" }, element("summary", {}, "Save or share"));
   const tools = element("div", { class: "tools", role: "group", "aria-label": "Tools" }, wants_map, snap, undo, redo, frame_all);
   const pictures = element("div", { class: "pictures" }, stage, map,
-    element("div", { class: "told-below" }, outcome, message), tools);
-  const article = element("article", { class: "step shown" }, above, pictures, below,
-    element("div", { class: "workshop" }, own_scene, values, share));
-  const section = element("section", { class: "walk live shown", id: "live" }, heading, given, algorithm,
-    element("div", { class: "steps" }, article), opinions);
+    element("div", { class: "told-below" }, outcome, message));
+  const article = element("article", { class: "step shown" }, above, pictures, below);
+  const workshop = element("div", { class: "workshop" }, own_scene, values, share);
+  const section = element("section", { class: "walk live shown", id: "live" }, heading, given,
+    element("div", { class: "steps" }, algorithm, article), tools, workshop, opinions);
 
   const lesson = document.body.dataset.lesson;
   const is_scene = lesson === "scene";
@@ -108,6 +108,7 @@ function isect_live(book) {
         : `Step ${frame.step + 1} of ${frame.steps}: ${book.title_of(above)}`);
     if (!changed) book.follow(place.preset, frame.at);
     keep_address(address);
+    if (fresh) isect_tell("step", { setting: changed ? "" : place.preset, at: frame.at, asks: frame.asks });
     if (book.playing() && (frame.at === frame.count - 1 || frame.asks)) book.stop();
   }
   /// The picture under the handles, which stay where they are: what is moved in a page loses the focus.
@@ -125,7 +126,6 @@ function isect_live(book) {
     const box = `0 0 ${frame.width} ${frame.height}`, unit = unit_of(frame);  // while the page is laid out
     put_first(holder, over, frame.picture);
     over.setAttribute("viewBox", box);
-    stage.toggleAttribute("data-tall", frame.height > frame.width);
     stage.style.setProperty("--least", frame.width > 330 ? `${Math.round(frame.width)}px` : "0");
     lights.replaceChildren();
     show_grips(frame.handles, unit);
@@ -256,6 +256,9 @@ function isect_live(book) {
   // A finger on a handle drags it and never the page: touch-action counts for the whole drawing only, which may be scrolled.
   grips.addEventListener("touchstart", event => event.preventDefault(), { passive: false });
 
+  // A scene's own text is open from the beginning, and moves nothing.
+  [values, share].forEach(part => part.addEventListener("toggle", () => book.show_unfolded(part)));
+
   // The values, typed.
   function make_form(parameters) {
     form.replaceChildren(...parameters.map(p => {
@@ -304,6 +307,7 @@ function isect_live(book) {
       if (!found) return note && note.remove();
       if (!note) {
         exercise.append(note = element("p", { class: "solved" }));
+        isect_tell("solved", { exercise: i + 1 });
         if (found.told) exercise.querySelector("details").open = true;
       }
       note.textContent = `✓ The setting above is one. ${found.told}`.trim();

@@ -20,9 +20,8 @@ viz::PaperSize picture_size(const viz::Scene& scene) {
   return size;
 }
 
-std::string attributes_of_picture(double wide, double high) {
-  const std::string tall = high > wide ? " data-tall" : "";
-  return tall + (wide > shrinks_below ? fmt::format(" tabindex=\"0\" style=\"--least: {:.0f}px\"", wide) : "");
+std::string attributes_of_picture(double wide) {
+  return wide > shrinks_below ? fmt::format(" tabindex=\"0\" style=\"--least: {:.0f}px\"", wide) : std::string();
 }
 
 }  // namespace isect::program::book

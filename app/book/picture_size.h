@@ -11,6 +11,6 @@ namespace isect::program::book {
 /// phone 330 pixels wide.
 viz::PaperSize picture_size(const viz::Scene&);
 /// Returns the attributes of its <figure>: if there is less room, a wider picture is scrolled rather than made smaller.
-std::string attributes_of_picture(double width, double height);
+std::string attributes_of_picture(double width);
 
 }  // namespace isect::program::book

@@ -40,7 +40,7 @@ std::string Pictures::figure(int step, const std::string& alt, bool asked) {
 
   const std::string kind = !asked ? "" : page_.repeated() ? " class=\"asked again\"" : " class=\"asked\"";
   const viz::Drawing& drawn = light->figure.drawing;
-  return fmt::format("<figure{}{}>{}</figure>\n", kind, attributes_of_picture(drawn.width, drawn.height), svg);
+  return fmt::format("<figure{}{}>{}</figure>\n", kind, attributes_of_picture(drawn.width), svg);
 }
 
 }  // namespace isect::program::book

@@ -2,6 +2,9 @@
 // The questions of a page: a choice is a button; the first that is pressed is the answer. What is asked for besides a
 // choice is typed, pointed at or taken tile by tile, unless the choices are wanted.
 
+/// Tells the page's other scripts, and those of a page around it that listen, what has happened: "isect:" and the name.
+function isect_tell(name, detail) { document.dispatchEvent(new CustomEvent("isect:" + name, { detail })); }
+
 /// What is asked for besides a choice, by the attribute that tells it. Each reads what was typed, and throws where that is
 /// refused: the choice that says it, -1 for none, what is said to it, as HTML, and how it is told.
 const isect_kinds = {
@@ -24,7 +27,7 @@ const isect_kinds = {
 };
 
 /// Makes the articles of questions answerable. `told` is called with each answer: whether it is right; `changed` where
-/// the choices are shown. Returns what prepares an article, and what a key does to one.
+/// its choices are shown. Returns what prepares an article, and what a key does to one.
 function isect_questions(told, changed = () => {}) {
   const letter_of = i => String.fromCharCode(97 + i);
   const is_open = ask => ask.classList.contains("ask") && !ask.classList.contains("told");
@@ -32,7 +35,7 @@ function isect_questions(told, changed = () => {}) {
     const pressed = document.createElement("button"), letter = document.createElement("span");
     pressed.type = "button";
     letter.textContent = letter_of(i), letter.className = "letter";
-    pressed.append(letter, ...item.childNodes);
+    pressed.append(letter, " ", ...item.childNodes);
     pressed.addEventListener("click", action);
     item.append(pressed);
     return pressed;
@@ -48,7 +51,7 @@ function isect_questions(told, changed = () => {}) {
     list.before(field_for(ask, asked.asks, isect_kinds[kind](asked)));
     if (kind === "order") prepare_tiles(ask);
   }
-  function show_choices(ask) { ask.classList.remove("typing"), changed(); }
+  function show_choices(ask) { ask.classList.remove("typing"), changed(ask); }
   /// `read`: one of isect_kinds.
   function field_for(ask, asks, read) {
     const form = document.createElement("form"), label = document.createElement("label"), field = document.createElement("input");
@@ -110,13 +113,14 @@ function isect_questions(told, changed = () => {}) {
     isect_answers.keep(ask.dataset.asked, right);
     tell_damage(ask);
     told(right, ask);
+    isect_tell("answer", { asked: ask.dataset.asked ?? "", right });
   }
   /// A record that could not be read is told once, where the first answer after it is given.
   function tell_damage(ask) {
     if (!isect_answers.told) return;
     const damage = document.createElement("p");
     damage.className = "damage", damage.setAttribute("role", "status"), damage.textContent = isect_answers.told;
-    ask.append(damage), isect_answers.told = "";
+    ask.querySelector(".words").append(damage), isect_answers.told = "";
   }
   /// Returns what a key does to a question: "typed", as it goes into the field, "taken", or nothing.
   function key(ask, pressed) {

@@ -48,7 +48,7 @@ std::string folded(const std::string& head, const std::string& prose) {
 }
 
 std::string WalkSection::html(bool first_is_shown) const {
-  std::string out = given() + algorithm() + "<div class=\"steps\">\n";
+  std::string out = given() + "<div class=\"steps\">\n" + algorithm();
   for (const Station& at : stations(walk_)) out += article(at, first_is_shown && at == Station{});
   return out + "</div>\n" + opinions() + answers();
 }

@@ -15,13 +15,21 @@ const seen = `(() => {
   const visible = e => Boolean(e) && e.getBoundingClientRect().height > 0 && getComputedStyle(e).visibility !== "hidden" && e.textContent.trim() !== "";
   return { heading: visible(document.querySelector(".live > h2")), opinions: visible(document.querySelector(".live .opinions")),
     outcome: visible(document.querySelector(".outcome .verdict")), marked: document.querySelectorAll("nav.settings [aria-current]").length,
+    names: [...document.querySelectorAll("nav.settings a > span")].filter(visible).length,
     has_opinions: document.querySelector(".live .opinions") !== null, lit: document.querySelectorAll(".live ol.code .current").length };
+})()`;
+/// Of the map beside the picture: the size of most of its letters, in px.
+const letters_of_map = `(() => {
+  const map = document.querySelector(".map svg:not(.over)"), scale = map.getScreenCTM().a;
+  const all = [...map.querySelectorAll("text")].map(text => parseFloat(getComputedStyle(text).fontSize) * scale).sort((a, b) => a - b);
+  return all[Math.floor(all.length / 2)] ?? Infinity;
 })()`;
 let questions = 0, verdicts = 0;
 try {
   await browser.look({ width: 1280, height: 900 });
   for (const page of lessons) {
     await site.open(page);
+    await browser.ask(`window.heard = 0, document.addEventListener("isect:step", event => heard += event.detail.setting !== "")`);
     // No answer beside a question, in any setting; where it is over, the methods are told.
     const settings = await browser.ask(`[...document.querySelectorAll("nav.settings a")].map(a => a.hash)`);
     for (const setting of settings) {
@@ -31,7 +39,7 @@ try {
         const now = await site.look(), told = await browser.ask(seen), at = page + now.hash;
         if (now.asks) {
           ++questions;
-          check(!told.heading && !told.marked, `${at}: its setting's name is told`);
+          check(!told.heading && !told.marked && !told.names, `${at}: its setting's name is told`);
           check(!told.opinions && !told.outcome, `${at}: the methods' answers are told`);
           await site.choose("a");
           check((await browser.ask(seen)).heading, `${at}: answered, it hides its setting's name`);
@@ -40,6 +48,16 @@ try {
         if (now.end) break;
         await browser.press("ArrowRight");
       }
+    }
+
+    check(await browser.ask("heard") > 2, `${page}: its steps are not heard`);
+
+    // A map of cases can be read beside the picture.
+    await site.open(page);
+    if (await browser.ask(`(() => { const map = [...document.querySelectorAll(".tools button:not([hidden])")].find(b => b.textContent === "Map of cases");
+      if (map) map.click(); return Boolean(map); })()`)) {
+      const px = await browser.ask(letters_of_map);
+      check(px >= 9, `${page}: the letters of its map are ${px.toFixed(1)} px high`);
     }
 
     // A drag tells the verdict at the step where it is made; the keys step on; Back brings what was before.

@@ -115,9 +115,12 @@ try {
         check(now.end === (i + 1 === articles), `${at}: the end is ${now.end}`);
         if (now.id.endsWith("/question")) {
           const told = await browser.ask(`({ named: getComputedStyle(document.querySelector(".walk.shown > h2")).visibility === "visible",
-            marked: document.querySelectorAll("nav.settings [aria-current]").length })`);
+            marked: document.querySelectorAll("nav.settings [aria-current]").length,
+            names: [...document.querySelectorAll("nav.settings a > span")].filter(name => getComputedStyle(name).visibility === "visible").length,
+            letters: [...document.querySelectorAll(".walk.shown .steps > .shown .choices button")].map(choice => choice.textContent.slice(0, 2)).join("") })`);
           check(now.line === 0, `${at}: a line of code is lit beside a question`);
-          check(!told.named && told.marked === 0, `${at}: the setting's name is told beside a question`);
+          check(!told.named && told.marked === 0 && told.names === 0, `${at}: the setting's name is told beside a question`);
+          check("a b c d e f g h i j k l ".startsWith(told.letters), `${at}: choices read “${told.letters}”`);
           const right = await browser.ask(`[...document.querySelectorAll(".walk.shown .steps > .shown .choices li")].findIndex(li => "right" in li.dataset)`);
           const typing = await browser.ask(`document.querySelector(".walk.shown .steps > .shown").classList.contains("typing")`);
           const open = await browser.ask(`document.querySelector(".walk.shown .steps > .shown .choices").getBoundingClientRect().height > 0`);
@@ -145,8 +148,15 @@ try {
   const whole = `(() => { const box = document.querySelector(".walk.shown > .steps > .shown .picture").getBoundingClientRect();
     return box.top >= 0 && box.bottom <= document.querySelector(".transport").getBoundingClientRect().top; })()`;
   check(await browser.ask(whole), "a link does not go to the step");
+  await browser.ask(`window.heard = [], ["step", "answer"].forEach(name => document.addEventListener("isect:" + name, event =>
+    heard.push([name, event.detail.setting ?? event.detail.asked, event.detail.at ?? event.detail.right])))`);
   await browser.ask(`document.querySelector(".transport .next").click()`);
   check((await browser.ask(shown)).id.startsWith("tangent/4"), "the button does not go on");
+  const heard = await browser.ask(`heard`), asked = await browser.ask(`(() => { const ask = document.querySelector(".ask[data-asked]:not(.told)");
+    ask.querySelector("[data-right] button").click();
+    return [ask.dataset.asked, heard.at(-1)]; })()`);
+  check(heard.length === 1 && heard[0][0] === "step" && heard[0][1] === "tangent", `of a step is heard ${JSON.stringify(heard)}`);
+  check(JSON.stringify(asked[1]) === JSON.stringify(["answer", asked[0], true]), `of an answer is heard ${JSON.stringify(asked)}`);
   await browser.ask(`document.querySelector('nav.settings a[href="#miss"]').click()`);
   await browser.ask(`new Promise(resolve => setTimeout(resolve, 100))`);
   check((await browser.ask(shown)).id.startsWith("miss/1"), "a setting is not opened by its link");
@@ -157,7 +167,9 @@ try {
   check(await browser.ask(`document.querySelector(".about").getBoundingClientRect().height > 0`), "what a lesson is about is not unfolded");
   await browser.press("ArrowRight");
   check(await browser.ask(whole), "a step does not bring the picture back");
-  await browser.ask(`[...document.querySelectorAll(".transport button")].at(-1).click()`);
+  await browser.ask(`document.querySelector(".transport .whole").click()`);
+  check(await browser.ask(`document.querySelector(".transport .whole").getAttribute("aria-pressed") === "true"
+    && document.querySelector(".transport .next").getBoundingClientRect().height === 0`), "where all is shown, Next steps out of sight");
   const every = `[...document.querySelectorAll(".step")].filter(s => s.getBoundingClientRect().height > 0).length`;
   const steps = await browser.ask(`document.querySelectorAll(".step").length`);
   check(await browser.ask(every) === steps, "not all steps are shown at once");
