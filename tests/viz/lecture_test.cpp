@@ -166,7 +166,7 @@ TEST_CASE("the last of five answers is reached by keys in the least window", "[l
   CHECK(window.player().quiz().answered()->choice == 4);
 }
 
-TEST_CASE("Page Down goes to a question, then to its answer, and Page Up back; N goes on, too", "[lecture]") {
+TEST_CASE("Page Down goes to a question, then to its answer, and Page Up back, and N goes on, too", "[lecture]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, at("ray-sphere", "two-roots", 4));
   const std::string preset = window.player().played().preset_id();
   const bool by_letter = GENERATE(false, true);

@@ -47,6 +47,7 @@ class Quiz {
   void forget(int step) { answers_.erase(step); }
   void forget_all() { answers_.clear(); }
   bool is_answered(int step) const { return answers_.contains(step) && answers_.at(step); }
+  bool is_past(int step) const { return answers_.contains(step); }
   bool is_skipped(int step) const { return answers_.contains(step) && !answers_.at(step); }
   /// From now on this step is on show.
   void show(const Walk&, int step);

@@ -182,7 +182,7 @@ void question_in_lecture(Column& c, Player& player, AnswerField& field) {
     if (answered->choice >= 0 && !answered->right()) which.push_back(answered->choice);
     told_answer(c, *answered, which, field);
   } else if (const std::optional<Question>& passed = player.step().question;
-             passed && player.quiz().is_past(player.index())) {
+             passed && player.quiz().is_skipped(player.index())) {
     c.paragraph("The answer", c.ui.palette.text, true);
     c.paragraph(passed->prompt, c.ui.palette.muted);
     c.y += 8;
