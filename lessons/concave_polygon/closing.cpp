@@ -75,8 +75,8 @@ const Closing& closing() {
           {"Why does a polygon with *n* vertices, no two at one *x*-coordinate, have 2*n* + 1 trapezoids?",
            "Where the boundary passes a vertex, two trapezoids begin. Where it opens to the right, three begin; where "
            "it closes one. As it opens as often as it closes, that is 2*n*; one begins nowhere. For *n* disjoint "
-           "segments it is 3*n* + 1 at most: two begin at a left end, one at a right end. Only the mean over random "
-           "orders of insertion makes a query O(lg *n*): in sorted order, long spikes make it grow as *n*."},
+           "segments it is 3*n* + 1 at most: two begin at a left end, one at a right end. A query takes O(lg *n*) "
+           "in the mean over random orders. In sorted order, long spikes make it grow as *n*."},
       }};
   return closing;
 }
