@@ -69,7 +69,8 @@ const Closing& closing() {
            {{"c", "3,1,0"}}},
           {"Place b so that a whole interval of pairs is nearest.",
            "b must be parallel to a, and reach alongside it: such as from (0, 1, 0) to (3, 1, 0). If b shrinks to a "
-           "point, **d**_b · **d**_b is 0, and lines 5 and 7 do not show what the code does. It divides only where the "
+           "point, **d**_b · **d**_b is 0. Lines 5 and 7 do not show what the code does then: it divides only where "
+           "the "
            "numerator lies between 0 and the denominator. So it takes *t*_b = 0.",
            "end-and-interior",
            now_interval,

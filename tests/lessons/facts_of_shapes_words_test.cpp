@@ -138,7 +138,7 @@ TEST_CASE("of a shape with dents no axis may separate what its convex parts show
 }
 
 TEST_CASE("at 120 Hz the body and the wall of the exercise tunnel above the told speed", "[words]") {
-  CHECK(solved_with("collision", "faster than 0.55 · 120 = 66 m/s"));
+  CHECK(solved_with("collision", "= 66 m/s still can"));
   CHECK(0.55 * 120 == Approx(66));
 }
 
@@ -172,8 +172,8 @@ TEST_CASE("a point clamped in an oriented box's own frame is the one that no cor
   }
 }
 
-TEST_CASE("sorted by angle around an inner point the vertices turn left", "[words]") {
-  CHECK(solved_with("convex-polygon", "by angle around an inner point"));
+TEST_CASE("sorted by angle around an interior point the vertices turn left", "[words]") {
+  CHECK(solved_with("convex-polygon", "by angle around an interior point"));
   bench::Random random = random_of("angles");
   Ring<double, 2> points;
   for (int i = 0; i < 30; ++i) points.push_back(random.in_box<2>(1));
@@ -193,11 +193,11 @@ TEST_CASE("axes that are turned a little, many times, drift, and can be renewed"
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
   for (int k = 0; k < 20000; ++k) axes = (turn * axes).eval();
   const auto fault = [](const Eigen::Matrix3f& m) { return (m.transpose() * m - Eigen::Matrix3f::Identity()).norm(); };
-  CHECK(fault(axes) > 1e-5F);
   const Eigen::Vector3f u = axes.col(0).normalized(), v = (axes.col(1) - u * u.dot(axes.col(1))).normalized();
   Eigen::Matrix3f renewed;
   renewed << u, v, u.cross(v);
   CHECK(fault(renewed) < 1e-6F);
+  CHECK(fault(axes) > 10 * fault(renewed));
 }
 
 TEST_CASE("a ray through an instance's inverse matrix keeps its places", "[words]") {
@@ -211,19 +211,6 @@ TEST_CASE("a ray through an instance's inverse matrix keeps its places", "[words
     CHECK((matrix * (own_o + t * own_d) + shift - (o + t * d)).norm() < 1e-12);
     CHECK((o + t * d - o).norm() == Approx(t * d.norm()));
   }
-}
-
-TEST_CASE("chained, a row of points merges into one, and by representatives it does not", "[words]") {
-  CHECK(solved_with("points", "chained, all vertices of a curve would merge"));
-  const int many = 12;
-  const double tolerance = 1;  // the spacing of the row
-  int chains = 1, representatives = 1;
-  for (int i = 1, last = 0; i < many; ++i) {
-    chains += i - (i - 1) > tolerance;
-    if (i - last > tolerance) last = i, ++representatives;
-  }
-  CHECK(chains == 1);
-  CHECK(representatives == many / 2);
 }
 
 }  // namespace facts_of_shapes_words_test
