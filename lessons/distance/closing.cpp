@@ -70,8 +70,7 @@ const Closing& closing() {
           {"Place b so that a whole interval of pairs is nearest.",
            "b must be parallel to a, and reach alongside it: such as from (0, 1, 0) to (3, 1, 0). If b shrinks to a "
            "point, **d**_b · **d**_b is 0. Lines 5 and 7 do not show what the code does then: it divides only where "
-           "the "
-           "numerator lies between 0 and the denominator. So it takes *t*_b = 0.",
+           "the numerator lies between 0 and the denominator. So it takes *t*_b = 0.",
            "end-and-interior",
            now_interval,
            {{"p_b", "0,1,0"}, {"q_b", "3,1,0"}}},

@@ -34,6 +34,14 @@ bool solved_with(const std::string& id, const std::string& words) {
                              [&](const Exercise& e) { return says(plain(e.solution), words); });
 }
 
+/// Whether some caption of some preset says these words.
+bool told(const std::string& id, const std::string& words) {
+  return std::ranges::any_of(lesson(id).presets, [&](const Preset& p) {
+    return std::ranges::any_of(lesson(id).walk(p.parameters).steps,
+                               [&](const Step& s) { return says(plain(s.caption), words); });
+  });
+}
+
 /// An 8-DOP of the plane, with integer bounds.
 struct Dop {
   static constexpr std::array<std::array<int, 2>, 4> normals = {{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
@@ -60,10 +68,7 @@ struct Dop {
 }  // namespace
 
 TEST_CASE("in the plane tight k-DOPs are apart only if one of their normals says so", "[words]") {
-  bool told = false;
-  for (const Step& s : walk_of("bounding-volumes", lesson("bounding-volumes").presets.front().id).steps)
-    told = told || says(s.caption, "In the plane the normals are enough, where each bound is tight.");
-  CHECK(told);
+  CHECK(told("bounding-volumes", "In the plane the normals are enough, where each bound is tight."));
   bench::Random random = random_of("octagons");
   int apart = 0;
   for (int k = 0; k < 200; ++k) {
@@ -101,11 +106,11 @@ TEST_CASE("a ball of radius 0 and its point are equal", "[words]") {
 }
 
 TEST_CASE("counting says OUT of the highest vertex, whatever it says elsewhere on the boundary", "[words]") {
-  int told = 0;
+  int seen = 0;
   for (const Preset& p : lesson("crossings").presets)
     for (const Step& s : lesson("crossings").walk(p.parameters).steps) {
       if (!says(s.caption, "Of the highest vertex it would say OUT")) continue;
-      ++told;
+      ++seen;
       CHECK_THAT(s.caption, Contains("Counting alone would say IN"));
       double top = -INFINITY;
       const lessons::crossings_lesson::Setup setup(p.parameters);
@@ -115,7 +120,7 @@ TEST_CASE("counting says OUT of the highest vertex, whatever it says elsewhere o
         for (std::size_t i = 0; i < ring.size(); ++i)
           CHECK((ring[i].y() > top) == (ring[(i + 1) % ring.size()].y() > top));  // no edge counts
     }
-  CHECK(told > 0);
+  CHECK(seen > 0);
 }
 
 TEST_CASE("of a shape with dents no axis may separate what its convex parts show to be apart", "[words]") {
@@ -143,6 +148,7 @@ TEST_CASE("at 120 Hz the body and the wall of the exercise tunnel above the told
 }
 
 TEST_CASE("bridges of a clipped polygon have no area, and points behind the eye come out mirrored", "[words]") {
+  CHECK(told("clipping", "bridges do no harm: they have no area"));
   const Ring<double, 2> u = {{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}};
   const Ring<double, 2> kept = clip(u, Box2d{{-1, 3}, {7, 5}});
   double twice = 0;
