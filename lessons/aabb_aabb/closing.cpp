@@ -32,10 +32,10 @@ const Closing& closing() {
       .result =
           "Two boxes meet if and only if their intervals meet on *x* and on *y* and on *z*. One lies inside the "
           "other if and only if all its intervals do.",
-      .cost = "Six comparisons at most, one or two if *x* has a gap, and no arithmetic. The answer is exact.",
+      .cost = "Six comparisons at most, one or two if *x* has a gap, no arithmetic. Exact for ordered ends.",
       .choose =
-          "As the first test of any pair, and for boxes at rest. For long, tilted bodies use oriented boxes; under "
-          "rotation spheres need no update.",
+          "As the first test of any pair, and for boxes at rest. For long, tilted bodies use oriented boxes; of a "
+          "turned ball only the centre moves.",
       .used = "Nodes of bounding volume hierarchies, broad phase by sweep and prune, grids, view-volume culling.",
       .bug = "OVERLAP returned inside the loop, or \"or\" for \"and\": one common interval then decides.",
       .bug_preset = "gap-y",
@@ -55,7 +55,9 @@ const Closing& closing() {
            {{"b_min", "-0.75,-0.5,2"}, {"b_max", "1,1.5,3"}}},
           wrong_line(),
           {"Write containment of b in a as comparisons. How many are needed?",
-           "a.min_i ≤ b.min_i and b.max_i ≤ a.max_i for each of three axes: six, if both boxes have points."},
+           "a.min_i ≤ b.min_i and b.max_i ≤ a.max_i for each of three axes: six, if both boxes have points. With "
+           "exchanged ends a box is empty, yet the six comparisons for a common point may all hold. With a NaN no > "
+           "holds, so that axis shows no gap."},
           {"What changes if touching boxes should count as disjoint?",
            "Each > becomes ≥. A flat box still meets what it pierces. Two flat boxes in one plane share more than a "
            "rim, "

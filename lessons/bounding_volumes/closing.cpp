@@ -66,7 +66,8 @@ const Closing& closing() {
            {{"q", "1,-1,-0.25"}}},
           {"A box with half-lengths **h** is turned by a matrix *M*. Find the half-lengths of the AABB around it.",
            "On axis *i* it is the sum of |*M_{ij}*| *h_j* over *j*. That takes nine products. Around an object in the "
-           "box it is looser than fitting the object's vertices again."},
+           "box it is looser than fitting the object's vertices again. Round such bounds outwards: a volume that "
+           "rounding made too small may reject what meets its object."},
           {"An object is translated by **v**. What changes in its sphere, AABB, OBB and *k*-DOP?",
            "The centre of the sphere and of the OBB moves by **v**, and so do both corners of the AABB. The bounds of "
            "slab *i* grow by **n**_i · **v**. Nothing is fitted again."},

@@ -155,14 +155,15 @@ class Fit {
   void dops() {
     script_.value(all_[3].name, all_[3].volume, "volume", Role::second);
     script_.value(void_part, part_that_is_void(all_[3]));
-    Step& step =
-        script_.add("k-dops", "k-DOPs: more slabs, less void", 3,
-                    "*k* is even, as each normal **n***_i* gives a slab with two bounds, *lo_i* and *hi_i*. More slabs "
-                    "can only cut off more.\n"
-                    "All objects share the normals, so only *k* bounds are stored. With *k* = 6 this is the AABB.\n"
-                    "Two *k*-DOPs are tested on these normals alone. For a larger *k*, crosses of edges may separate, "
-                    "too: then the test may say overlap of disjoint ones.",
-                    "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
+    Step& step = script_.add(
+        "k-dops", "k-DOPs: more slabs, less void", 3,
+        "*k* is even, as each normal **n***_i* gives a slab with two bounds, *lo_i* and *hi_i*. More slabs "
+        "can only cut off more.\n"
+        "All objects share the normals, so only *k* bounds are stored. With *k* = 6 this is the AABB.\n"
+        "Two *k*-DOPs are tested on these normals alone. For a larger *k*, crosses of edges may separate in space, "
+        "too: then the test may say overlap of disjoint ones.\n"
+        "In the plane the normals are enough, where each bound is tight.",
+        "*lo_i* ≤ **n***_i* · **x** ≤ *hi_i* for each *i*");
     step.scene.items = side_by_side(mesh_, fitted_.object, dops_);  // no handle: the object stands in each of them
     step.question = k_ > 6 ? void_of_dop() : void_of_6_dop();
     keep_picture(script_.walk());

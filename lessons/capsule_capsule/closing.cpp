@@ -28,7 +28,7 @@ const Closing& closing() {
           "an end is nearest.",
       .cost =
           "Constant: four orientations, then four distances from a point to a segment at most. The textbook "
-          "method takes one division or two.",
+          "method takes two divisions at most.",
       .choose =
           "For long, round bodies that rotate: only two endpoints are rotated. For flat bodies use oriented "
           "boxes, for short ones balls.",

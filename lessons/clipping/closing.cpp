@@ -62,9 +62,11 @@ const Closing& closing() {
            "**d** = (8, 2). Left: *t* ≥ 1/4. Right: *t* ≤ 3/4. Top: *t* ≤ 1/2. Bottom: *t* ≥ −1/2. Kept: 1/4 to 1/2, "
            "from (0, 1.5) to (2, 2). In space a third slab cuts the same range. A ray begins with [0, ∞) in place of "
            "[0, 1]."},
-          {"How many vertices can a triangle have after four sides have cut it?",
+          {"How many vertices can a triangle have after four sides have cut it? And why do renderers clip at the near "
+           "plane before they project?",
            "Seven: a cut of a convex polygon adds at most one vertex. A triangle can keep a part of each of its three "
-           "sides, and of the box's four."},
+           "sides, and of the box's four. Projection divides by the depth *z*. Points behind the eye, *z* < 0, would "
+           "come out mirrored, and at *z* = 0 the division fails."},
           {"Why do slabs by reciprocals lose a segment along the top, but not along the bottom? And what do exchanged "
            "arguments change?",
            "*d* = 0 makes 1/*d* = ∞, and ∞ times the distance 0 is NaN. With NaN none of <, ≤, > and ≥ holds, so min "

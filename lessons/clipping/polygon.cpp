@@ -175,7 +175,10 @@ std::string PolygonTeller::end_caption(std::size_t n) const {
   if (trivial_) return "No edge was cut, so the polygon is kept as it is.";
   if (has_bridges(known_.ring))
     return "The polygon is not convex, and what is kept falls into parts.\n"
-           "The method returns one ring: zero-width bridges along the clip side join the pieces.";
+           "The method returns one ring: zero-width bridges along the clip side join the pieces.\n"
+           "For one polygon each, cut it into convex parts first, or clip by Weiler and Atherton or Greiner and "
+           "Hormann.\n"
+           "If it is only filled, bridges do no harm: they have no area.";
   if (!make_convex(known_.original))
     return "The polygon is not convex, so the cuts might have left several parts. Here they leave one.";
   return fmt::format("A convex polygon of {} vertices and four sides: at most {} vertices can be left, here {}.",

@@ -48,7 +48,8 @@ const Closing& closing() {
                   "Gino van den Bergen, *Collision Detection in Interactive 3D Environments*, 2004, chapter 5."},
       .exercises = {
           {"Drag box 0 until it overlaps no other box.",
-           "Some axis must separate it from each of the others.",
+           "Some axis must separate it from each of the others. Separating axes need convex shapes: cut a body with "
+           "dents into convex parts (a compound), and test each pair of parts.",
            "brute-force",
            box_0_alone,
            {{"p", "-2.5,-1.5,0"}}},
@@ -57,8 +58,9 @@ const Closing& closing() {
            "slow",
            tunnels,
            {{"speed", "5"}}},
-          {"A body of 0.1 m flies at 30 m/s towards a wall of 0.45 m. Tests run at 60 Hz. Can it tunnel?",
-           "One step is 30 / 60 = 0.5 m. Wall and body together are 0.55 m. As 0.5 < 0.55, it cannot."},
+          {"A body 0.1 m long flies at 30 m/s towards a wall of 0.45 m. Tests run at 60 Hz. Can it tunnel?",
+           "One step is 30 / 60 = 0.5 m. Wall and body together are 0.55 m. As 0.5 < 0.55, it cannot. At 120 Hz every "
+           "body takes twice as many tests. One faster than 0.55 · 120 = 66 m/s still can."},
           {"Of 1000 bodies, 900 never move. How many pairs are left to test?",
            "Pairs of two bodies at rest are dropped: 900 · 899 / 2. Of 499 500 pairs, 94 950 are left."},
           {"Find boxes for which sweep and prune tests all pairs, though none overlap.",

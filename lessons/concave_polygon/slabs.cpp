@@ -41,7 +41,8 @@ class Slabs {
     script_.value("*n*", s_.size());
     script_.value("slabs", static_cast<double>(count()));
     add("slabs", "Split into slabs", 0,
-        "A horizontal line through every vertex. Between two lines no edge begins, ends or crosses another.");
+        "A horizontal line through every vertex. Between two lines no edge begins, ends or crosses another.\n"
+        "The unbounded strips below and above hold no edge, and are not counted.");
     drawn_.table = true;
     script_.value("edges in slabs", static_cast<double>(map_.order.size()), {}, Role::second);
     const int n = s_.size(), stored = static_cast<int>(map_.order.size());

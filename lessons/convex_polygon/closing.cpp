@@ -69,7 +69,8 @@ const Closing& closing() {
           {"Why does a vertex as apex need no angles, while an interior point needs a case distinction?",
            "From a vertex all directions lie within half a turn, where one sign orders any two. Around an interior "
            "point "
-           "they fill the whole turn."},
+           "they fill the whole turn. Vertices in no order are sorted first, by angle around an interior point, or by "
+           "taking their hull: O(*n* lg *n*)."},
           wrong_line(),
       }};
   return closing;

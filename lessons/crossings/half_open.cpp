@@ -146,15 +146,18 @@ class HalfOpen : Teller {
     known_.on = true;
     script_.settle(Verdict::Kind::on, verdict_text(setup_.truth));
     script_.leave_early();
-    Step& step = add("on", "On the boundary", line,
-                     std::string(line == 5       ? "The orientation of **a**, **b**, **p** is exactly zero: the edge "
-                                                   "contains the point.\n"
-                                 : a == setup_.p ? "**p** is the end **a** of this edge.\n"
-                                                 : "**p** lies between the ends of this edge, at their height.\n") +
-                         "Neither inside nor outside. Counting alone would say " + (counts_as_inside() ? "IN" : "OUT") +
-                         ", as for the next place on the ray raised by *ε*.\n"
-                         "So it would give **p** to just one of several polygons side by side, as filling of pixels "
-                         "requires. Closed ones would fill such a pixel twice, open ones not at all.");
+    Step& step =
+        add("on", "On the boundary", line,
+            std::string(line == 5       ? "The orientation of **a**, **b**, **p** is exactly zero: the edge "
+                                          "contains the point.\n"
+                        : a == setup_.p ? "**p** is the end **a** of this edge.\n"
+                                        : "**p** lies between the ends of this edge, at their height.\n") +
+                "Neither inside nor outside. Counting alone would say " + (counts_as_inside() ? "IN" : "OUT") +
+                ", as for the next place on the ray raised by *ε*.\n" +
+                (counts_as_inside() ? "Of the highest vertex it would say OUT: boundary points come out either way.\n"
+                                    : "") +
+                "So it would give **p** to just one of several polygons side by side, as filling of pixels "
+                "requires. Closed ones would fill such a pixel twice, open ones not at all.");
     step.decides = true;
   }
 

@@ -260,8 +260,10 @@ class OneVolume {
     if (truth_.culling == Culling::inside)
       return "All six planes agree, so the frustum contains it. Its contents need no test and no clipping.";
     if (truth_.culling == Culling::outside)
-      return fmt::format("The {} is not drawn. The test gives no false negatives: what can be seen is never rejected.",
-                         they_);
+      return fmt::format(
+          "The {} is not drawn. The signs are exact, so what can be seen is never rejected.\n"
+          "Rounded, **n** · **x** + *D* may reject what just touches a plane.",
+          they_);
     if (false_positive())
       return "False positive: no plane rejects the box, yet it misses the frustum, beyond one of its edges.\n"
              "The test is conservative. Drawing too much costs time and leaves the picture right; drawing too little "

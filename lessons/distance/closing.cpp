@@ -42,7 +42,7 @@ const Closing& closing() {
           "The distance of two convex sets is one number, but many pairs of points may be that far apart. "
           "Compare squares: *d*^2 with the square of a bound that is at least 0.",
       .cost =
-          "A point and a segment: one division at most. Two segments: three at most. Two boxes: three squares. "
+          "A point and a segment: one division at most. Two segments: two at most. Two boxes: three squares. "
           "No root until the number itself is wanted.",
       .choose =
           "If a bound is known, compare squares. Take the root for a clearance or a safe step. For general convex "
@@ -68,7 +68,9 @@ const Closing& closing() {
            now_second_end,
            {{"c", "3,1,0"}}},
           {"Place b so that a whole interval of pairs is nearest.",
-           "b must be parallel to a, and reach alongside it: such as from (0, 1, 0) to (3, 1, 0).",
+           "b must be parallel to a, and reach alongside it: such as from (0, 1, 0) to (3, 1, 0). If b shrinks to a "
+           "point, **d**_b · **d**_b is 0. Lines 5 and 7 do not show what the code does then: it divides only where "
+           "the numerator lies between 0 and the denominator. So it takes *t*_b = 0.",
            "end-and-interior",
            now_interval,
            {{"p_b", "0,1,0"}, {"q_b", "3,1,0"}}},

@@ -103,7 +103,8 @@ class SegmentsTeller : Teller {
     known_.ways = {{at, point ? s_.b.p : at_place(s_.b, place)}};
     Step& step =
         add("on-b", "Nearest to that point", 4,
-            point ? "b is a point: its only place is *t*_b = 0."
+            point ? "b is a point: its only place is *t*_b = 0. The numerator is 0, too: then the code takes 0, and "
+                    "does not divide."
                   : "Now the point of a is fixed. The line of b is nearest to it at *t*_b, which is not clamped yet.",
             "*t*_b = " + shown(point ? 0 : place));
     if (!point) ask_for_place(step, at, numerator, place, clamped);

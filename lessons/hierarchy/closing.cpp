@@ -45,7 +45,7 @@ const Closing& closing() {
           "One test of a node rules out all that lies below it. Where boxes overlap little, most objects are never "
           "tested.",
       .cost =
-          "Binned construction takes O(*n*) per level. A ray then takes about lg *n* node tests where boxes overlap "
+          "Binned construction takes O(*n*) per level. A ray's node tests then grow as lg *n* where boxes overlap "
           "little; at worst, all.",
       .choose =
           "For many objects and many queries. For moving objects refit the boxes; rebuild when they have become "

@@ -90,7 +90,9 @@ Walk growth() {
   script.value("a ray, 100 000 boxes", most.ray, "tests");
   Step& rays = script.add("rays", "A ray among *n* boxes", 0,
                           fmt::format("A hundred times as many boxes, but only {:.1f} times as many tests.\n"
-                                      "The depth grew from {} to {}. Without a hierarchy a ray tests all *n* boxes.",
+                                      "The depth grew from {} to {}. Without a hierarchy a ray tests all *n* boxes.\n"
+                                      "Both children of each opened node are tested. So one path down a balanced tree "
+                                      "takes about 1 + 2 lg *n* node tests.",
                                       most.ray / some.ray, some.depth, most.depth));
   rays.scene.chart = chart(
       "tests for a ray", "every box", [](double n) { return n; }, &Cost::ray);

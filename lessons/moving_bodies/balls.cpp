@@ -147,8 +147,10 @@ class BallsTeller : Teller {
     add("root", "The smaller root", 11,
         (apart() && s_.signs.discriminant >= 0
              ? "The ray enters the expanded ball at the smaller root: then the distance of the centres first falls to "
-               "*R*."
+               "*R*. At the larger root it leaves, and the balls part."
              : "Rounded, there is a root, so the method goes on.") +
+            std::string("\nWhere the balls almost touch at first, −*B* and √*Δ* nearly cancel. Stable roots, as for a "
+                        "ray and a sphere, do not subtract: *t* = *C* / (−*B* + √*Δ*).") +
             (digits ? fmt::format("\nRounding has cost digits here: exactly, *t* is {}.", shown(*s_.first))
                     : std::string()),
         "*t* = (−*B* − √*Δ*) / *A* = " + shown(t));

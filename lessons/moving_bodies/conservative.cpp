@@ -68,8 +68,14 @@ class ConservativeTeller : Teller {
                 "Bodies that turn need a higher bound: their angular speed times their reach is added."
               : "The centres are no farther apart than both radii reach: the balls share a point already.");
     if (e.near)
-      decide("near", "Within the tolerance?", 3, "The distance is within the tolerance *ε*: here the method stops.",
-             {"distance ≤ *ε*", distance_, s_.tolerance, true, "near enough"});
+      decide(
+          "near", "Within the tolerance?", 3,
+          std::string("The distance is within the tolerance *ε*: here the method stops.") +
+              (advances_ > 0 && distance_ > 0
+                   ? "\nUnless b heads straight for a, each step leaves a part of the distance: 0 is approached, and "
+                     "not reached.\nHence *ε*. A smaller one may take more steps."
+                   : ""),
+          {"distance ≤ *ε*", distance_, s_.tolerance, true, "near enough"});
   }
 
   void say(const motion::Pace<C>& e) {

@@ -54,8 +54,11 @@ const Closing& closing() {
           {"How many axes do two rectangles in the plane need? And two boxes with a common face normal?",
            "Rectangles: 4 normals, no cross products. With one common direction, the remaining candidates are 5: that "
            "direction and 4 in the plane."},
-          {"Why are the cross products needed, if no face has such a normal?",
-           "The Minkowski sum of a and −b has faces that two edges span. Their normals are the cross products."},
+          {"Why are the cross products needed, if no face has such a normal? And what becomes of axes that are turned "
+           "a little in each frame?",
+           "The Minkowski sum of a and −b has faces that two edges span. Their normals are the cross products. Axes "
+           "turned so drift by rounding from unit length and right angles, and the test takes them as they are. Renew "
+           "them by Gram and Schmidt, or keep a unit quaternion."},
       }};
   return closing;
 }

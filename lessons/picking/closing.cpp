@@ -41,8 +41,8 @@ const Closing& closing() {
           "The object under the pointer is the one at the smallest *t* ≥ 0 of the pick ray. A tie needs a rule of its "
           "own.",
       .cost =
-          "O(*n*) tests of bounding volumes: most are trivial rejects. A full test where one is met. A hierarchy tests "
-          "about lg *n* of them.",
+          "O(*n*) tests of bounding volumes: most are trivial rejects. A full test where one is met. With a hierarchy "
+          "tests grow as lg *n*.",
       .choose =
           "Pick by a ray where you need the point or the triangle. Where only the GPU knows the shapes, draw ids into "
           "a buffer and read one pixel.",

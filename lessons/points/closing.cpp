@@ -48,7 +48,9 @@ const Closing& closing() {
                   "Computing Surveys* 23, 1991, pages 5–48."},
       .exercises = {
           {"Place **q** and **r** so that **p** is near **q** and **q** near **r**, but **p** is not near **r**.",
-           "Put **r** beyond **q**, seen from **p**: at most one tolerance from **q**, and more than one from **p**.",
+           "Put **r** beyond **q**, seen from **p**: at most one tolerance from **q**, and more than one from **p**. "
+           "So weld to a representative, from which all merged points lie within the tolerance. Choose that well below "
+           "the spacing of points that differ: chained, all vertices of a curve would merge.",
            "cube",
            broken_chain,
            {{"question", "chain"}, {"q", "0.75,0,0"}, {"r", "1.5,0,0"}}},

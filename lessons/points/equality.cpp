@@ -110,7 +110,9 @@ class Equality {
     if (truth_)
       return "Exact equality is right where numbers are copied: a vertex that two triangles share, a key in a list.\n"
              "It is transitive: equal points can be sorted, counted and merged.";
-    if (s_.is_nan) return "A point with such a coordinate equals no point. No search finds it.";
+    if (s_.is_nan)
+      return "A point with such a coordinate equals no point. No search finds it.\n"
+             "So refuse such input where it comes in: it is the one kind of value for which *x* ≠ *x*.";
     if (s_.tp.x() == 1 && s_.tq.x() == ten_steps())
       return "The test is right: these are two points. The error was made before, when **q** was computed.\n"
              "For computed numbers, the caller chooses a tolerance.";

@@ -132,7 +132,7 @@ class Nearness {
       return method == 0 ? "The squared distance overflows: it is infinite."
                          : "The square under the root has overflowed, so the distance is infinite.";
     if (method == 0 && left == 0 && right == 0 && apart && s_.tested_within > 0)
-      return "Both squares underflow to 0, and 0 ≤ 0 holds however far apart the points are.";
+      return "Both squares underflow to 0, and 0 ≤ 0 holds. It holds for all points so close that *d*^2 underflows.";
     if (left == 0 && apart)
       return method == 0 ? "The squared distance underflows to 0: it is too small for a double."
                          : "The square under the root has underflowed to 0, so the distance is 0.";

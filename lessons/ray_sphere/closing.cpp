@@ -63,7 +63,8 @@ const Closing& closing() {
            "(*r*^2 − |**f** − (*B* / *A*) **d**|^2) does not.",
            "near-rounded-quadratic"},
           {"The direction is doubled in length. What happens to *A*, *B*, *C*, the roots and the points?",
-           "*A* grows fourfold and *B* twofold; *C* is unchanged. The roots are halved; the points are unchanged. "
+           "*A* grows fourfold and *B* twofold; *C* is unchanged. The roots are halved; the points are unchanged. So "
+           "where |**d**| ≠ 1, ranges and offsets in *t* are no lengths: divide lengths by |**d**|. "
            "Haines takes |**d**| = 1 for granted. If it is 1 + *ε*, a distance from outside errs by about *ε* *s* / "
            "*q*, relative to it."},
           wrong_line(),

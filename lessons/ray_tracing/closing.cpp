@@ -34,10 +34,8 @@ const Closing& closing() {
           "A pixel shows the object at the smallest *t* ≥ 0 of its primary ray. The point is lit if it faces the light "
           "and no object lies between.",
       .cost =
-          "One primary ray and at most one shadow ray per pixel. Each searches a bounding volume hierarchy: about lg "
-          "*n* nodes, not "
-          "*n* "
-          "objects.",
+          "One primary ray and at most one shadow ray per pixel. Each searches a bounding volume hierarchy: its tests "
+          "grow as lg *n*, not as *n*.",
       .choose =
           "For shadows, mirrors and glass. Rasterisation is faster for what the eye sees directly; many engines use "
           "both.",
@@ -69,11 +67,14 @@ const Closing& closing() {
            "tan 45° = 1, so **d** = **forward** + *u* **right** + *v* **up** with *u* = (0.5/320 − 1) · 4/3 = −1.3313 "
            "and "
            "*v* = 1 − 0.5/240 = 0.9979."},
-          {"Each hit spawns a reflected and a refracted ray, to depth three. How many rays does a pixel take?",
-           "1 + 2 + 4 + 8 = 15, and at each hit a shadow ray for every light source."},
+          {"Each hit spawns a reflected and a refracted ray, to depth three. How many rays does a pixel take? And how "
+           "is one mesh hit that stands in many places?",
+           "1 + 2 + 4 + 8 = 15, and at each hit a shadow ray for every light source. Each place, an instance, has a "
+           "matrix. Take **o** and **d** through its inverse, and do not normalise **d**: then *t* stays the same."},
           {"Why is a shadow ray a segment, and why may its search stop early?",
            "What lies beyond the light source casts no shadow on the point. One object between them is enough; the "
-           "nearest is not needed."},
+           "nearest is not needed. A start moved along the normal, by a little that grows with the coordinates, avoids "
+           "acne. Moved too far it skips near blockers: light leaks in where objects touch."},
       }};
   return closing;
 }

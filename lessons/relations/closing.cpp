@@ -58,7 +58,8 @@ const Closing& closing() {
            boxes_meet_but_not_balls,
            {{"b", "1.5,1.125,1"}}},
           {"Which of the six relations can a point and a ball have?",
-           "Two: disjoint, and the point inside the ball. A point of the surface is a subset of the ball, too."},
+           "Two, if *r* > 0: disjoint, and the point inside the ball. A point of the surface is a subset of the ball, "
+           "too. A ball of radius 0 is a point itself: disjoint, or equal."},
           {"a lies inside b, and b lies inside c. What follows for a and c?",
            "a lies inside c: being a subset is transitive. Overlapping and touching are not."},
       }};

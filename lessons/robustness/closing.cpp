@@ -70,7 +70,8 @@ const Closing& closing() {
            "Neighbouring doubles there are 2^{−33}, about 10^{−10}, apart. A tolerance must be several of these gaps; "
            "one of "
            "10^{−12} "
-           "is too small."},
+           "is too small. Coordinates relative to the camera or the object are small, and keep more digits: subtract "
+           "in doubles, then round to floats."},
           {"Why does a tolerance not make the verdict “on the line” consistent?",
            "**a** may be within it of **b**, and **b** of **c**, but **a** not of **c**. What follows from two "
            "verdicts may "

@@ -172,6 +172,8 @@ class Derivation {
         std::string(
             "The error is at most *bound*: four roundings touch each product. One *u* more covers the terms in "
             "*u*^2.\n") +
+        "The constant has slack: where anything is rounded, the error is less than *bound*. So |*det*| ≥ *bound* is "
+        "enough.\n" +
         (run_.underflows() ? "The 2^{−960} in *size* pays for digits that underflow took.\n" : "") +
         "Shewchuk needs only (3 + 16 *u*) *u* for the sign: the last rounding cannot turn it.\n" + error;
     Step& step = script_.add("bound", "The bound is 5 *u* times the size", 3,

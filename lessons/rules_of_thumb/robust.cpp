@@ -84,10 +84,11 @@ Experiment robust(const Flat& p) {
       std::string("Points said to lie left are drawn left of the line, seen from **a** to **p**; right ones right.") +
       (e.before > 0 ? " Crosses mark wrong answers.\nEach may break what builds on it: a hull, a map, a mesh." : "");
   e.parts[2].title = "Know when you do not know";
-  e.parts[2].caption = fmt::format("A bound on the rounding error comes with the value. It leaves {} open{}.",
-                                   plural(open, "sign"), open > 0 ? " (rings)" : "") +
-                       "\nShewchuk's bound: the sign of *l* − *r*, both rounded products, is right where "
-                       "|*l* − *r*| > (3 + 16*u*) *u* (|*l*| + |*r*|), *u* = 2^{−53}.";
+  e.parts[2].caption =
+      fmt::format("A bound on the rounding error comes with the value. It leaves {} open{}.", plural(open, "sign"),
+                  open > 0 ? " (rings)" : "") +
+      "\nShewchuk's bound, but for underflow: the sign of *l* − *r*, both rounded products, is right where "
+      "|*l* − *r*| ≥ (3 + 16*u*) *u* (|*l*| + |*r*|), *u* = 2^{−53}.";
   e.parts[3].title = "Exact where needed";
   e.parts[3].caption =
       std::string(open > 0 ? "Open signs are computed again, exactly. So no sign is wrong." : "No sign is wrong.") +

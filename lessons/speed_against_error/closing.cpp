@@ -39,7 +39,7 @@ const Closing& closing() {
           "open.",
       .choose =
           "The exact call, unless a profile shows its time and every input is ordinary. For pictures a rounded method "
-          "will do; for a ray and a sphere, stable roots, unless rays start close to a large ball.",
+          "will do; for a ray and a sphere, stable roots, unless rays start close or far off.",
       .used =
           "CGAL's filtered kernels and Shewchuk's exact predicates work so; game engines mostly choose rounded tests "
           "and "

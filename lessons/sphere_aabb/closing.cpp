@@ -58,7 +58,9 @@ const Closing& closing() {
            touches_a_corner,
            {{"c", "0.25,1.125,-1.5"}, {"r", "0.875"}}},
           {"Box from (0, 0, 0) to (4, 2, 2), ball at (6, 1, 4), *r* = 3. Which point is nearest, and do they meet?",
-           "Clamped: (4, 1, 2). The squared distance is 4 + 0 + 4 = 8 ≤ 9, so they meet. It lies on an edge."},
+           "Clamped: (4, 1, 2). The squared distance is 4 + 0 + 4 = 8 ≤ 9, so they meet. It lies on an edge. An "
+           "oriented box is one in its own frame: the dot products of **c**, seen from its centre, with its axes are "
+           "coordinates there. Clamp them to ± its half-lengths, and go back."},
           {"How much larger is the expanded box than the Minkowski sum, at one corner?",
            "A cube *r*^3 instead of an eighth of a ball: *r*^3 (1 − π/6), about half of the cube."},
           wrong_line(),

@@ -126,7 +126,8 @@ class Teller {
     if (d2 == 0 && s2 == 0 && one_point())
       return "Both balls are the same point. Zero is not less than zero: the strict comparison refuses it.";
     if (d2 == 0 && s2 == 0)
-      return "Both squares are stored as zero. Zero is not less than zero; with ≤ any two balls would seem to meet.";
+      return "Both squares are stored as zero. Zero is not less than zero; with ≤ all balls so small and close would "
+             "seem to meet.";
     const bool touch = s_.truth == Relation::touching, apart = s_.truth == Relation::disjoint;
     if (d2 == s2 && touch) return "The distance equals the reach: the balls touch. The strict comparison refuses it.";
     if (d2 == s2 && point_on_surface())

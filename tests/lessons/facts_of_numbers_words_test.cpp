@@ -1,0 +1,198 @@
+// Facts about rounding, roots and steps that stand in captions and in solutions of exercises. Each is computed here.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <isect/counted.h>
+#include <isect/methods/motion.h>
+#include <isect/methods/nearest_features.h>
+#include "bench/random.h"
+#include "bench/rational.h"
+#include "lessons/rounding_bound/setup.h"
+#include "tests/lessons/words.h"
+#include "viz/text/rich_text.h"
+
+namespace facts_of_numbers_words_test {
+using namespace isect;
+using namespace isect::viz;
+using namespace isect::tests;
+using isect::test::Contains;
+using oracle::Rational;
+
+namespace {
+
+bench::Random random_of(const char* name) { return bench::Random(bench::stream(seed(), name)); }
+
+/// Whether some exercise's solution says these words.
+bool solved_with(const std::string& id, const std::string& words) {
+  return std::ranges::any_of(lesson(id).closing->exercises,
+                             [&](const Exercise& e) { return says(plain(e.solution), words); });
+}
+/// Whether some caption of some preset says these words.
+bool told(const std::string& id, const std::string& words) {
+  return std::ranges::any_of(lesson(id).presets, [&](const Preset& p) {
+    return std::ranges::any_of(lesson(id).walk(p.parameters).steps,
+                               [&](const Step& s) { return says(plain(s.caption), words); });
+  });
+}
+
+}  // namespace
+
+TEST_CASE("squares that underflow let pass what is close, and nothing else", "[words]") {
+  CHECK(told("points", "It holds for all points so close"));
+  CHECK(told("sphere-sphere", "with ≤ all balls so small and close would seem to meet"));
+  const double tolerance = 0x1p-600;
+  for (const double distance : {0x1p-599, 0x1p-560, 0x1p-540}) CHECK(distance * distance <= tolerance * tolerance);
+  for (const double distance : {0x1p-520, 1.0}) CHECK(distance * distance > tolerance * tolerance);
+}
+
+TEST_CASE("the rounding error is less than its bound where there is one", "[words]") {
+  CHECK(told("rounding-bound", "the error is less than bound. So |det| ≥ bound is enough."));
+  int rounded = 0;
+  on_random_settings("rounding-bound", 50, [&](const Parameters& p, const Walk&) {
+    const lessons::rounding_bound_lesson::Run run{lessons::rounding_bound_lesson::Setup(p)};
+    if (run.overflows() || run.det.error == 0) return;
+    ++rounded;
+    CHECK(std::abs(run.det.error) < run.bound());
+  });
+  CHECK(rounded > 0);
+}
+
+TEST_CASE("a rounded height may reject a point that is not beyond the plane", "[words]") {
+  CHECK(told("culling", "may reject what just touches a plane"));
+  bench::Random random = random_of("heights");
+  int rejected = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 n = random.in_box<3>(1), p = random.in_box<3>(10);
+    const double d = -(n[2] * p[2] + n[1] * p[1] + n[0] * p[0]), height = n[0] * p[0] + n[1] * p[1] + n[2] * p[2] + d;
+    const Rational truth = oracle::dot(oracle::rational<double, 3>(n), oracle::rational<double, 3>(p)) + Rational(d);
+    rejected += height < 0 && truth >= 0;
+  }
+  CHECK(rejected > 0);
+}
+
+TEST_CASE("a ball's rounded radius may leave a vertex out", "[words]") {
+  CHECK(solved_with("bounding-volumes", "Round such bounds outwards"));
+  bench::Random random = random_of("radii");
+  int left_out = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 f = random.in_box<3>(1);
+    const Rational radius(f.norm());
+    const oracle::Coordinates<3> exact = oracle::rational<double, 3>(f);
+    left_out += oracle::dot(exact, exact) > radius * radius;
+  }
+  CHECK(left_out > 0);
+}
+
+TEST_CASE("two segments take two divisions at most, and none by 0", "[words]") {
+  using C = Counted<double>;
+  CHECK_THAT(lesson("distance").closing->cost, Contains("Two segments: two at most"));
+  CHECK_THAT(lesson("capsule-capsule").closing->cost, Contains("two divisions at most"));
+  CHECK(solved_with("distance", "Lines 5 and 7 do not show what the code does then"));
+  bench::Random random = random_of("divisions");
+  int most = 0;
+  for (int k = 0; k < 500; ++k) {
+    const Segment<double, 3> a = {random.in_box<3>(1), random.in_box<3>(1)};
+    const Segment<double, 3> b = {random.in_box<3>(1), random.in_box<3>(1)}, point = {b.p, b.p};
+    tally() = {};
+    nearest_features::places<C, 3>(cast<C>(a), cast<C>(b));
+    most = std::max(most, tally().div);
+    CHECK(nearest_features::places<double, 3>(a, point).t == 0);
+    CHECK(nearest_features::places<double, 3>(point, a).s == 0);
+  }
+  CHECK(most == 2);
+}
+
+TEST_CASE("where balls almost touch, stable roots keep the digits", "[words]") {
+  CHECK(told("moving-bodies", "Where the balls almost touch at first"));
+  double usual = 0, stable = 0;
+  for (int k = 1; k <= 50; ++k) {
+    const double c = 1e-12 * k / 7, root = std::sqrt(1 - c);  // A = 1, B = -1
+    const double truth = c / 2 + c * c / 8;                   // and terms in C^3
+    usual = std::max(usual, std::abs(1 - root - truth) / truth);
+    stable = std::max(stable, std::abs(c / (1 + root) - truth) / truth);
+  }
+  CHECK(usual > 1e-6);
+  CHECK(stable < 1e-14);
+}
+
+TEST_CASE("between both roots the balls share points, and after the larger they part", "[words]") {
+  CHECK(told("moving-bodies", "At the larger root it leaves, and the balls part."));
+  const Vec2 f(4, 0.5), d(-2, 0.25);
+  const double reach = 1.5, a = d.dot(d), b = f.dot(d), root = std::sqrt(b * b - a * (f.dot(f) - reach * reach));
+  const double first = (-b - root) / a, second = (-b + root) / a;
+  const auto distance = [&](double t) { return (f + t * d).norm(); };
+  CHECK(distance(first) == Approx(reach));
+  CHECK(distance(second) == Approx(reach));
+  CHECK(distance((first + second) / 2) < reach);
+  CHECK(distance(second + 0.01) > reach);
+}
+
+TEST_CASE("conservative steps come near a contact and do not reach it, unless they head for it", "[words]") {
+  CHECK(told("moving-bodies", "0 is approached, and not reached"));
+  const Moving<Sphere, double, 2> a = {{{0, 0}, 1}, {0, 0}}, aside = {{{10, 1.25}, 1}, {-4, 0}},
+                                  straight = {{{10, 0}, 1}, {-4, 0}};
+  for (const motion::Bound bound : {motion::Bound::speed, motion::Bound::along_centers}) {
+    std::vector<int> steps;
+    for (const double tolerance : {0.1, 1e-3, 1e-6}) {
+      Record<motion::AdvancementEvent<double>> record;
+      const auto found = advance_conservatively(a, aside, 5.0, tolerance, bound, 1000, record);
+      CHECK(found.ending == motion::Ending::near);
+      for (const auto& event : record.events)
+        if (const auto* gap = std::get_if<motion::Gap<double>>(&event)) CHECK(gap->distance > 0);
+      steps.push_back(found.steps);
+    }
+    CHECK(std::ranges::is_sorted(steps));
+    CHECK(steps.back() > steps.front());
+    CHECK(advance_conservatively(a, straight, 5.0, 0.0, bound, 1000).steps == 1);
+  }
+}
+
+TEST_CASE("a ray's tests grow as lg n, by twice as much a level", "[words]") {
+  const Walk walk = walk_of("hierarchy", "growth");
+  const Step& rays = *find(walk, "rays");
+  CHECK_THAT(plain(rays.caption), Contains("about 1 + 2 lg n node tests"));
+  CHECK_THAT(lesson("hierarchy").closing->cost, Contains("grow as lg *n*"));
+  const double some = value(rays, "a ray, 1000 boxes"), most = value(rays, "a ray, 100 000 boxes");
+  CHECK(most / some == Approx(std::log(1e5) / std::log(1e3)).epsilon(0.1));
+  CHECK(some == Approx(1 + 2 * std::log2(1e3)).epsilon(0.3));
+  CHECK(most == Approx(1 + 2 * std::log2(1e5)).epsilon(0.3));
+}
+
+TEST_CASE("what is subtracted in doubles keeps digits that floats far from the origin lose", "[words]") {
+  CHECK(solved_with("robustness", "subtract in doubles, then round to floats"));
+  const double camera = 1e6, at = camera + 0.01;
+  CHECK(std::abs(static_cast<float>(at) - static_cast<float>(camera) - 0.01) > 0.005);
+  CHECK(std::abs(static_cast<float>(at - camera) - 0.01) < 1e-8);
+}
+
+TEST_CASE("a value that differs from itself is no number", "[words]") {
+  CHECK(told("points", "the one kind of value for which x ≠ x"));
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double x : {0.0, -0.0, 1.0, infinity, -infinity}) {
+    const double again = x;
+    CHECK(x == again);
+  }
+  const double none = std::numeric_limits<double>::quiet_NaN(), again = none;
+  CHECK_FALSE(none == again);
+  const auto gap = [](double lo, double hi, double x) { return lo > x || x > hi; };
+  CHECK_FALSE(gap(0, 1, none));  // no > holds
+  CHECK(solved_with("aabb-aabb", "With a NaN no > holds"));
+}
+
+TEST_CASE("chained, a row of points merges into one, and by representatives it does not", "[words]") {
+  CHECK(solved_with("points", "chained, all vertices of a curve would merge"));
+  const int many = 12;
+  const double tolerance = 1;  // the spacing of the row
+  int chains = 1, representatives = 1;
+  for (int i = 1, last = 0; i < many; ++i) {
+    chains += i - (i - 1) > tolerance;
+    if (i - last > tolerance) last = i, ++representatives;
+  }
+  CHECK(chains == 1);
+  CHECK(representatives == many / 2);
+}
+
+}  // namespace facts_of_numbers_words_test
