@@ -169,7 +169,7 @@ std::optional<Interval<S>> meet(const Ray<S, N>& ray, const Obb<S, N>& box, Trac
     if (!finite(ray) || !finite(box)) return {};
     const int sign = sign_of([&]<class W>() -> W { return point_obb::detail::volume<W>(bounds.axes, 0); }, trace);
     if (sign == 0) return {};
-    return settled_in_own_unit<Trace>(wide, bounds, [&](const Ray<double, N>& x, const Obb<double, N>& y) {
+    return in_own_unit(wide, bounds, [&](const Ray<double, N>& x, const Obb<double, N>& y) {
       const Slabs<N> of_box(x, y, sign);
       if constexpr (!heard<Trace>) {
         const slabs::detail::Estimate<N> seen = slabs::detail::estimate<S, N>(ray.range, QuickSlabs<N>(x, y));

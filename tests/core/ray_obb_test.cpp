@@ -122,6 +122,16 @@ TEST_CASE("oriented boxes of any size are met where they are", "[ray_obb]") {
   }
 }
 
+TEST_CASE("a listener finds the very ends that are found without it, in a box of 1e-156", "[ray_obb]") {
+  Obb<double, 2> box = cube<double, 2>();
+  box.center = {-2.913414348125081e-157, 0};
+  box.axes << 0.6, -0.8, 0.8, 0.6;
+  box.half = {5.826828696250162e-157, 8.740243044375242e-157};
+  const Ray<double, 2> line = {{0, -8.740243044375242e-157}, {0, 1e-323}, {-inf, inf}};
+  Record<ray_obb::Event> record;
+  CHECK(intersect(line, box, record) == intersect(line, box));
+}
+
 TEMPLATE_TEST_CASE_SIG("ray and OBB: every answer is that of rational arithmetic", "[ray_obb][random]",
                        FLOATS_AND_DIMENSIONS) {
   int hits = 0, misses = 0, touches = 0;
@@ -206,6 +216,11 @@ TEMPLATE_TEST_CASE_SIG("ray and OBB: listening, mirroring, swapping axes, scalin
 
       Record<ray_obb::Event> record;
       REQUIRE(intersect(c.ray, c.box, record) == t);
+
+      Case<S, N> tiny = c;  // in any unit of length
+      const S unit = static_cast<S>(std::is_same_v<S, float> ? 0x1p-110 : 0x1p-500);
+      tiny.ray.origin *= unit, tiny.ray.direction *= unit, tiny.box.center *= unit, tiny.box.half *= unit;
+      REQUIRE(intersect(tiny.ray, tiny.box, record) == intersect(tiny.ray, tiny.box));
 
       const Ray<S, N> mirrored = {c.ray.origin, -c.ray.direction, {-c.ray.range.hi, -c.ray.range.lo}};
       REQUIRE(intersects(mirrored, c.box) == t.has_value());

@@ -209,6 +209,8 @@ bool line_meets_round(const Thing& line, const Thing& round) {
 bool is_ball(const Thing& t) { return t.kind == Kind::body && t.points.size() == 1; }
 Relation of_ball_and_round(const Thing& ball, const Thing& round) {
   const Vec& c = ball.points[0];
+  if (ball.radius == 0)  // a point, which need not be one of doubles: the only corner of a frustum
+    return place_in_round(c, round) > 0 ? Relation::disjoint : Relation::a_inside_b;
   return oracle::BallAndRoundSolid(Sphere<double, 3>{{c[0].get_d(), c[1].get_d(), c[2].get_d()}, ball.radius.get_d()},
                                    round.solid)
       .relation();

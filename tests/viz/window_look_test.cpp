@@ -77,6 +77,8 @@ Rect visible(const WindowDriver& window, const std::string& full_name, Rect r) {
                                                               {"save preset", "lesson words"},
                                                               {"again ", "lesson words"},
                                                               {"try ", "lesson words"},
+                                                              {"program", "lesson words"},
+                                                              {"found", "lesson words"},
                                                               {"solution ", "lesson words"},
                                                               {"see it fail", "lesson words"},
                                                               {"same idea ", "lesson words"},

@@ -111,7 +111,8 @@ TEST_CASE("what has very much to draw is sketched while it is dragged, and drawn
     const Rect r = window.rect("scene");
     window.move(r.middle_x(), r.middle_y());
     window.button(true);
-    window.move(r.middle_x() + 30, r.middle_y() + 7);
+    window.move(r.middle_x() + 20, r.middle_y() + 7);
+    window.move(r.middle_x() + 30, r.middle_y() + 7);  // the pin has come
     const Picture held = window.picture();
     window.button(false);
     window.move(5, r.bottom - 5);  // where no text says what lies under the pointer
