@@ -70,8 +70,7 @@ const Closing& closing() {
            "From a vertex all directions lie within half a turn, where one sign orders any two. Around an interior "
            "point they fill the whole turn, and at that point itself **p** is inside, at once. On a ray between two "
            "wedges either gives the same verdict. Vertices in no order are sorted first, by angle around an interior "
-           "point, or by "
-           "taking their hull: O(*n* lg *n*)."},
+           "point, or by taking their hull: O(*n* lg *n*)."},
           wrong_line(),
       }};
   return closing;

@@ -190,9 +190,8 @@ class ConservativeTeller : Teller {
   std::string told_grazing() const {
     if (s_.truth != Meeting::grazing || steps_ < 2 || !(last_closed_ < first_closed_)) return {};
     return fmt::format(
-        "The balls graze: as they pass, the distance shrinks ever more slowly, so the steps get small. The first "
-        "closed "
-        "{} of it, the last {}.\n",
+        "The balls graze: as they pass, the distance shrinks ever more slowly, so the steps get small.\n"
+        "The first closed {} of it, the last {}.\n",
         shown(first_closed_), shown(last_closed_));
   }
 
