@@ -7,6 +7,8 @@
 #include <numeric>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include <isect/counted.h>
 #include <isect/methods/motion.h>
 #include <isect/methods/nearest_features.h>
@@ -206,21 +208,21 @@ TEST_CASE("single quotients order two tests that depend on each other, and may m
   bench::Random random = random_of("dependent");
   int misled = 0;
   for (int k = 0; k < 200; ++k)
-    for (const std::size_t tests : {2U, 3U}) {
+    for (const std::size_t many : {2U, 3U}) {
       std::array<double, 8> weight = {};  // of the boxes that a set of tests rejects, one bit a test
       for (double& w : weight) w = random.uniform(0, 1);
       std::array<double, 3> cost = {}, rejected = {};
-      for (std::size_t i = 0; i < tests; ++i) cost[i] = random.uniform(1, 10);
+      for (std::size_t i = 0; i < many; ++i) cost[i] = random.uniform(1, 10);
       for (std::size_t set = 0; set < 8; ++set)
-        for (std::size_t i = 0; i < tests; ++i) rejected[i] += (set >> i & 1U) != 0 ? weight[set] : 0;
-      std::vector<std::size_t> order(tests);
+        for (std::size_t i = 0; i < many; ++i) rejected[i] += ((set >> i) & 1U) != 0 ? weight[set] : 0;
+      std::vector<std::size_t> order(many);
       std::iota(order.begin(), order.end(), std::size_t{0});
       const auto expected = [&] {
         double sum = 0;
         for (std::size_t set = 0; set < 8; ++set)
           for (const std::size_t i : order) {
             sum += weight[set] * cost[i];
-            if ((set >> i & 1U) != 0) break;
+            if (((set >> i) & 1U) != 0) break;
           }
         return sum;
       };
@@ -228,7 +230,7 @@ TEST_CASE("single quotients order two tests that depend on each other, and may m
       do least = std::min(least, expected());
       while (std::ranges::next_permutation(order).found);
       std::ranges::sort(order, {}, [&](std::size_t i) { return cost[i] / rejected[i]; });
-      if (tests == 2)
+      if (many == 2)
         CHECK(expected() == Approx(least));
       else
         misled += expected() > 1.001 * least;
