@@ -268,7 +268,8 @@ TEST_CASE("an empty box from infinity to minus infinity has a gap to others, and
 }
 
 TEST_CASE("on the ray between two wedges the far edges of both give one verdict", "[words]") {
-  CHECK(told("convex-polygon", "The wedges on both sides give the same verdict"));
+  const Walk on_ray = with("convex-polygon", "on-vertex", {{"p", "-1,0,0"}});
+  CHECK_THAT(find(on_ray, "bisect-1")->caption, Contains("The wedges on both sides give the same verdict"));
   CHECK(solved_with("convex-polygon", "On a ray between two wedges either gives the same verdict."));
   const Ring<double, 2> v = {{0, 0}, {8, -4}, {16, 0}, {18, 8}, {12, 16}, {0, 18}, {-6, 8}};
   for (std::size_t mid = 2; mid + 2 < v.size(); ++mid)
