@@ -56,8 +56,9 @@ const Closing& closing() {
           wrong_line(),
           {"Write containment of b in a as comparisons. How many are needed?",
            "a.min_i ≤ b.min_i and b.max_i ≤ a.max_i for each of three axes: six, if both boxes have points. With "
-           "exchanged ends a box is empty, yet the six comparisons for a common point may all hold. With a NaN no > "
-           "holds, so that axis shows no gap."},
+           "exchanged ends a box is empty, yet the six comparisons for a common point may all hold. So store an empty "
+           "box with the ends min = ∞ and max = −∞. It has a gap to each bounded box, and the union with it changes "
+           "nothing. With a NaN no > holds, so that axis shows no gap."},
           {"What changes if touching boxes should count as disjoint?",
            "Each > becomes ≥. A flat box still meets what it pierces. Two flat boxes in one plane share more than a "
            "rim, "

@@ -122,6 +122,13 @@ class Teller {
     return test_.hits.empty() ? "only the void of the volume overlaps b" : "the object's surface meets b";
   }
 
+  /// Why one point of b decides, where no triangle meets b.
+  static std::string said_of_side(const std::string& side) {
+    return "b is connected and meets no triangle, so it lies on one side of the surface. Any of its points decides: "
+           "its middle lies " +
+           side + ", so all of b does.\n";
+  }
+
   void volume_first() {
     const int cheap = operations(test_.cheap), all = operations(test_.expensive);
     script_.count(test_.cheap);
@@ -170,7 +177,7 @@ class Teller {
                              meets          ? 0
                              : test_.within ? 2
                                             : 1,
-                             "Each triangle is tested against b; where none meets it, one point of b decides."};
+                             "Each triangle is tested against b; where none meets it, any one point of b decides."};
     const bool within = test_.within;
     script_.settle(meets || within ? Verdict::Kind::yes : Verdict::Kind::no,
                    meets    ? "CROSSING: the object's surface meets b"
@@ -178,19 +185,22 @@ class Teller {
                             : "OUTSIDE: b lies in the void");
     if (!meets) script_.refuse(5, {});
     if (!meets && !within) script_.refuse(6, {});
-    Step& step = add("verdict",
-                     meets    ? "A true overlap"
-                     : within ? "Containment"
-                              : "A false positive",
-                     meets    ? 5
-                     : within ? 6
-                              : 7,
-                     meets    ? "The volume's test was not wasted: for most pairs of a scene it is the last one."
-                     : within ? "No triangle meets b, yet one point of b lies inside the closed surface, so all of b "
-                                "does.\nA test of triangles alone would call this OUTSIDE."
-                              : "One point of b lies outside, so all of b does: only the void of the volume met it.\n"
-                                "Less void means fewer false positives. That is why tightness counts.",
-                     true, true);
+    Step& step =
+        add("verdict",
+            meets    ? "A true overlap"
+            : within ? "Containment"
+                     : "A false positive",
+            meets    ? 5
+            : within ? 6
+                     : 7,
+            meets    ? "The volume's test was not wasted: for most pairs of a scene it is the last one."
+            : within ? said_of_side("inside") +
+                           "A test of triangles alone would call this OUTSIDE. Of two closed surfaces that do "
+                           "not meet, either may contain the other: test a point of each."
+                     : said_of_side("outside") +
+                           "So only the void of the volume met it. Less void means fewer false positives. That "
+                           "is why tightness counts.",
+            true, true);
     step.decides = true;
   }
 

@@ -21,7 +21,7 @@ namespace {
 
 using Mesh3 = TriangleMesh<double>;
 
-const char* const void_part = "void / volume";  ///< the value of the volume that a step is about
+const char* const void_part = "empty share";  ///< the value of the volume that a step is about
 
 /// The share of the volume that the object does not fill. Both volumes are rounded, so a little may be none.
 double part_that_is_void(const Measured& m) {
@@ -100,8 +100,9 @@ class Fit {
         0, 0, "Sphere: a centre and a radius",
         "It holds every point **x** within the radius *r* of the centre **c**; *r* reaches to the farthest vertex.\n"
         "When the object turns, only the centre moves with it.\n"
-        "Void is what of a volume the object leaves empty: of this sphere, " +
-            in_percent(part_that_is_void(all_[0])) + ". Below, it is told in volumes of the object.",
+        "Void is what of a volume the object leaves empty, told in volumes of the object.\n"
+        "The empty share is a part of the volume itself: of this sphere, " +
+            in_percent(part_that_is_void(all_[0])) + ".",
         radius(fitted_.ball, farthest(mesh_, fitted_.ball)), "|**x** − **c**| ≤ *r*");
   }
 

@@ -35,7 +35,7 @@ const Closing& closing() {
   static const Closing closing = {
       .result = "Where few boxes overlap, sorting or a hierarchy leaves few tests. Discrete times may miss a hit.",
       .cost =
-          "Brute force O(*n*^2). Sweep: a sort, then pairs that overlap on an axis. Hierarchy: O(*n* lg *n*) or so.",
+          "Brute force O(*n*^2). Sweep: a sort, then pairs that meet on an axis. Hierarchy: O(*n* lg *n*) if few meet.",
       .choose =
           "Brute force below a few dozen bodies. Sweep where little moves between frames; a bounding volume hierarchy "
           "or grid for large scenes. Continuous collision detection for fast bodies.",

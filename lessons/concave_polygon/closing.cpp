@@ -34,8 +34,8 @@ const Closing& closing() {
   static const Closing closing = {
       .result = "Every simple polygon can be preprocessed so that any point is located in O(lg *n*).",
       .cost =
-          "Slabs: O(*n*^2) time and space to build. Trapezoids: O(*n* lg *n*) and O(*n*), expected. Kirkpatrick: the "
-          "same, guaranteed. A query: O(lg *n*), in trapezoids expected.",
+          "Slabs, by a sweep: O(*n*^2) time and space. Trapezoids: O(*n* lg *n*) and O(*n*), expected. Kirkpatrick: "
+          "the same, guaranteed. A query: O(lg *n*), in trapezoids expected.",
       .choose =
           "Few points: count crossings, without preprocessing. Many points, one fixed polygon: trapezoids. Slabs "
           "only for small *n*.",
@@ -67,7 +67,9 @@ const Closing& closing() {
            level_with_a_vertex,
            {{"p", "-1.5,-0.25,0"}}},
           {"How many edges can the slabs of a polygon with 200 vertices store at most?",
-           "*n*^2/2 = 20 000: between the *k*-th height and the next run at most 2 min(*k*, 200 − *k*) edges."},
+           "*n*^2/2 = 20 000: between the *k*-th height and the next run at most 2 min(*k*, 200 − *k*) edges. A "
+           "sweep that keeps the order from slab to slab takes O(*n*^2) time. Sorting each slab anew takes O(*n*^2 "
+           "lg *n*)."},
           {"Why can at least one vertex in 18 be removed each round, the box's corners not counted?",
            "*n* vertices in a box of 4 corners have 3*n* + 5 edges. At least 12 of their ends lie at the corners, so "
            "fewer than 6*n* at the others. At each of these 3 or more meet, so at least half have 8 edges or fewer. Of "

@@ -42,6 +42,7 @@ class Slabs {
     script_.value("slabs", static_cast<double>(count()));
     add("slabs", "Split into slabs", 0,
         "A horizontal line through every vertex. Between two lines no edge begins, ends or crosses another.\n"
+        "Two vertices at one height would part a slab of width 0: it is left out, and they share a line.\n"
         "The unbounded strips below and above hold no edge, and are not counted.");
     drawn_.table = true;
     script_.value("edges in slabs", static_cast<double>(map_.order.size()), {}, Role::second);

@@ -96,7 +96,8 @@ class Trapezoids {
     const int n = s_.size();
     Step& step = add("map", "All edges added", 2,
                      "From every vertex, vertical walls run up and down to the next edge. If no two share an "
-                     "*x*-coordinate, the trapezoids number 2*n* + 1.\n" +
+                     "*x*-coordinate, the trapezoids number 2*n* + 1.\n"
+                     "Vertices of one *x* are ordered by *y*, as if the plane had been sheared a little.\n" +
                          std::string(s_.sorted ? "The questions form a graph: each path through it is a search."
                                                : "The questions form a graph of O(*n*) nodes, built in O(*n* lg *n*), "
                                                  "on average over the orders."),

@@ -56,9 +56,8 @@ class Around {
     shown_.apex = {e.q[0].value, e.q[1].value}, shown_.apex_name = "**q**";
     script_.value("*n*", s_.size());
     add("centroid", "A point inside", 0,
-        "The centroid of three vertices not on one line lies inside: all the preprocessing, O(1). In a very thin "
-        "polygon the "
-        "rounded centroid may fall outside.\n"
+        "The centroid of three vertices not on one line lies inside: all the preprocessing, O(1). A **p** there is "
+        "inside, at once. In a very thin polygon the rounded centroid may fall outside.\n"
         "Angles around **q**, polar coordinates, would order **p** and the vertices **v**. Cross products do so "
         "without an arctangent.",
         "**v** comes before **p**  if  (**v** − **q**) × (**p** − **q**) > 0,  within half a turn");

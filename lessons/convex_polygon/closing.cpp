@@ -68,9 +68,9 @@ const Closing& closing() {
            "lg 998 is a little less than 10, rounded up 10. So at most 3 + 3 · 10 = 33."},
           {"Why does a vertex as apex need no angles, while an interior point needs a case distinction?",
            "From a vertex all directions lie within half a turn, where one sign orders any two. Around an interior "
-           "point "
-           "they fill the whole turn. Vertices in no order are sorted first, by angle around an interior point, or by "
-           "taking their hull: O(*n* lg *n*)."},
+           "point they fill the whole turn, and at that point itself **p** is inside, at once. On a ray between two "
+           "wedges either gives the same verdict. Vertices in no order are sorted first, by angle around an interior "
+           "point, or by taking their hull: O(*n* lg *n*)."},
           wrong_line(),
       }};
   return closing;

@@ -107,7 +107,8 @@ class Fan {
                      out ? "**p** lies beyond the edge after " + mid +
                                ". The whole polygon lies on its inner side, so **p** is outside."
                      : e.turn > 0  ? "**p** lies left of the ray through " + mid + ": drop the wedges before it."
-                     : e.turn == 0 ? "**p** lies on the ray through " + mid + ": drop the wedges before it."
+                     : e.turn == 0 ? "**p** lies on the ray through " + mid +
+                                         ". The wedges on both sides give the same verdict: drop those before it."
                                    : "**p** lies right of the ray through " + mid + ": drop the wedges after it.");
     if (rounds_ == 1) {
       step.question = {fmt::format("**p** = {} and **v**_0 = {}. The fan is halved at {} = {}, and the edge there ends "

@@ -70,7 +70,10 @@ const Closing& closing() {
           {"Place b so that a whole interval of pairs is nearest.",
            "b must be parallel to a, and reach alongside it: such as from (0, 1, 0) to (3, 1, 0). If b shrinks to a "
            "point, **d**_b · **d**_b is 0. Lines 5 and 7 do not show what the code does then: it divides only where "
-           "the numerator lies between 0 and the denominator. So it takes *t*_b = 0.",
+           "the numerator lies between 0 and the denominator. So it takes *t*_b = 0.\n"
+           "In the plane, two edges of disjoint convex polygons are nearest between their ends only if they are "
+           "parallel. So a vertex is among the nearest features. In space two edges may be nearest alone, as of two "
+           "tetrahedra.",
            "end-and-interior",
            now_interval,
            {{"p_b", "0,1,0"}, {"q_b", "3,1,0"}}},

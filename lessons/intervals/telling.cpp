@@ -131,7 +131,8 @@ class Teller {
   std::string end_caption() const {
     if (one_is_empty(s_))
       return "An interval with exchanged ends has no number in it, so it meets nothing.\n"
-             "The note's comparisons do not see that: they treat it as an ordinary interval.";
+             "The note's comparisons do not see that: they treat it as an ordinary interval.\n"
+             "Best stored as [∞, −∞], an empty one has a gap to each bounded one. The union with it changes nothing.";
     if (points(s_) && s_.truth == Relation::equal)
       return "A point is an interval of one number. Points are equal if their coordinates are, exactly.";
     if (points(s_) && s_.a.lo == 0.1 + 0.2 && s_.b.lo == 0.3)

@@ -51,6 +51,8 @@ class ConservativeTeller : Teller {
 
  private:
   void say(const motion::Gap<C>& e) {
+    if (advances_ > 0) last_closed_ = distance_ - e.distance.value;
+    if (advances_ == 1) first_closed_ = last_closed_;
     time_ = e.time.value, fallen_ = e.distance.value < distance_, distance_ = e.distance.value;
     known_.gap = time_;
     if (known_.ticks.size() < most_drawn) {
@@ -168,7 +170,7 @@ class ConservativeTeller : Teller {
   void near_miss() {
     end("contact", "Near, but no contact", 4, false,
         fmt::format("At *t* = {} they are within *ε*, so the method returns it. Yet they do not meet in the motion.\n"
-                    "So NEAR proves no contact. MISS proves that there is none, but for rounding.",
+                    "So NEAR does not prove a contact. MISS proves that there is none, but for rounding.",
                     shown(time_)));
     script_.walk().steps.back().verdict = {Verdict::Kind::on, "within *ε*, but they do not meet"};
   }
@@ -179,8 +181,18 @@ class ConservativeTeller : Teller {
                                 ? "With the whole relative speed as bound no step passes the contact."
                                 : "Each step is one of Newton's method: the distance is a convex function of *t*, so "
                                   "none passes the contact.";
-    return fmt::format("{} led from *t* = 0 to {}; first contact is at {}.\n{}", plural(steps_, "step"), shown(time_),
-                       shown(*s_.first), time_ <= *s_.first ? way : "Rounding has put the last step just past it.");
+    return fmt::format("{} led from *t* = 0 to {}; first contact is at {}.\n{}{}", plural(steps_, "step"), shown(time_),
+                       shown(*s_.first), told_grazing(),
+                       time_ <= *s_.first ? way : "Rounding has put the last step just past it.");
+  }
+
+  /// Why balls that graze take many steps.
+  std::string told_grazing() const {
+    if (s_.truth != Meeting::grazing || steps_ < 2 || !(last_closed_ < first_closed_)) return {};
+    return fmt::format(
+        "The balls graze: as they pass, the distance shrinks ever more slowly, so the steps get small.\n"
+        "The first closed {} of it, the last {}.\n",
+        shown(first_closed_), shown(last_closed_));
   }
 
   std::string told_open() const {
@@ -193,7 +205,8 @@ class ConservativeTeller : Teller {
   motion::Ending ending_ = motion::Ending::open;
   int steps_ = 0, advances_ = 0;
   double time_ = 0, distance_ = 0, speed_ = 0;
-  bool fallen_ = false;  ///< since the last step
+  double first_closed_ = 0, last_closed_ = 0;  ///< how much of the distance the first and the last advance closed
+  bool fallen_ = false;                        ///< since the last step
 };
 
 }  // namespace

@@ -41,8 +41,8 @@ const Closing& closing() {
           "The object under the pointer is the one at the smallest *t* ≥ 0 of the pick ray. A tie needs a rule of its "
           "own.",
       .cost =
-          "O(*n*) tests of bounding volumes: most are trivial rejects. A full test where one is met. With a hierarchy "
-          "tests grow as lg *n*.",
+          "O(*n*) bounding volumes, most trivial rejects; full tests where met. In a hierarchy tests grow as lg *n* if "
+          "boxes overlap little.",
       .choose =
           "Pick by a ray where you need the point or the triangle. Where only the GPU knows the shapes, draw ids into "
           "a buffer and read one pixel.",

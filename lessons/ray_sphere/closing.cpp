@@ -66,7 +66,8 @@ const Closing& closing() {
            "*A* grows fourfold and *B* twofold; *C* is unchanged. The roots are halved; the points are unchanged. So "
            "where |**d**| ≠ 1, ranges and offsets in *t* are no lengths: divide lengths by |**d**|. "
            "Haines takes |**d**| = 1 for granted. If it is 1 + *ε*, a distance from outside errs by about *ε* *s* / "
-           "*q*, relative to it."},
+           "*q*, relative to it: too small for *ε* > 0. With **d** = **0** the ray is the point **o**, and *A* = 0. Do "
+           "not divide: ask whether **o** lies in the ball."},
           wrong_line(),
       }};
   return closing;

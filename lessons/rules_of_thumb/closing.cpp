@@ -49,7 +49,10 @@ const Closing& closing() {
       .exercises = {
           {"Rule 3: drag **p** to a place where the other order of axes costs more than it saves.",
            "Beside the long boxes *x* separates at once: at (1.15, 0) the test on *y* is wasted. Of independent tests, "
-           "take them in the order of cost divided by the chance to reject, the smallest first.",
+           "take them in the order of cost divided by the chance to reject, the smallest first. Where tests "
+           "depend on each other, the chance is that among the boxes which earlier tests let pass. From three tests "
+           "on, "
+           "single quotients may then mislead: measure whole orders. Two tests need no independence.",
            "3-reorder",
            order_costs_more,
            {{"p", "1.15,0,0"}}},

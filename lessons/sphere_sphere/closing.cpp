@@ -42,7 +42,7 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "Two balls meet if and only if *d*^2 ≤ (*r*_a + *r*_b)^2. One lies inside the other if and only if "
+          "Balls meet if and only if *d*^2 ≤ (*r*_a + *r*_b)^2. The smaller lies in the other if and only if "
           "*d*^2 ≤ (*r*_a − *r*_b)^2.",
       .cost =
           "Four products, six sums and one comparison. A square root, once a routine in software, is one instruction "

@@ -171,7 +171,7 @@ TEST_CASE("the void that is told is the core's: what the object does not fill of
     const double object = volume(mesh.vertices, mesh.triangles);
     const Walk walk = lesson("bounding-volumes").walk(p);
     const Aabb<double, 3> box = fit_aabb(mesh.vertices);
-    const double part = value(*find(walk, "aabb"), "void / volume");
+    const double part = value(*find(walk, "aabb"), "empty share");
     CHECK(part == void_volume(box, object) / volume(box));
     CHECK(part == Approx(1 - object / value(*find(walk, "aabb"), "AABB")));
 
@@ -180,9 +180,9 @@ TEST_CASE("the void that is told is the core's: what the object does not fill of
     std::smatch told;
     const std::string caption = plain(sphere.caption);
     REQUIRE(std::regex_search(caption, told, percent));
-    CHECK(std::stod(told[1]) == Approx(100 * value(sphere, "void / volume")).margin(0.051));
+    CHECK(std::stod(told[1]) == Approx(100 * value(sphere, "empty share")).margin(0.051));
     for (const char* other : {"slab", "side-by-side"})  // they are about no volume, or about all
-      CHECK(std::ranges::none_of(find(walk, other)->values, [](const Value& v) { return v.name == "void / volume"; }));
+      CHECK(std::ranges::none_of(find(walk, other)->values, [](const Value& v) { return v.name == "empty share"; }));
   }
 }
 

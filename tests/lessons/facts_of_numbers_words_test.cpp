@@ -1,15 +1,22 @@
 // Facts about rounding, roots and steps that stand in captions and in solutions of exercises. Each is computed here.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include <isect/counted.h>
 #include <isect/methods/motion.h>
 #include <isect/methods/nearest_features.h>
+#include <isect/methods/ray_sphere.h>
+#include <isect/ray_sphere.h>
 #include "bench/random.h"
 #include "bench/rational.h"
+#include "lessons/moving_bodies/picture.h"
 #include "lessons/rounding_bound/setup.h"
 #include "tests/lessons/words.h"
 #include "viz/text/rich_text.h"
@@ -193,6 +200,77 @@ TEST_CASE("chained, a row of points merges into one, and by representatives it d
   }
   CHECK(chains == 1);
   CHECK(representatives == many / 2);
+}
+
+TEST_CASE("single quotients order two tests that depend on each other, and may mislead of three", "[words]") {
+  CHECK(solved_with("rules-of-thumb", "Two tests need no independence."));
+  CHECK(solved_with("rules-of-thumb", "single quotients may then mislead: measure whole orders"));
+  bench::Random random = random_of("dependent");
+  int misled = 0;
+  for (int k = 0; k < 200; ++k)
+    for (const std::size_t many : {2U, 3U}) {
+      std::array<double, 8> weight = {};  // of the boxes that a set of tests rejects, one bit a test
+      for (double& w : weight) w = random.uniform(0, 1);
+      std::array<double, 3> cost = {}, rejected = {};
+      for (std::size_t i = 0; i < many; ++i) cost[i] = random.uniform(1, 10);
+      for (std::size_t set = 0; set < 8; ++set)
+        for (std::size_t i = 0; i < many; ++i) rejected[i] += ((set >> i) & 1U) != 0 ? weight[set] : 0;
+      std::vector<std::size_t> order(many);
+      std::iota(order.begin(), order.end(), std::size_t{0});
+      const auto expected = [&] {
+        double sum = 0;
+        for (std::size_t set = 0; set < 8; ++set)
+          for (const std::size_t i : order) {
+            sum += weight[set] * cost[i];
+            if (((set >> i) & 1U) != 0) break;
+          }
+        return sum;
+      };
+      double least = INFINITY;
+      do least = std::min(least, expected());
+      while (std::ranges::next_permutation(order).found);
+      std::ranges::sort(order, {}, [&](std::size_t i) { return cost[i] / rejected[i]; });
+      if (many == 2)
+        CHECK(expected() == Approx(least));
+      else
+        misled += expected() > 1.001 * least;
+    }
+  CHECK(misled > 0);
+}
+
+TEST_CASE("a ray without direction is a point, and a direction too long makes Haines' distance too small", "[words]") {
+  CHECK(solved_with("ray-sphere", "too small for ε > 0"));
+  CHECK(solved_with("ray-sphere", "ask whether o lies in the ball"));
+  const Sphere<double, 3> ball = {{0, 0, 0}, 1};
+  for (const Vec3& o : {Vec3(0.5, 0, 0), Vec3(0, 1, 0), Vec3(0, 1, 1)})
+    CHECK(intersects(Ray<double, 3>{o, {0, 0, 0}}, ball) == (o.squaredNorm() <= 1));
+  for (const double epsilon : {1e-6, -1e-6}) {
+    const Ray<double, 3> ray = {{-5, 0.5, 0}, {1 + epsilon, 0, 0}};
+    const auto t = ray_sphere::haines(ray, ball);
+    const double s = 5, q = std::sqrt(0.75), truth = s - q;
+    REQUIRE(t);
+    CHECK((*t < truth) == (epsilon > 0));
+    CHECK((*t - truth) / truth == Approx(-epsilon * s / q).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("where balls graze, steps get small, as the last one closes less of the distance than the first", "[words]") {
+  const Step& last = ending(walk_of("moving-bodies", "steps-graze"));
+  const auto s = lessons::moving_bodies_lesson::setup(preset(lesson("moving-bodies"), "steps-graze").parameters);
+  Record<motion::AdvancementEvent<double>> record;
+  const auto found = advance_conservatively(s.ball_a(), s.ball_b(), s.duration, s.tolerance, s.bound, 1000, record);
+  std::vector<double> distances;
+  for (const auto& event : record.events)
+    if (const auto* gap = std::get_if<motion::Gap<double>>(&event)) distances.push_back(gap->distance);
+  const std::size_t n = distances.size();
+  REQUIRE(n > 2);
+  CHECK(found.steps == static_cast<int>(n) - 1);
+  for (std::size_t i = 2; i < n; ++i) CHECK(distances[i - 1] - distances[i] < distances[i - 2] - distances[i - 1]);
+  CHECK_THAT(plain(last.caption), Contains(fmt::format("{} steps led from", found.steps)));
+  CHECK_THAT(plain(last.caption), Contains("The balls graze: as they pass, the distance shrinks ever more slowly"));
+  CHECK_THAT(plain(last.caption),
+             Contains(fmt::format("The first closed {} of it, the last {}.", shown(distances[0] - distances[1]),
+                                  shown(distances[n - 2] - distances[n - 1]))));
 }
 
 }  // namespace facts_of_numbers_words_test

@@ -9,10 +9,17 @@
 #include <isect/aabb_aabb.h>
 #include <isect/clip_polygon.h>
 #include <isect/convex_hull.h>
+#include <isect/many/slab_map.h>
+#include <isect/many/trapezoid_map.h>
+#include <isect/methods/aabb_aabb.h>
+#include <isect/methods/nearest_features.h>
 #include <isect/orient.h>
+#include <isect/point_mesh.h>
 #include <isect/sphere_sphere.h>
+#include <isect/triangle_aabb.h>
 #include <Eigen/Geometry>
 #include "bench/random.h"
+#include "lessons/bounding_volumes/object.h"
 #include "lessons/crossings/situations.h"
 #include "tests/lessons/words.h"
 #include "viz/text/rich_text.h"
@@ -217,6 +224,98 @@ TEST_CASE("a ray through an instance's inverse matrix keeps its places", "[words
     CHECK((matrix * (own_o + t * own_d) + shift - (o + t * d)).norm() < 1e-12);
     CHECK((o + t * d - o).norm() == Approx(t * d.norm()));
   }
+}
+
+TEST_CASE("a box that meets no triangle of a closed mesh lies on one side of it, with all of its points", "[words]") {
+  CHECK(told("bounding-volumes", "b is connected and meets no triangle, so it lies on one side of the surface."));
+  const Parameters& p = preset(lesson("bounding-volumes"), "within").parameters;
+  const auto mesh = lessons::bounding_volumes_lesson::object(text(p, "object"), std::get<Vec3>(p.at("tip")));
+  bench::Random random = random_of("sides");
+  int inside = 0, outside = 0;
+  for (int k = 0; k < 60; ++k) {
+    const Vec3 near = k % 2 == 0 ? std::get<Vec3>(p.at("q")) : Vec3(0, 0, 0);
+    const Vec3 shift = random.in_box<3>(k % 2 == 0 ? 0.0625 : 1.5), half = random.in_box<3>(0.125).cwiseAbs();
+    const Vec3 middle = near + shift;
+    const Aabb<double, 3> box = {middle - half, middle + half};
+    bool meets = false;
+    for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i)
+      meets = meets || intersects(triangle(mesh, i), box);
+    if (meets) continue;
+    const Location side = locate(middle, mesh);
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 at((corner & 1) != 0 ? box.hi.x() : box.lo.x(), (corner & 2) != 0 ? box.hi.y() : box.lo.y(),
+                    (corner & 4) != 0 ? box.hi.z() : box.lo.z());
+      CHECK(locate(at, mesh) == side);
+    }
+    ++(side == Location::in ? inside : outside);
+  }
+  CHECK((inside > 0 && outside > 0));
+}
+
+TEST_CASE("an empty box from infinity to minus infinity has a gap to others, and adds nothing to them", "[words]") {
+  CHECK(solved_with("aabb-aabb", "So store an empty box with the ends min = ∞ and max = −∞."));
+  CHECK(told("intervals", "Best stored as [∞, −∞], an empty one has a gap to each bounded one."));
+  const double far = std::numeric_limits<double>::infinity();
+  const Box2d empty = {{far, far}, {-far, -far}};
+  for (const Box2d& box : {Box2d{{0, 0}, {4, 4}}, Box2d{{-1e300, 2}, {1e300, 2}}}) {
+    CHECK(empty.lo.x() > box.hi.x());
+    CHECK(box.lo.x() > empty.hi.x());
+    CHECK_FALSE(aabb_aabb::by_axis(empty, box));
+    CHECK_FALSE(intersects(box, empty));
+    CHECK(box.lo.cwiseMin(empty.lo) == box.lo);
+    CHECK(box.hi.cwiseMax(empty.hi) == box.hi);
+  }
+}
+
+TEST_CASE("on the ray between two wedges the far edges of both give one verdict", "[words]") {
+  const Walk on_ray = with("convex-polygon", "on-vertex", {{"p", "-1,0,0"}});
+  CHECK_THAT(find(on_ray, "bisect-1")->caption, Contains("The wedges on both sides give the same verdict"));
+  CHECK(solved_with("convex-polygon", "On a ray between two wedges either gives the same verdict."));
+  const Ring<double, 2> v = {{0, 0}, {8, -4}, {16, 0}, {18, 8}, {12, 16}, {0, 18}, {-6, 8}};
+  for (std::size_t mid = 2; mid + 2 < v.size(); ++mid)
+    for (const double t : {0.5, 1.0, 1.5}) {
+      const Vec2 p = v[0] + t * (v[mid] - v[0]);  // exact
+      const int before = orient2d(v[mid - 1], v[mid], p), after = orient2d(v[mid], v[mid + 1], p);
+      CHECK(before == after);
+      CHECK(before == (t < 1 ? 1 : t == 1 ? 0 : -1));
+    }
+}
+
+TEST_CASE("vertices of one height share a line of slabs, and of one x they are ordered as by a shear", "[words]") {
+  CHECK(told("concave-polygon", "Two vertices at one height would part a slab of width 0: it is left out"));
+  CHECK(told("concave-polygon", "Vertices of one x are ordered by y, as if the plane had been sheared a little."));
+  const Ring<double, 2> ring = {{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}};
+  CHECK(make_slab_map(ring).slabs.size() == 3 + 1);  // three heights, and what ends them
+  Ring<double, 2> sheared = ring;
+  for (auto& v : sheared) v.x() += v.y() / 64;
+  CHECK(make_trapezoid_map(ring).trapezoids.size() == make_trapezoid_map(sheared).trapezoids.size());
+}
+
+TEST_CASE("of disjoint convex polygons a vertex is among the nearest features, of tetrahedra perhaps none", "[words]") {
+  CHECK(solved_with("distance", "So a vertex is among the nearest features. In space two edges may be nearest alone"));
+  bench::Random random = random_of("features");
+  for (int k = 0; k < 100; ++k) {
+    const auto polygon = [&](const Vec2& middle) {
+      Ring<double, 2> points;
+      for (int i = 0; i < 6; ++i) points.push_back(middle + random.in_box<2>(1));
+      return convex_hull(points);
+    };
+    const Ring<double, 2> a = polygon(Vec2(0, 0)), b = polygon(Vec2(2.5, 1));
+    double edges = INFINITY, vertices = INFINITY;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      for (std::size_t j = 0; j < b.size(); ++j) {
+        const Segment<double, 2> e = {a[i], a[(i + 1) % a.size()]}, f = {b[j], b[(j + 1) % b.size()]};
+        edges = std::min(edges, nearest_features::distance2<double, 2>(e, f));
+        vertices = std::min(
+            {vertices, nearest_features::distance2<double, 2>(e.p, f), nearest_features::distance2<double, 2>(f.p, e)});
+      }
+    CHECK(vertices == Approx(edges));
+  }
+  // Edges of tetrahedra below z = 0 and above z = 1. No other point of these reaches those planes.
+  const Segment<double, 3> below = {{-1, 0, 0}, {1, 0, 0}}, above = {{0, -1, 1}, {0, 1, 1}};
+  CHECK(nearest_features::distance2<double, 3>(below, above) == 1);
+  for (const Vec3& end : {above.p, above.q}) CHECK(nearest_features::distance2<double, 3>(end, below) > 1);
+  for (const Vec3& end : {below.p, below.q}) CHECK(nearest_features::distance2<double, 3>(end, above) > 1);
 }
 
 }  // namespace facts_of_shapes_words_test
