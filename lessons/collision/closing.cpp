@@ -35,11 +35,11 @@ const Closing& closing() {
   static const Closing closing = {
       .result = "Where few boxes overlap, sorting or a hierarchy leaves few tests. Discrete times may miss a hit.",
       .cost =
-          "Brute force O(*n*^2). Sweep: a sort, then pairs that meet on an axis. Hierarchy: O(*n* lg *n*) if few meet.",
+          "Brute force O(*n*^2). Sweep: sort, then pairs that meet on an axis. Hierarchy: O(*n* lg *n*) if few meet.",
       .choose =
           "Brute force below a few dozen bodies. Sweep where little moves between frames; a bounding volume hierarchy "
           "or grid for large scenes. Continuous collision detection for fast bodies.",
-      .used = "Broad phase (all pairs), narrow phase (GJK, contacts), continuous, too: Bullet, Box2D, Jolt, PhysX.",
+      .used = "Broad phase (all pairs), narrow phase (GJK, contacts), continuous: Bullet, Box2D, Jolt, PhysX.",
       .bug = "Testing at discrete times only: a step longer than wall and body together can tunnel.",
       .bug_preset = "tunnelling",
       .reading = {"Christer Ericson, *Real-Time Collision Detection*, 2005, section 7.5 and section 5.5.",

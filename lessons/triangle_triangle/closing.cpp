@@ -32,7 +32,7 @@ const Closing& closing() {
   static const Closing closing = {
       .result =
           "Two triangles are disjoint if one lies strictly on one side of the other's plane. Else, in two planes, they "
-          "meet if their intervals on the common line share a number; in one plane, if no side parts them.",
+          "meet if their intervals on the common line share a number. In one plane, they meet if no side parts them.",
       .cost =
           "Six heights, then four divisions or two more signs; in one plane, up to six sides. A pair beside a plane "
           "ends after three or six heights.",

@@ -162,7 +162,7 @@ TEST_CASE("a ray's tests grow as lg n, by twice as much a level", "[words]") {
   const Step& rays = *find(walk, "rays");
   CHECK_THAT(plain(rays.caption), Contains("about 1 + 2 lg n node tests"));
   CHECK_THAT(lesson("hierarchy").closing->cost, Contains("grow as lg *n*"));
-  const double some = value(rays, "a ray, 1000 boxes"), most = value(rays, "a ray, 100 000 boxes");
+  const double some = value(rays, "a ray, 1000 boxes"), most = value(rays, "a ray, 100 000 boxes");
   CHECK(most / some == Approx(std::log(1e5) / std::log(1e3)).epsilon(0.1));
   CHECK(some == Approx(1 + 2 * std::log2(1e3)).epsilon(0.3));
   CHECK(most == Approx(1 + 2 * std::log2(1e5)).epsilon(0.3));
@@ -255,7 +255,8 @@ TEST_CASE("a ray without direction is a point, and a direction too long makes Ha
 }
 
 TEST_CASE("where balls graze, steps get small, as the last one closes less of the distance than the first", "[words]") {
-  const Step& last = ending(walk_of("moving-bodies", "steps-graze"));
+  const Walk walk = walk_of("moving-bodies", "steps-graze");
+  const Step& last = ending(walk);
   const auto s = lessons::moving_bodies_lesson::setup(preset(lesson("moving-bodies"), "steps-graze").parameters);
   Record<motion::AdvancementEvent<double>> record;
   const auto found = advance_conservatively(s.ball_a(), s.ball_b(), s.duration, s.tolerance, s.bound, 1000, record);
