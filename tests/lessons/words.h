@@ -38,7 +38,7 @@ inline const viz::Step* find(const viz::Walk& walk, const std::string& slug) {
   const auto found = std::ranges::find(walk.steps, slug, &viz::Step::slug);
   return found == walk.steps.end() ? nullptr : &*found;
 }
-inline const viz::Step& ending(const viz::Walk& walk) { return walk.steps[static_cast<std::size_t>(outcome(walk))]; }
+inline viz::Step ending(const viz::Walk& walk) { return walk.steps[static_cast<std::size_t>(outcome(walk))]; }
 
 /// A lesson's own step, counted from 0: a step that shows only the opening is skipped.
 inline const viz::Step& own_step(const viz::Walk& walk, std::size_t i) {
