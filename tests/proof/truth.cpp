@@ -590,7 +590,10 @@ bool reaches_into(const Points& ends, const Thing& region) {
   for (const auto& [r, s] : edges_of(region)) {
     const Vec e = s - r, w = r - ends[0];
     const Rational turn = d[0] * e[1] - d[1] * e[0];
-    if (turn != 0) cuts.push_back(Rational((w[0] * e[1] - w[1] * e[0]) / turn));
+    if (turn != 0)
+      cuts.push_back(Rational((w[0] * e[1] - w[1] * e[0]) / turn));
+    else  // of an edge along the segment, as that of a slit, both ends
+      for (const Vec& end : {r, s}) cuts.push_back(Rational(dot(end - ends[0], d) / dot(d, d)));
   }
   std::erase_if(cuts, [](const Rational& t) { return t < 0 || t > 1; });
   std::ranges::sort(cuts);
