@@ -34,8 +34,8 @@ const stations = `(() => {
     const words = article.querySelector(".words"), numbers = article.querySelector(".numbers"), line = steps.querySelector("ol.code .current");
     const choices = [...words.querySelectorAll(".choices li, .typed input")].filter(seen);
     (desk ? choices.slice(0, 1) : choices).forEach(choice => inside(choice, words));
-    const low = innerHeight < 640, rows = [...article.querySelectorAll(low ? ".values tr.fresh" : ".values tr")].filter(seen);
-    if (desk) rows.slice(0, low ? 4 : rows.length).forEach(row => inside(row, numbers));
+    const low = innerHeight < 640, least = innerHeight < 480 ? 3 : 4, rows = [...article.querySelectorAll(low ? ".values tr.fresh" : ".values tr")].filter(seen);
+    if (desk) rows.slice(0, low ? least : rows.length).forEach(row => inside(row, numbers));
     if (desk) [...words.querySelectorAll(":scope > .verdict")].forEach(verdict => inside(verdict, words));
     if (desk && seen(line)) inside(line, line.closest(".steps > *"), 36);
     const pressed = [...document.querySelectorAll(".transport button, .live .tools button, .live .workshop > details > summary")]

@@ -122,7 +122,7 @@ void save_buttons(const Player& player, Ui& ui, const SaveSheet& sheet, bool rea
 
 void save_sheet(const Player& player, Ui& ui, SaveSheet& sheet, Settings& settings, const std::string& figures,
                 bool to_file, Requests& requests, const Rect& window) {
-  const float place = sheet.failed.empty() ? 88 : 156;  // of the name and the folder, with what is said below them
+  const float place = sheet.failed.empty() ? 104 : 172;  // of the name and the folder, with what is said below them
   sheet.open = begin_sheet(ui, "save sheet", window, 780, 266 + place);
   if (!sheet.open) {
     sheet.name.clear(), sheet.folder.clear(), sheet.failed.clear();
