@@ -1,7 +1,6 @@
 #pragma once
 // What a run of the tests may ask for: ISECT_SEED=n draws other random shapes, ISECT_LONG=1 draws many more.
 
-#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -18,14 +17,8 @@ inline bool long_run() {
   return text && std::string(text) == "1";
 }
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr int fewer = 4;  // each case costs several times as much, and what sanitizers find lies on a path, not in a number
-#else
-constexpr int fewer = 1;
-#endif
-
-/// How many random cases to draw: few in an ordinary run, a quarter of them under the sanitizers, many in a long run.
-inline int cases(int few, int many) { return long_run() ? many : std::max(few / fewer, std::min(few, 20)); }
+/// How many random cases to draw: few in an ordinary run, many in a long one.
+inline int cases(int few, int many) { return long_run() ? many : few; }
 
 }  // namespace isect::tests
 

@@ -17,7 +17,8 @@ const every = process.env.ISECT_LONG === "1", thorough = every ? [phone, "1093x6
 const text = 9, least = 7;  // units of a picture's letters; px of a picture taller than wide, on a low screen
 
 /// Steps through a setting and tells of each station where its parts lie on the screen. `hidden`: what of its values, its
-/// verdict, its line and its choices is not above the bar, or scrolled away in its own box; on a low screen the first new values count. `desk`: they stand beside the picture.
+/// verdict, its line and its choices is not above the bar, or scrolled away in its own box; on a low screen the first new
+/// values count, four or three. `desk`: they stand beside the picture.
 const stations = `(() => {
   const all = [], next = document.querySelector(".transport .next");
   const seen = element => element && element.getBoundingClientRect().height > 0;
