@@ -29,7 +29,7 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "A line that crosses the plane in one point meets the triangle if no two of three signed volumes have "
+          "Let a line cross the plane in one point: it meets the triangle if no two of three signed volumes have "
           "opposite signs. Divided by their sum they are the barycentric coordinates.",
       .cost =
           "O(1): a few dozen sums and products, and no square root. Möller and Trumbore store nothing but the "
