@@ -69,8 +69,8 @@ const Closing& closing() {
            "a count of crossings, which is odd where a ray starts inside a closed mesh?",
            "It makes each triangle larger: near an edge a ray then meets both, and past the outline it meets the "
            "mesh, too. Which *ε* suffices depends on all sizes, as the rounding errors do. Such a count may then be "
-           "even where it should be odd. With exact tests, too, a ray through an edge or a vertex meets several triangles. "
-           "Count by a half-open rule, or take another ray."},
+           "even where it should be odd. With exact tests, too, a ray through an edge or a vertex meets several "
+           "triangles. Count by a half-open rule, or take another ray."},
           wrong_line(),
       }};
   return closing;
