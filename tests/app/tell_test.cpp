@@ -228,7 +228,8 @@ TEST_CASE("explain says where the ends of the edge in question lie", "[explain]"
 
 TEST_CASE("explain prints the pseudocode once, and the line of each step", "[explain]") {
   const Shell shell;
-  const std::string told = shell("isect explain sphere-sphere").out;
+  const std::string all = shell("isect explain sphere-sphere").out;
+  const std::string told = all.substr(0, all.find("This program should tell"));  // an exercise's lines are others
   const auto count = [&](const std::string& text) {
     int n = 0;
     for (std::size_t at = told.find(text); at != std::string::npos; at = told.find(text, at + 1)) ++n;
