@@ -18,7 +18,7 @@ const text = 9, least = 7;  // units of a picture's letters; px of a picture tal
 
 /// Steps through a setting and tells of each station where its parts lie on the screen. `hidden`: what of its values, its
 /// verdict, its line and its choices is not above the bar, or scrolled away in its own box; on a low screen the first new
-/// values count, and on a phone on its side no verdict, which may have to be scrolled to. `desk`: they stand beside the picture.
+/// values count. `desk`: they stand beside the picture.
 const stations = `(() => {
   const all = [], next = document.querySelector(".transport .next");
   const seen = element => element && element.getBoundingClientRect().height > 0;
@@ -37,7 +37,7 @@ const stations = `(() => {
     (desk ? choices.slice(0, 1) : choices).forEach(choice => inside(choice, words));
     const low = innerHeight < 640, rows = [...article.querySelectorAll(low ? ".values tr.fresh" : ".values tr")].filter(seen);
     if (desk) rows.slice(0, low ? 4 : rows.length).forEach(row => inside(row, numbers));
-    if (desk && innerHeight >= 480) [...words.querySelectorAll(":scope > .verdict")].forEach(verdict => inside(verdict, words));
+    if (desk) [...words.querySelectorAll(":scope > .verdict")].forEach(verdict => inside(verdict, words));
     if (desk && seen(line)) inside(line, line.closest(".steps > *"), 36);
     const pressed = [...document.querySelectorAll(".transport button, .live .tools button, .live .workshop > details > summary")]
       .filter(element => desk ? !element.closest(".own-scene") : element.closest(".transport")).map(place).join(" ") + (desk ? " " + scrollY : "");

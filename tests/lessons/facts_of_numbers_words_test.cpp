@@ -28,25 +28,6 @@ using namespace isect::tests;
 using isect::test::Contains;
 using oracle::Rational;
 
-namespace {
-
-bench::Random random_of(const char* name) { return bench::Random(bench::stream(seed(), name)); }
-
-/// Whether some exercise's solution says these words.
-bool solved_with(const std::string& id, const std::string& words) {
-  return std::ranges::any_of(lesson(id).closing->exercises,
-                             [&](const Exercise& e) { return says(plain(e.solution), words); });
-}
-/// Whether some caption of some preset says these words.
-bool told(const std::string& id, const std::string& words) {
-  return std::ranges::any_of(lesson(id).presets, [&](const Preset& p) {
-    return std::ranges::any_of(lesson(id).walk(p.parameters).steps,
-                               [&](const Step& s) { return says(plain(s.caption), words); });
-  });
-}
-
-}  // namespace
-
 TEST_CASE("squares that underflow let pass what is close, and nothing else", "[words]") {
   CHECK(told("points", "It holds for all points so close"));
   CHECK(told("sphere-sphere", "with ≤ all balls so small and close would seem to meet"));

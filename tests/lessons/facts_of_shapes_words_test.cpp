@@ -33,22 +33,6 @@ using Box2d = Aabb<double, 2>;
 
 namespace {
 
-bench::Random random_of(const char* name) { return bench::Random(bench::stream(seed(), name)); }
-
-/// Whether some exercise's solution says these words.
-bool solved_with(const std::string& id, const std::string& words) {
-  return std::ranges::any_of(lesson(id).closing->exercises,
-                             [&](const Exercise& e) { return says(plain(e.solution), words); });
-}
-
-/// Whether some caption of some preset says these words.
-bool told(const std::string& id, const std::string& words) {
-  return std::ranges::any_of(lesson(id).presets, [&](const Preset& p) {
-    return std::ranges::any_of(lesson(id).walk(p.parameters).steps,
-                               [&](const Step& s) { return says(plain(s.caption), words); });
-  });
-}
-
 /// An 8-DOP of the plane, with integer bounds.
 struct Dop {
   static constexpr std::array<std::array<int, 2>, 4> normals = {{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};

@@ -21,18 +21,6 @@ using namespace isect::viz;
 using namespace isect::tests;
 using isect::test::Contains;
 
-namespace {
-
-bench::Random random_of(const char* name) { return bench::Random(bench::stream(seed(), name)); }
-
-/// Whether some exercise's solution says these words.
-bool solved_with(const std::string& id, const std::string& words) {
-  return std::ranges::any_of(lesson(id).closing->exercises,
-                             [&](const Exercise& e) { return says(plain(e.solution), words); });
-}
-
-}  // namespace
-
 TEST_CASE("the smallest ball around two balls has the radius that is told", "[words]") {
   CHECK(solved_with("sphere-sphere", "(5 + 3 + 4) / 2 = 6"));
   const double a = 3, b = 4, d = 5, radius = (d + a + b) / 2;

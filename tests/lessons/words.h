@@ -11,6 +11,7 @@
 #include "tests/lessons/random_settings.h"
 #include "tests/settings.h"
 #include "viz/player/reader_state.h"
+#include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
 
 namespace isect::tests {
@@ -52,8 +53,22 @@ inline double value(const viz::Step& step, const std::string& name) {
 }
 
 inline bool says(const std::string& told, const std::string& words) { return told.find(words) != std::string::npos; }
+/// Whether some exercise's solution says these words.
+inline bool solved_with(const std::string& id, const std::string& words) {
+  return std::ranges::any_of(lesson(id).closing->exercises,
+                             [&](const viz::Exercise& e) { return says(viz::plain(e.solution), words); });
+}
+/// Whether some caption of some preset says these words.
+inline bool told(const std::string& id, const std::string& words) {
+  return std::ranges::any_of(lesson(id).presets, [&](const viz::Preset& p) {
+    return std::ranges::any_of(lesson(id).walk(p.parameters).steps,
+                               [&](const viz::Step& s) { return says(viz::plain(s.caption), words); });
+  });
+}
 /// The choice that a question accepts.
 inline std::string answer(const viz::Step& step) { return step.question->choices[step.question->answer]; }
+
+inline bench::Random random_of(const char* name) { return bench::Random(bench::stream(seed(), name)); }
 
 /// Calls check(setting, walk) on this many random settings of a lesson.
 template <class Check>

@@ -24,9 +24,8 @@
 #include "viz/window/lesson_picture.h"
 #include "viz/window/map_view.h"
 #include "viz/window/panels.h"
-#include "viz/window/progress.h"
 #include "viz/window/save_figure.h"
-#include "viz/window/save_place.h"
+#include "viz/window/saving.h"
 #include "viz/window/scene_view.h"
 #include "viz/window/second_pane.h"
 
@@ -95,37 +94,6 @@ struct WindowUi::Impl {
     if (at.beside) settings.beside = beside_of(at);
   }
 
-  /// Calls write(folder, name), by what the save sheet says, and tells what it returns. Where it fails, the sheet opens
-  /// again and says why.
-  template <class Write>
-  void save_by_sheet(const Write& write) {
-    SaveSheet& sheet = session.save_sheet;
-    const std::string folder = whole_folder(sheet, settings, session.figures);
-    sheet.failed.clear(), sheet.progress = false;
-    try {
-      session.toast.say("Saved " + write(folder, given_name(sheet, settings)));
-      settings.save_folder = folder == whole_folder({}, {}, session.figures) ? std::string() : folder;
-    } catch (const BadInput& wrong) {
-      session.toast.complain(wrong.what());
-    } catch (const FileError& failed) {
-      sheet.failed = failed.what(), sheet.folder = folder;
-      session.requests.sheet = Sheet::save;
-    }
-  }
-
-  void save() {
-    save_by_sheet([&](const std::string& folder, const std::string& name) {
-      return save_figure(player, settings, renderer, folder, name) + ", with its alt text";
-    });
-  }
-
-  void save_done() {
-    save_by_sheet([&](const std::string& folder, const std::string&) {
-      return save_progress(player.lessons(), settings, folder);
-    });
-    session.save_sheet.progress = !session.save_sheet.failed.empty();
-  }
-
   /// Draws the preview; again only if something has changed.
   void draw_preview() {
     if (!session.save_sheet.open) return previewed.clear();
@@ -154,16 +122,6 @@ struct WindowUi::Impl {
       kept.take(renderer.texture(), made.width, made.height);
     }
     session.picker.picture = kept.id();
-  }
-
-  void keep_setting() {
-    save_by_sheet([&](const std::string& folder, const std::string& name) {
-      const std::string path = save_preset(player, folder, name);
-      std::erase(settings.saved, path);  // a file of this name may have been there before
-      settings.saved.insert(settings.saved.begin(), path);
-      if (settings.saved.size() > saved_kept) settings.saved.pop_back();
-      return path;
-    });
   }
 
   /// Prepares the next step. A map of cases takes as long as a frame: it is made before its step comes, a little in
@@ -291,9 +249,7 @@ void WindowUi::frame() {
   w.player.advance(io.DeltaTime);
   if (w.session.toast.at && *w.session.toast.at != Toast::here(w.player)) w.session.toast = {};
   // Only now: the frame built last shows the scene's texture, which saving overwrites.
-  if (std::exchange(w.session.requests.save_figure, false)) w.save();
-  if (std::exchange(w.session.requests.save_preset, false)) w.keep_setting();
-  if (std::exchange(w.session.requests.save_progress, false)) w.save_done();
+  save_what_is_wanted(w.session, w.renderer);
   w.draw_preview();
   w.draw_pictured();
   follow_review(w.session);
