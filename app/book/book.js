@@ -22,11 +22,11 @@
     if (icons[name])
       button.innerHTML = `<svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="${icons[name]}"/></svg>`;
     else button.textContent = name;
-    button.classList.add(name.split(" ")[0].toLowerCase());
   }
   function button(name, action) {
     const made = document.createElement("button");
     made.type = "button", name_button(made, name), made.addEventListener("click", action);
+    if (icons[name]) made.className = name.split(" ")[0].toLowerCase();
     return made;
   }
   const bar = document.createElement("div");
@@ -77,7 +77,6 @@
     document.querySelector("nav.settings").prepend(methods);
   }
 
-  const is_open = article => article.classList.contains("ask") && !article.classList.contains("told");
   /// Without its number.
   const title_of = article => [...article.querySelector("h3").childNodes].slice(1).map(n => n.textContent).join("").trim();
   /// Where the reader is. A title may be the answer, so it waits.
@@ -113,13 +112,13 @@
   }
   const shown = () => live ? live.article : articles(walk)[at];
   const { measure, show_line, show_picture, show_answers, show_reply, show_unfolded } =
-    isect_sight({ bar, shown, read: () => articles(walk)[at], is_open });
+    isect_sight({ bar, shown, read: () => articles(walk)[at] });
   let lit = -1;     // the line that runs
   let opened = "";  // the setting that is shown; "": none of the page's
   function mark_link(id) { opened = id, mark(); }
   /// A setting's name may be the answer: while a question is open, it is not told.
   function mark() {
-    const asks = is_open(shown());
+    const asks = isect_is_open(shown());
     root.classList.toggle("asking", asks);
     root.classList.toggle("pointing", asks && shown().matches(".pointing.typing") && !root.classList.contains("reading"));
     links.forEach(link => {
@@ -160,9 +159,9 @@
     if (live) return;
     mark_link(walk.id);
     show_controls(told(article, list));
-    isect_tell("step", { setting: walk.id, at, asks: is_open(article) });
+    isect_tell("step", { setting: walk.id, at, asks: isect_is_open(article) });
     if (!keep_address) keep("#" + article.id);
-    if (playing && (at === list.length - 1 || is_open(article))) toggle_play();
+    if (playing && (at === list.length - 1 || isect_is_open(article))) toggle_play();
   }
   function step(by) { stand(position() + by); }
   function toggle_play() {
@@ -195,7 +194,7 @@
   function offer_other(ask) {
     const from = walks.indexOf(walk), all = [...walks.slice(from + 1), ...walks.slice(0, from)], own = numbers_of(ask);
     const other = all.map(w => articles(w).find(a => a.dataset.asked && a.dataset.asked === ask.dataset.asked))
-      .find(a => a && is_open(a) && numbers_of(a) !== own);
+      .find(a => a && isect_is_open(a) && numbers_of(a) !== own);
     if (!other) return;
     const again = button("Again, with other numbers", () => {
       open_walk(other.closest(".walk"));

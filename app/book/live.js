@@ -56,6 +56,7 @@ function isect_live(book) {
   const lesson = document.body.dataset.lesson;
   const is_scene = lesson === "scene";
   let now = null;            // the last frame
+  let heard = "";            // the station that was told last
   let example = "";          // the scene of the page that was opened last
   const live = { count: 0, at: 0, article, go: at => act({ do: "go", at }), load, from_address, begin };
 
@@ -108,7 +109,8 @@ function isect_live(book) {
         : `Step ${frame.step + 1} of ${frame.steps}: ${book.title_of(above)}`);
     if (!changed) book.follow(place.preset, frame.at);
     keep_address(address);
-    if (fresh) isect_tell("step", { setting: changed ? "" : place.preset, at: frame.at, asks: frame.asks });
+    const station = { setting: changed ? "" : place.preset, at: frame.at, asks: frame.asks }, told = JSON.stringify(station);
+    if (heard !== told) heard = told, isect_tell("step", station);
     if (book.playing() && (frame.at === frame.count - 1 || frame.asks)) book.stop();
   }
   /// The picture under the handles, which stay where they are: what is moved in a page loses the focus.

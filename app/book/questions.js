@@ -5,6 +5,9 @@
 /// Tells the page's other scripts, and those of a page around it that listen, what has happened: "isect:" and the name.
 function isect_tell(name, detail) { document.dispatchEvent(new CustomEvent("isect:" + name, { detail })); }
 
+/// Whether an article is a question that is not answered yet.
+function isect_is_open(article) { return article.classList.contains("ask") && !article.classList.contains("told"); }
+
 /// What is asked for besides a choice, by the attribute that tells it. Each reads what was typed, and throws where that is
 /// refused: the choice that says it, -1 for none, what is said to it, as HTML, and how it is told.
 const isect_kinds = {
@@ -30,7 +33,6 @@ const isect_kinds = {
 /// its choices are shown. Returns what prepares an article, and what a key does to one.
 function isect_questions(told, changed = () => {}) {
   const letter_of = i => String.fromCharCode(97 + i);
-  const is_open = ask => ask.classList.contains("ask") && !ask.classList.contains("told");
   function as_button(item, i, action) {
     const pressed = document.createElement("button"), letter = document.createElement("span");
     pressed.type = "button";
@@ -80,7 +82,7 @@ function isect_questions(told, changed = () => {}) {
     const field = ask.querySelector(".typed input");
     const tiles = [...ask.querySelectorAll(".tiles li")].map((tile, i) => {
       const pressed = as_button(tile, i, () => {
-        if (!is_open(ask)) return;
+        if (!isect_is_open(ask)) return;
         const kept = field.value.replace(new RegExp(letter_of(i), "i"), "");
         field.value = kept === field.value ? kept + letter_of(i) : kept, show_places();
       }), place = document.createElement("span");
@@ -124,7 +126,7 @@ function isect_questions(told, changed = () => {}) {
   }
   /// Returns what a key does to a question: "typed", as it goes into the field, "taken", or nothing.
   function key(ask, pressed) {
-    if (!is_open(ask)) return "";
+    if (!isect_is_open(ask)) return "";
     const typing = ask.classList.contains("typing");
     const begins = typing && ask.querySelector(".tiles") ? /^[a-h]$/i : /^[0-9.,(√−-]$/;
     if (typing && begins.test(pressed)) return ask.querySelector(".typed input").focus(), "typed";

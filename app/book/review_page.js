@@ -17,7 +17,7 @@
   bar.append(place, next), review.after(bar);
 
   const record = isect_answers.read();
-  if (isect_answers.told) review.before(made("p", isect_answers.told, "damage"));
+  if (isect_answers.told) review.before(made("p", isect_answers.told, "damage")), isect_answers.told = "";
   const drawn = isect_draw_review(asks.map(ask => [...ask.dataset.asked.split(" "), ask.dataset.preset]), record, record.answers)
     .map(index => asks[index]);
   const results = [];  // whether each was right; null: skipped

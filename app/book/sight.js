@@ -2,7 +2,7 @@
 // What comes into sight: the picture, the line that runs, what is asked and what is said to an answer. Scrolls this page, or a
 // box of its own, by no more than it must.
 // `bar`: what covers the lower edge; `shown`: the article on show; `read`: the one where a reader of the whole page is.
-function isect_sight({ bar, shown, read, is_open }) {
+function isect_sight({ bar, shown, read }) {
   const root = document.documentElement;
   function scroll_by(way) { scrollBy({ top: way, behavior: "instant" }); }  // this page, and none around it
   const top_of = element => element.getBoundingClientRect().top;
@@ -15,7 +15,7 @@ function isect_sight({ bar, shown, read, is_open }) {
     show_line();
     const numbers = article.querySelector(".numbers"), fresh = article.querySelectorAll(".numbers .fresh");
     if (fresh.length) bring(numbers, fresh[0], fresh[fresh.length - 1]);
-    if (is_open(article)) show_answers(article);
+    if (isect_is_open(article)) show_answers(article);
   }
   /// Scrolls until all from one to another part of a question is above the bar, or as much as there is room for.
   function show_between(ask, from, to) {

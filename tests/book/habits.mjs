@@ -22,16 +22,22 @@ const seen = `(() => {
 const letters_of_map = `(() => {
   const map = document.querySelector(".map svg:not(.over)"), scale = map.getScreenCTM().a;
   const all = [...map.querySelectorAll("text")].map(text => parseFloat(getComputedStyle(text).fontSize) * scale).sort((a, b) => a - b);
-  return all[Math.floor(all.length / 2)] ?? Infinity;
+  return all[Math.floor(all.length / 2)] ?? 0;
 })()`;
-let questions = 0, verdicts = 0;
+let questions = 0, verdicts = 0, maps = 0;
 try {
   await browser.look({ width: 1280, height: 900 });
   for (const page of lessons) {
     await site.open(page);
-    await browser.ask(`window.heard = 0, document.addEventListener("isect:step", event => heard += event.detail.setting !== "")`);
-    // No answer beside a question, in any setting; where it is over, the methods are told.
+    await browser.ask(`window.heard = [], document.addEventListener("isect:step", event => heard.push(event.detail))`);
+    // Another setting is heard, also where the step stays. No answer stands beside a question, in any setting; where it is
+    // over, the methods are told.
     const settings = await browser.ask(`[...document.querySelectorAll("nav.settings a")].map(a => a.hash)`);
+    if (settings.length > 1) {
+      await browser.ask(`document.querySelector('nav.settings a[href="${settings[1]}"]').click()`);
+      await rest(30);
+      check(await browser.ask(`"#" + heard.at(-1)?.setting`) === settings[1], `${page}: at the same step, another setting is not heard`);
+    }
     for (const setting of settings) {
       await browser.ask(`document.querySelector('nav.settings a[href="${setting}"]').click()`);
       await rest(30);
@@ -50,13 +56,14 @@ try {
       }
     }
 
-    check(await browser.ask("heard") > 2, `${page}: its steps are not heard`);
+    check(await browser.ask(`heard.filter(({ setting, at }) => setting !== "" && at > 0).length`) > 2, `${page}: its steps are not heard`);
 
     // A map of cases can be read beside the picture.
     await site.open(page);
     if (await browser.ask(`(() => { const map = [...document.querySelectorAll(".tools button:not([hidden])")].find(b => b.textContent === "Map of cases");
       if (map) map.click(); return Boolean(map); })()`)) {
       const px = await browser.ask(letters_of_map);
+      ++maps;
       check(px >= 9, `${page}: the letters of its map are ${px.toFixed(1)} px high`);
     }
 
@@ -124,5 +131,6 @@ try {
 }
 check(questions > 100, `${questions} questions`);
 check(verdicts > 15, `${verdicts} lessons dragged`);
+check(maps > 10, `${maps} maps of cases`);
 console.log(`${site.checks} checks of ${lessons.length} live pages, ${questions} questions, ${site.wrong.length} wrong`);
 process.exit(site.wrong.length === 0 ? 0 : 1);

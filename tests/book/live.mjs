@@ -179,14 +179,22 @@ try {
   }
 
   // A program with one wrong line: its correction unfolds where the program errs, not before.
+  // That is told to other scripts, as is that the page can be changed.
   if (lesson === "sphere-sphere.html") {
+    const { identifier } = await browser.send("Page.addScriptToEvaluateOnNewDocument", { source: `window.heard = { live: [], solved: [] };
+      for (const name in heard) document.addEventListener("isect:" + name, event => heard[name].push(event.detail));` });
     await open(lesson, "#disjoint");
+    await browser.send("Page.removeScriptToEvaluateOnNewDocument", { identifier });
     const correction = () => browser.ask(`[...document.querySelectorAll(".exercises details")].find(d => d.textContent.startsWith("Correction"))?.open`);
     check(await correction() === false, "a correction is not there, or open before it is asked for");
     await type("b", "1.015625,0,-0.76171875");
     await rest(50);
     const said = await browser.ask(`document.querySelector(".exercises .solved")?.textContent`);
     check(await correction() === true && said?.includes("The program says DISJOINT, the exact test OVERLAP."), "a program errs, and its correction stays hidden: " + said);
+    const heard = await browser.ask("heard"), solved = await browser.ask(`[...document.querySelectorAll(".exercises > ol > li")]
+      .flatMap((li, i) => li.querySelector(".solved") ? [{ exercise: i + 1 }] : [])`);
+    check(same(heard.live, [{ state: "ready" }]), `of a live page is heard ${JSON.stringify(heard.live)}`);
+    check(solved.length > 0 && same(heard.solved, solved), `of solved exercises is heard ${JSON.stringify(heard.solved)}, not ${JSON.stringify(solved)}`);
   }
 
   // Snap: a drag stops where the case changes, by button as by Shift.

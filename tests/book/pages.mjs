@@ -120,7 +120,7 @@ try {
             letters: [...document.querySelectorAll(".walk.shown .steps > .shown .choices button")].map(choice => choice.textContent.slice(0, 2)).join("") })`);
           check(now.line === 0, `${at}: a line of code is lit beside a question`);
           check(!told.named && told.marked === 0 && told.names === 0, `${at}: the setting's name is told beside a question`);
-          check("a b c d e f g h i j k l ".startsWith(told.letters), `${at}: choices read “${told.letters}”`);
+          check(told.letters !== "" && "a b c d e f g h i j k l ".startsWith(told.letters), `${at}: choices read “${told.letters}”`);
           const right = await browser.ask(`[...document.querySelectorAll(".walk.shown .steps > .shown .choices li")].findIndex(li => "right" in li.dataset)`);
           const typing = await browser.ask(`document.querySelector(".walk.shown .steps > .shown").classList.contains("typing")`);
           const open = await browser.ask(`document.querySelector(".walk.shown .steps > .shown .choices").getBoundingClientRect().height > 0`);
@@ -226,6 +226,11 @@ try {
     await again();
     const damage = await browser.ask(`[document.querySelector(".damage")?.textContent ?? "", localStorage.getItem("isect answers, damaged")]`);
     check(damage[0].includes("damaged") && damage[1] === "{", `review: a damaged record is lost: ${damage}`);
+    const [shown_first] = await asked();
+    if (shown_first.typing) await browser.press("a");
+    await browser.press("abcdefgh"[shown_first.right]);
+    const times = await browser.ask(`[document.querySelectorAll(".ask.told").length, document.querySelectorAll(".damage").length]`);
+    check(times[0] === 1 && times[1] === 1, `review: ${times[0]} answered, and a damaged record is told ${times[1]} times`);
     await browser.ask(`localStorage.setItem("isect answers", "[")`);
     await browser.open(address(lesson));
     await browser.ask(`document.querySelectorAll(".ask").forEach(ask => ask.querySelector(".choices button").click())`);
