@@ -1,6 +1,7 @@
 // Every page at sizes from a phone to a large screen: the picture is whole where a page opens and after each step, its
 // letters are nowhere smaller than on a phone, and it is on no window smaller than on one that is less wide and less high.
-// Beside it stand the values, the line that runs and the choices, all above the bar; what is pressed stays where it is.
+// Beside it stand the values, the line that runs and the first choice, all above the bar; what is pressed stays where it is.
+// On a phone all that is asked comes first, where a question and the picture have no room together.
 // node sizes.mjs FOLDER; prints what is wrong; exit status 1 if anything is.
 import { readFileSync, readdirSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -17,8 +18,8 @@ const every = process.env.ISECT_LONG === "1", thorough = every ? [phone, "1093x6
 const text = 9, least = 7;  // units of a picture's letters; px of a picture taller than wide, on a low screen
 
 /// Steps through a setting and tells of each station where its parts lie on the screen. `hidden`: what of its values, its
-/// verdict, its line and its choices is not above the bar, or scrolled away in its own box; on a low screen the first new
-/// values count. `desk`: they stand beside the picture.
+/// verdict, its line and its choices (beside the picture: the first choice) is not above the bar, or scrolled away in its
+/// own box; on a low screen the first new values count. `desk`: they stand beside the picture.
 const stations = `(() => {
   const all = [], next = document.querySelector(".transport .next");
   const seen = element => element && element.getBoundingClientRect().height > 0;
@@ -91,8 +92,9 @@ try {
           if (size === phone) on_phone.set(now.at, now.scale);
           // On a phone, where a question and the picture don't fit together, all that is asked comes first.
           const asked_first = !now.desk && now.lower - now.top > now.bar - 8;
-          check(asked_first || (now.top >= 0 && now.bottom <= now.bar + 0.5 && now.left >= 0 && now.right <= width),
+          check(asked_first || (now.top >= 0 && now.bottom <= now.bar + 0.5),
             `${what}: the picture lies from ${now.top.toFixed(0)} to ${now.bottom.toFixed(0)}, the bar begins at ${now.bar.toFixed(0)}`);
+          check(now.left >= 0 && now.right <= width, `${what}: the picture lies from ${now.left.toFixed(0)} to ${now.right.toFixed(0)} across`);
           check(now.hidden.length === 0, `${what}: out of sight: ${now.hidden.join("; ")}`);
           check(now.high <= 64, `${what}: the bar is ${now.high.toFixed(0)} px high`);
           check(pressed === "" || now.pressed === pressed, `${what}: what is pressed has moved from ${pressed} to ${now.pressed}`);
