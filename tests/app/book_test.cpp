@@ -16,15 +16,10 @@ namespace book_test {
 using Catch::Matchers::StartsWith;
 using isect::test::Contains;
 using isect::test::contents;
+using isect::test::count;
 using isect::test::Ran;
 using isect::test::Shell;
 using isect::test::write;
-
-int count(const std::string& text, const std::string& what) {
-  int found = 0;
-  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + what.size())) ++found;
-  return found;
-}
 
 /// All that stands between `before` and the next quotation mark.
 std::vector<std::string> quoted(const std::string& text, const std::string& before) {

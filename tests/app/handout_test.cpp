@@ -10,6 +10,7 @@ using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
 using isect::test::Contains;
 using isect::test::contents;
+using isect::test::count;
 using isect::test::Ran;
 using isect::test::Shell;
 using isect::test::write;
@@ -71,16 +72,11 @@ TEST_CASE("the lit line of a handout's or a deck's step says yes or no", "[hando
     REQUIRE(shell("isect " + kind + " ray-sphere --step 4,7,8 --out out").status == 0);
     const std::string stem = (shell.work() / "out/ray-sphere/two-roots" / kind).string();
     const std::string tex = contents(stem + ".tex"), html = contents(stem + ".html");
-    const auto times = [](const std::string& text, const std::string& what) {
-      int found = 0;
-      for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++found;
-      return found;
-    };
-    CHECK(times(tex, "\\quad\\textbf{yes}") == 1);
-    CHECK(times(tex, "\\quad\\textbf{no}") == 1);
-    CHECK(times(html, "  <b>yes</b></li>") == 1);
-    CHECK(times(html, "  <b>no</b></li>") == 1);
-    CHECK(times(html, "<li class=\"current\">") == (kind == "deck" ? 3 : 2));
+    CHECK(count(tex, "\\quad\\textbf{yes}") == 1);
+    CHECK(count(tex, "\\quad\\textbf{no}") == 1);
+    CHECK(count(html, "  <b>yes</b></li>") == 1);
+    CHECK(count(html, "  <b>no</b></li>") == 1);
+    CHECK(count(html, "<li class=\"current\">") == (kind == "deck" ? 3 : 2));
   }
   const std::string html = contents(shell.work() / "out/ray-sphere/two-roots/handout.html");
   CHECK_THAT(html, Contains("<ol class=\"code\" start=\"10\">\n<li class=\"current\">if "));

@@ -15,20 +15,11 @@ using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
 using isect::test::Contains;
 using isect::test::contents;
+using isect::test::count;
 using isect::test::files_in;
 using isect::test::Ran;
 using isect::test::Shell;
 using isect::test::write;
-
-namespace {
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++n;
-  return n;
-}
-
-}  // namespace
 
 TEST_CASE("a strip is one figure of several steps, with letters, captions and metadata", "[strip]") {
   const Shell shell;

@@ -35,6 +35,13 @@ inline std::vector<std::string> files_in(const std::filesystem::path& folder) {
   return names;
 }
 
+/// How often a part stands in a text.
+inline int count(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + part.size())) ++found;
+  return found;
+}
+
 struct Ran {
   int status = -1;
   std::string out, err;

@@ -13,6 +13,7 @@
 #include <optional>
 #include <regex>
 #include <string>
+#include <utility>
 
 #include "lessons/lessons.h"
 #include "tests/catch.h"
@@ -132,10 +133,16 @@ TEST_CASE("while a question is open, all on show is of its own step, or was give
 
 namespace {
 
+/// 500 000 is one number.
+std::string without_thin_spaces(std::string text) {
+  for (std::size_t at; (at = text.find("\u2009")) != text.npos;) text.erase(at, 3);
+  return text;
+}
+
 /// A number as readers see it: "−1.121 · 10⁸" is not one here, as no question has such.
 std::optional<double> number_in(std::string text) {
+  text = without_thin_spaces(std::move(text));
   for (std::size_t at; (at = text.find("−")) != text.npos;) text.replace(at, 3, "-");
-  for (std::size_t at; (at = text.find("\u2009")) != text.npos;) text.erase(at, 3);
   std::size_t end = 0;
   try {
     const double x = std::stod(text, &end);
@@ -166,7 +173,7 @@ std::vector<double> numbers_in(const std::string& text) {
   std::vector<double> all;
   std::string word;
   const std::string digits = "0123456789.";
-  const std::string words = without_powers(text) + " ";
+  const std::string words = without_powers(without_thin_spaces(text)) + " ";
   for (std::size_t i = 0; i < words.size(); ++i) {
     const bool minus = words.compare(i, 3, "−") == 0;
     if (minus && word.empty()) {
@@ -186,8 +193,7 @@ std::vector<double> numbers_in(const std::string& text) {
 struct OnShow {
   std::vector<double> told;
   std::map<std::string, double> values;
-  std::string code = {};    ///< the pseudocode beside it
-  std::string prompt = {};  ///< in plain words
+  std::string code = {};  ///< the pseudocode beside it
   double operator()(const std::string& name) const { return values.at(name); }
 };
 
@@ -237,13 +243,8 @@ const std::vector<std::pair<std::string, double (*)(const OnShow&)>>& ways() {
        [](const OnShow& o) {
          return std::min((o.told[0] - o.told[3]) / o.told[4], (o.told[1] - o.told[2]) / o.told[4]);
        }},
-      {"-component of the velocity of b",
-       [](const OnShow& o) {
-         std::string words = o.prompt;  // 500 000 is one number
-         for (std::size_t at; (at = words.find("\u2009")) != words.npos;) words.erase(at, 3);
-         const std::vector<double> n = numbers_in(words);
-         return words.find("x-component") != words.npos ? n[2] - n[0] : n[3] - n[1];
-       }},
+      {"x-component of the velocity of b", [](const OnShow& o) { return o.told[2] - o.told[0]; }},
+      {"y-component of the velocity of b", [](const OnShow& o) { return o.told[3] - o.told[1]; }},
       {"How long is what they share",  // the interval of a, and that of b
        [](const OnShow& o) { return std::min(o.told[1], o.told[3]) - std::max(o.told[0], o.told[2]); }},
       {"What is the volume of what the boxes share",
@@ -302,7 +303,7 @@ TEST_CASE("an answer that is a computed number follows from what is on show whil
     const std::string prompt = plain(question.prompt);
     const auto way = std::ranges::find_if(ways(), [&](const auto& w) { return prompt.find(w.first) != prompt.npos; });
     REQUIRE(way != ways().end());
-    OnShow on_show = {numbers_in(prompt), {}, {}, prompt};
+    OnShow on_show = {numbers_in(prompt), {}};
     for (const std::string& line : walk.pseudocode) on_show.code += line + "\n";
     for (const Value& value : asking_step(walk, k).values) on_show.values[plain(value.name)] = value.value;
     const double found = way->second(on_show);
@@ -686,7 +687,7 @@ TEST_CASE("every question can be answered without its picture", "[question_scene
         const Question& question = *step.question;
         std::string prompt = plain(question.prompt);
         INFO(lesson->id << " " << preset.id << ", " << step.slug << ": " << prompt);
-        OnShow on_show = {numbers_in(prompt), {}, {}, prompt};
+        OnShow on_show = {numbers_in(prompt), {}};
         for (const Value& value : asking_step(walk, k).values) on_show.values[plain(value.name)] = value.value;
         std::ranges::transform(prompt, prompt.begin(), [](unsigned char c) { return std::tolower(c); });
         const auto way =
