@@ -154,7 +154,7 @@ TEST_CASE("a lecture with two panes has both scenes above its strip, which tells
 TEST_CASE("in a lecture the second pane's line leads both panes to another step of that line", "[window]") {
   Settings settings;
   settings.beside = Beside{"aabb-aabb", "", "equal"};
-  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("aabb-aabb", "overlapping"), settings, layout_only);
+  WindowDriver window(lessons::all_lessons(), 1600, 1200, place_at("aabb-aabb", "overlapping"), settings, layout_only);
   window.key(key::tab);
   const Walk& walk = window.player().walk();
   bool led = false;
