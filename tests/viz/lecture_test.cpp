@@ -216,6 +216,19 @@ TEST_CASE("in a lecture Page Down leaves an answer that is being typed", "[lectu
   CHECK(asked.window.player().index() == 3);
 }
 
+TEST_CASE("only outside of a lecture the full screen tells how one begins", "[lecture]") {
+  WindowDriver window({&disc});
+  const auto told = [&] {
+    window.key(key::f11);
+    const std::string words = window.ui.message();
+    window.key(key::f11);
+    return words;
+  };
+  CHECK(told() == "Ctrl + and Ctrl − change the size of everything, Tab begins a lecture");
+  window.key(key::tab);
+  CHECK(told() == "Ctrl + and Ctrl − change the size of everything");
+}
+
 TEST_CASE("B or a dot makes the screen dark in a lecture, and any key or click makes it light", "[lecture]") {
   WindowDriver window({&disc});
   window.type("b");
@@ -227,6 +240,12 @@ TEST_CASE("B or a dot makes the screen dark in a lecture, and any key or click m
     window.key(key::page_down);
     CHECK_FALSE(window.has("dark"));
     CHECK(window.player().index() == 0);
+  }
+  for (const key::Code code : {key::insert, key::backspace, key::f6, key::keypad_enter}) {
+    window.type(".");
+    REQUIRE(window.has("dark"));
+    window.key(code);
+    CHECK_FALSE(window.has("dark"));
   }
   window.type(".");
   window.type("x");

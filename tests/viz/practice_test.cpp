@@ -324,6 +324,17 @@ TEST_CASE("a key that is held stops at the end of its lesson, and the last lesso
   window.key(key::right);
   CHECK(window.player().lesson().id != "sphere-sphere");
 
+  window.player().open(spheres());
+  window.key(key::tab);
+  window.press(key::page_down, true);
+  window.frames(400);
+  CHECK((window.player().lesson().id == "sphere-sphere" && window.player().at_end()));
+  window.press(key::page_down, false);
+  window.frames(2);
+  window.key(key::page_down);
+  CHECK((window.player().lesson().id != "sphere-sphere" && window.player().index() == 0));
+  window.key(key::tab);
+
   window.player().open(*lessons::all_lessons().back());
   window.key(key::end);
   window.frames(2);

@@ -124,12 +124,63 @@ TEST_CASE("progress is saved as JSON, the same once, another under another name"
   write_file(folder, "a file where a folder should be");
   save();
   REQUIRE(window.has("refused folder"));
+  for (const char* of_figure : {"format png", "other width", "save as preset"}) CHECK_FALSE(window.has(of_figure));
+  CHECK(window.rect("save").bottom < window.rect("save sheet").bottom);
   window.click("save folder");
   window.key(key::a, true);
   window.type(folder + "-other");
   window.click("save");
   window.frames(2);
   CHECK(window.ui.message() == "Saved " + folder + "-other/progress.json");
+  std::filesystem::remove_all(folder + "-other");
+  std::filesystem::remove_all(folder);
+  std::filesystem::remove_all(folder + "-other");
+}
+
+TEST_CASE("progress that failed to be saved gets the name that is typed, whatever the figure's width", "[window]") {
+  const std::string folder = isect::test::scratch("isect-progress-named").string();
+  std::filesystem::remove_all(folder);
+  std::filesystem::remove_all(folder + "-other");
+  write_file(folder, "a file where a folder should be");
+  WindowOptions options = layout_only;
+  options.figures = folder;
+  WindowDriver window(lessons::all_lessons(), 1280, 800, {}, reader(), options);
+  window.type("s");
+  window.frames(2);
+  window.click("other width");
+  window.key(key::a, true);
+  window.type("?");
+  window.key(key::enter);
+  window.frames(2);
+  REQUIRE(window.has("refused width"));
+  window.key(key::escape);
+  window.frames(2);
+  window.key(key::escape);
+  window.frames(2);
+  REQUIRE_FALSE(window.has("save sheet"));
+
+  window.type("h");
+  window.frames(2);
+  window.click("save progress");
+  window.frames(2);
+  REQUIRE(window.has("refused folder"));
+  CHECK_FALSE(window.has("refused width"));
+  const auto give = [&](const char* field, const std::string& words) {
+    window.click(field);
+    window.key(key::a, true);
+    window.type(words);
+    window.frames(2);
+  };
+  give("save folder", folder + "-other");
+  give("save name", "a/b");
+  CHECK(window.has("refused name"));
+  window.click("save");
+  window.frames(2);
+  REQUIRE(window.has("save sheet"));
+  give("save name", "of mine.json");
+  window.click("save");
+  window.frames(2);
+  CHECK(window.ui.message() == "Saved " + folder + "-other/of mine.json");
   std::filesystem::remove_all(folder);
   std::filesystem::remove_all(folder + "-other");
 }

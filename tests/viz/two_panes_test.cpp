@@ -151,6 +151,26 @@ TEST_CASE("a lecture with two panes has both scenes above its strip, which tells
   CHECK(window.rect("line 2").bottom <= window.rect("other line 2").top);
 }
 
+TEST_CASE("in a lecture the second pane's line leads both panes to another step of that line", "[window]") {
+  Settings settings;
+  settings.beside = Beside{"aabb-aabb", "", "equal"};
+  WindowDriver window(lessons::all_lessons(), 1600, 1200, place_at("aabb-aabb", "overlapping"), settings, layout_only);
+  window.key(key::tab);
+  const Walk& walk = window.player().walk();
+  bool led = false;
+  for (int i = 0; i < window.player().count() && !led; ++i) {
+    window.player().go_to(i);
+    window.frames(3);
+    const std::string line = "other line " + std::to_string(walk.steps[i].line + 1);
+    if (!window.has(line)) continue;
+    window.click(line);
+    window.frames(2);
+    led = window.player().index() != i;
+    CHECK(walk.steps[window.player().index()].line == walk.steps[i].line);
+  }
+  CHECK(led);
+}
+
 TEST_CASE("the first line and the first value that differ are marked in both panes", "[window]") {
   WindowDriver window(both);
   window.type("v");

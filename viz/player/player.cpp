@@ -101,6 +101,10 @@ void Player::look(double seconds) {
   if (!camera_.moved()) camera_.glide(framed_view(), false, seconds);
 }
 
+void Player::turn_to(const Camera& view) {
+  if (!camera_.pinned()) camera_.glide(view, false);
+}
+
 void Player::ask(bool wanted) {
   if (wanted && can_ask())
     quiz_.ask(walk(), index() + 1);
@@ -112,7 +116,7 @@ void Player::next() {
   if (at_end()) return;
   const int to = index() + 1;
   const bool skips = quiz_.asked() != nullptr;
-  if (skips) quiz_.keep(to, std::nullopt);
+  if (skips) quiz_.skip(to);
   if (skips || !can_ask() || quiz_.is_answered(to)) return go_to(to);
   begin_motion();
   ask(true);
@@ -203,7 +207,7 @@ void Player::load(const Preset& preset) {
     chosen.choose_first_step();
     next.quiz_.close();
     next.show(std::move(chosen), true);
-    if (!camera_.pinned()) next.camera_.glide(next.framed_view(), false);
+    next.turn_to(next.framed_view());
   });
 }
 
@@ -236,7 +240,7 @@ void Player::restart() {
     next.quiz_.close();
     next.clock_.play(false);
     next.show(std::move(chosen), true);
-    if (!camera_.pinned()) next.camera_.glide(next.opening_view(), false);
+    next.turn_to(next.opening_view());
   });
 }
 

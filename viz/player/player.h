@@ -165,7 +165,8 @@ class Player {
   void return_to(Memory);
   /// Turns towards what is drawn now, unless the reader has moved the camera.
   void look(double seconds = CameraRig::usual_glide);
-  void begin_motion();  ///< from what is shown now
+  void turn_to(const Camera&);  ///< unless the reader has pinned the view
+  void begin_motion();          ///< from what is shown now
   bool can_ask() const { return !at_end() && walk().steps[index() + 1].question; }
   void ask(bool);  ///< about the next step, if it has a question
   void answer(GivenAnswer);

@@ -19,7 +19,7 @@ void Player::follow(const Player& lead, const Parameters& parameters) {
     show_step(at);
     ++revision_;
   }
-  // A question covers both scenes: neither shows more than the question does.
+  // While a question is open, neither pane shows more than it does.
   const bool asks = lead.quiz_.asked() && can_ask();
   if (asks != (quiz_.asked() != nullptr)) ask(asks), ++revision_;
   clock_.play(false);

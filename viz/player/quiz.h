@@ -41,8 +41,8 @@ class Quiz {
   /// Asks about a step that has a question; the walk must outlive it.
   void ask(const Walk&, int step);
   void close();
-  /// Keeps the answer to a step's question, or that it was skipped.
-  void keep(int step, std::optional<GivenAnswer> answer) { answers_[step] = std::move(answer); }
+  /// Keep the answer to a step's question, or that it was skipped.
+  void keep(int step, GivenAnswer answer) { answers_[step] = std::move(answer); }
   void skip(int step) { answers_.try_emplace(step); }
   void forget(int step) { answers_.erase(step); }
   void forget_all() { answers_.clear(); }

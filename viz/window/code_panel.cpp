@@ -26,13 +26,14 @@ namespace {
 
 constexpr float padding = 20, code_top = 46, code_top_of_two = 14;
 constexpr float code_left = 42, row_pitch = 18;  ///< of a line's words; distance between rows of a long line
+constexpr float said_room = 38;                  ///< for "yes" or "no" beside a line
 
 /// A line of pseudocode on as many rows as it takes, the later ones indented further.
 struct CodeLine {
   std::vector<std::string> rows;
   ImFont* font = nullptr;
   float pitch_of_rows = row_pitch;
-  float beside = 38;  ///< room for "yes" or "no"
+  float beside = said_room;
 
   float height(float pitch) const { return pitch + pitch_of_rows * static_cast<float>(rows.size() - 1); }
 };
@@ -45,7 +46,7 @@ std::vector<CodeLine> code_lines(const Ui& ui, const Walk& walk, float width) {
     for (const std::string& words : walk.pseudocode) {
       const bool asks =
           has_condition(words) || words.find("if ") != std::string::npos || words.find("else") != std::string::npos;
-      lines.push_back({rows_of_line(words, font, width - code_left - (asks ? 38 : 6)), font});
+      lines.push_back({rows_of_line(words, font, width - code_left - (asks ? said_room : 6)), font});
     }
     return lines;
   };

@@ -10,6 +10,7 @@ struct Column {
   Ui& ui;
   float x, y, width;
   double size = 15, pitch = 23;  ///< of its words
+  static constexpr float button_height = 34;
 
   void paragraph(const std::string& markup, const Colour& colour, bool bold = false) {
     paragraph(markup, colour, size, pitch, bold);

@@ -9,8 +9,6 @@
 namespace isect::viz {
 namespace {
 
-constexpr float ending_button_height = 34;
-
 /// Draws a paragraph beside a sign's room.
 void beside_sign(Column& c, const std::string& markup, const Colour& ink) {
   constexpr float sign = 22;
@@ -30,12 +28,16 @@ void open_next_lesson(Player& player, Toast& toast) {
   });
 }
 
+void go_on(Player& player, Toast& toast) {
+  leads_to_next_lesson(player) ? open_next_lesson(player, toast) : player.next();
+}
+
 void next_lesson_button(Column& c, Player& player, Toast& toast) {
   if (!leads_to_next_lesson(player)) return;
   Ui& ui = c.ui;
   c.y += 16;
   const std::string words = "Next: " + plain(short_title(*next_lesson(player)));
-  const Rect r{c.x, c.y, c.x + c.width, c.y + ending_button_height + 4};
+  const Rect r{c.x, c.y, c.x + c.width, c.y + Column::button_height + 4};
   const bool pressed = chip(ui, "next lesson", r, fitted(ui.fonts.body, words, c.width - 20), true);
   text(ui.fonts.small, r.middle_x(), r.bottom + 12, packed(ui.palette.muted), "→ or N goes there, too", 0.5f);
   c.y = r.bottom + 22;
@@ -47,7 +49,7 @@ void missed(Column& c, Player& player, const Settings& settings) {
   if (all.empty()) return;
   const Palette& ink = c.ui.palette;
   c.y += 24;
-  c.paragraph("Skipped or wrong", ink.text, 15, 23, true);
+  c.paragraph("Skipped or wrong", ink.text, true);
   for (const auto& [step, skipped] : all) {
     c.y += 10;
     const float sign = c.y + 11;
@@ -61,7 +63,7 @@ void missed(Column& c, Player& player, const Settings& settings) {
     const std::string number = std::to_string(step + 1);
     if (c.button("again " + number, skipped ? "Skipped: answer it" : "Wrong: answer again", x))
       return player.ask_again(step);
-    c.y += ending_button_height + 4;
+    c.y += Column::button_height + 4;
   }
 }
 

@@ -5,6 +5,17 @@
 #include "viz/window/panels.h"
 
 namespace isect::viz {
+namespace {
+
+/// Whether the failure itself is on show, and not a setting made from it.
+bool fault_on_show(const Player& player) { return player.played().preset_id() == player.origin(); }
+
+void go_back(Player& player, std::optional<Player>& before) {
+  player.return_as(std::move(*before));
+  before.reset();
+}
+
+}  // namespace
 
 bool can_return(const Player& player, const std::optional<Player>& before) {
   if (!before || &before->lesson() != &player.lesson()) return false;
@@ -14,10 +25,7 @@ bool can_return(const Player& player, const std::optional<Player>& before) {
 
 void fault_or_back(Player& player, std::optional<Player>& before) {
   const bool kept = can_return(player, before);
-  if (kept && player.played().preset_id() == player.origin()) {  // the failure is on show
-    player.return_as(std::move(*before));
-    return before.reset();
-  }
+  if (kept && fault_on_show(player)) return go_back(player, before);
   if (!erratum(player)) return;
   Player now = player;
   show_erratum(player);
@@ -26,16 +34,12 @@ void fault_or_back(Player& player, std::optional<Player>& before) {
 
 void way_back(Column& c, Player& player, std::optional<Player>& before) {
   if (!can_return(player, before)) return before.reset();
-  constexpr float height = 34;
   c.y += 16;
   float x = c.x;
-  const bool by_key = player.played().preset_id() == player.origin();
   const std::string words = "Back to step " + std::to_string(before->index() + 1) + ", where I was";
-  const bool pressed = c.button("way back", words + (by_key ? " (E)" : ""), x);
-  c.y += height;
-  if (!pressed) return;
-  player.return_as(std::move(*before));
-  before.reset();
+  const bool pressed = c.button("way back", words + (fault_on_show(player) ? " (E)" : ""), x);
+  c.y += Column::button_height;
+  if (pressed) go_back(player, before);
 }
 
 }  // namespace isect::viz

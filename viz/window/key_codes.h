@@ -27,6 +27,7 @@ enum Code : int {
   f6 = 295,
   f11 = 300,
   f12 = 301,
+  f25 = 314,
   zero = '0',
   minus = '-',
   equal = '=',
@@ -45,6 +46,9 @@ enum Code : int {
   y = 'Y',
   z = 'Z'
 };
+
+/// The keys that type nothing, but for those that change others, such as Shift: ranges, each up to its last one.
+inline constexpr Code silent[][2] = {{escape, f25}, {keypad_enter, keypad_enter}};
 
 /// Tells Dear ImGui its own keys.
 inline void map() {
@@ -83,6 +87,12 @@ inline constexpr Code tab = ImGuiKey_Tab, left = ImGuiKey_LeftArrow, right = ImG
                       q = ImGuiKey_Q, s = ImGuiKey_S, zero = ImGuiKey_0, minus = ImGuiKey_Minus, equal = ImGuiKey_Equal,
                       plus = ImGuiKey_Equal, keypad_0 = ImGuiKey_Keypad0, keypad_minus = ImGuiKey_KeypadSubtract,
                       keypad_plus = ImGuiKey_KeypadAdd, v = ImGuiKey_V, x = ImGuiKey_X, y = ImGuiKey_Y, z = ImGuiKey_Z;
+
+inline constexpr Code silent[][2] = {{ImGuiKey_Tab, ImGuiKey_Backspace},
+                                     {ImGuiKey_Enter, ImGuiKey_Escape},
+                                     {ImGuiKey_F1, ImGuiKey_F12},
+                                     {ImGuiKey_CapsLock, ImGuiKey_Pause},
+                                     {ImGuiKey_KeypadEnter, ImGuiKey_KeypadEnter}};
 
 inline void map() {}
 #endif

@@ -86,23 +86,29 @@ void focus_keys(Focus& focus, bool in_popup) {
 
 /// Page Down and Page Up, a presenter's two buttons: on and back in a lecture, else the presets.
 void page_keys(WindowSession& s) {
-  const int by = (pressed(key::page_down, true) ? 1 : 0) - (pressed(key::page_up, true) ? 1 : 0);
+  const bool repeat = s.panels || !leads_to_next_lesson(s.player);  // a key that is held does not run on into it
+  const int by = (pressed(key::page_down, repeat) ? 1 : 0) - (pressed(key::page_up, true) ? 1 : 0);
   if (by == 0) return;
   if (s.panels) return neighbour_preset(s.player, s.toast, by);
-  if (by > 0) return s.player.next();
+  if (by > 0) return go_on(s.player, s.toast);
   s.player.back();
 }
 
-/// While the screen is dark, any key makes it light, and does nothing else unless Ctrl is held. Returns whether that is
-/// all for this frame.
+/// Whether a key is pressed that types nothing.
+bool silent_key() {
+  for (const auto& [first, last] : key::silent)
+    for (int code = first; code <= last; ++code)
+      if (pressed(static_cast<key::Code>(code))) return true;
+  return false;
+}
+
+/// While the screen is dark, any key makes it light, and does nothing else unless Ctrl is held; Shift and Alt alone
+/// leave it dark. Returns whether that is all for this frame.
 bool makes_light(WindowSession& s) {
-  constexpr key::Code codes[] = {key::page_down, key::page_up, key::right, key::left, key::down,
-                                 key::up,        key::home,    key::end,   key::tab,  key::enter,
-                                 key::escape,    key::f1,      key::f6,    key::f11,  key::f12};
   ImGuiIO& io = ImGui::GetIO();
   if (io.KeyCtrl) s.dark = false;
   if (!s.dark) return false;
-  s.dark = io.InputQueueCharacters.empty() && std::ranges::none_of(codes, [](key::Code code) { return pressed(code); });
+  s.dark = io.InputQueueCharacters.empty() && !silent_key();
   io.InputQueueCharacters.resize(0);
   return true;
 }
@@ -110,8 +116,8 @@ bool makes_light(WindowSession& s) {
 void moving_keys(WindowSession& s) {
   Player& player = s.player;
   const bool shift = ImGui::GetIO().KeyShift;         // with it the arrows turn the scene, or move a handle
-  const bool to_next = leads_to_next_lesson(player);  // a key that is held does not run on into it
-  if (!shift && pressed(key::right, !to_next)) to_next ? open_next_lesson(player, s.toast) : player.next();
+  const bool repeat = !leads_to_next_lesson(player);  // a key that is held does not run on into it
+  if (!shift && pressed(key::right, repeat)) go_on(player, s.toast);
   if (!shift && pressed(key::left, true)) player.back();
   if (pressed(key::escape)) s.ui.focus.clear();
   if (pressed(key::home)) player.first();
@@ -121,7 +127,8 @@ void moving_keys(WindowSession& s) {
   if (pressed(key::f12)) s.requests.sheet = Sheet::save;
   if (pressed(key::f11)) {
     s.full_screen = !s.full_screen;
-    if (s.full_screen) s.toast.say("Ctrl + and Ctrl − change the size of everything, Tab begins a lecture");
+    const std::string words = "Ctrl + and Ctrl − change the size of everything";
+    if (s.full_screen) s.toast.say(s.panels ? words + ", Tab begins a lecture" : words);
   }
 }
 
@@ -176,8 +183,8 @@ void command(WindowSession& s, char c) {
       player.reduce_motion(s.settings.reduced_motion);
       return s.toast.say(s.settings.reduced_motion ? "Nothing moves by itself now" : "Steps and views glide again");
     case 'n':
-      if (leads_to_next_lesson(player)) return open_next_lesson(player, s.toast);
-      return s.panels ? pass_questions(player, s.settings, s.toast) : player.next();
+      if (s.panels && !leads_to_next_lesson(player)) return pass_questions(player, s.settings, s.toast);
+      return go_on(player, s.toast);
     case 'b':
     case '.':
       s.dark = !s.panels;

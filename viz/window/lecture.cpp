@@ -100,13 +100,13 @@ void told_pane(Column& c, Player& player, const char* name) {
 }
 
 /// Whether the right part has something to tell.
-bool has_state(const Player& player, const Player* other) {
+bool has_state(const Player& player, bool two) {
   if (player.quiz().asked()) return player.quiz().wants_line() || !player.shown().values.empty();
   const Step& step = player.step();
-  return other || step.line >= 0 || !step.formula.empty() || !values_in_use(player.walk(), step).empty();
+  return two || step.line >= 0 || !step.formula.empty() || !values_in_use(player.walk(), step).empty();
 }
 
-void told_state(Column& c, Player& player, Player* other) {
+void told_state(Column& c, Player& player, const OnItsSide& other) {
   if (player.quiz().wants_line()) {
     const int line = lines_to_point_at(c, player.walk());
     if (line >= 0) player.answer_line(line);
@@ -114,7 +114,7 @@ void told_state(Column& c, Player& player, Player* other) {
     told_known(c, player);
   } else if (other) {
     told_pane(c, player, "left");
-    on_other_side(c.ui, [&] { told_pane(c, *other, "right"); });
+    other([&](Player& second) { told_pane(c, second, "right"); });
   } else {
     told_line(c, player);
     told_formula(c, player.step().formula);
@@ -156,12 +156,12 @@ std::vector<Value> values_in_use(const Walk& walk, const Step& step) {
   return in_use;
 }
 
-void lecture(Player& player, Ui& ui, StepWords& step_words, const Rect& r, Player* other) {
+void lecture(Player& player, Ui& ui, StepWords& step_words, const Rect& r, const OnItsSide& other) {
   begin_region(ui, "lecture", r);
   const double size = std::clamp(std::floor(r.height() / 14.0), 15.0, 21.0), large = std::max(20.0, size + 3);
   const bool fresh = std::exchange(step_words.seen, player.revision()) != player.revision();
   const float room = r.width() - 2 * told_margin, left = r.left + told_margin, right = r.right - told_margin;
-  const float state = has_state(player, other) ? std::clamp(0.42f * room, 260.0f, 640.0f) : 0;
+  const float state = has_state(player, static_cast<bool>(other)) ? std::clamp(0.42f * room, 260.0f, 640.0f) : 0;
   const float words = std::min(room - (state > 0 ? state + told_gap : 0), 1100.0f);
   const bool asks = player.quiz().asked() != nullptr;
   told_part(ui, "told words", {left, r.top + 1, left + words, r.bottom - 1}, size, fresh, [&](Column& c) {

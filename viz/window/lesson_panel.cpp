@@ -51,8 +51,9 @@ void side_by_side(Column& c, const Player& player, Requests& requests) {
   ui.rects["methods side by side"] = {c.x, top, c.x + c.width, c.y};
   if (!player.played().methods_differ()) return;
   c.y += 8;
-  if (chip(ui, "save preset", {c.x, c.y, c.x + 180, c.y + 34}, "Save as preset", false)) requests.save_preset = true;
-  c.y += 34;
+  const Rect r{c.x, c.y, c.x + 180, c.y + Column::button_height};
+  if (chip(ui, "save preset", r, "Save as preset", false)) requests.save_preset = true;
+  c.y = r.bottom;
 }
 
 /// Draws what follows the closing card's result: where to go on first, what was read last. A button may leave the

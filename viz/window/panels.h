@@ -1,12 +1,14 @@
 #pragma once
 // The parts of the window around the scene, each in its rectangle.
 
+#include <functional>
+
 #include "viz/window/window_session.h"
 
 namespace isect::viz {
 
-/// Draws lesson, method and presets. (top_bar.cpp)
-void top_bar(Player&, Ui&, Settings&, Requests&, Toast&, const Rect&);
+/// Draws lesson, method and presets. (top_bar.cpp) `lecture`: keys do what they do in one.
+void top_bar(Player&, Ui&, Settings&, Requests&, Toast&, const Rect&, bool lecture);
 /// What the lesson's panel shows and changes.
 struct LessonPanel {
   Player& player;
@@ -34,17 +36,19 @@ void values_block(Ui&, const Step&, const Rect&, float pitch, const Parted*);
 void operations_block(Ui&, const Counters&, const Rect&);
 /// Marks a row as the first that differs from the other pane's; `lit`: on the current line. (code_panel.cpp)
 void parted_mark(Ui&, const std::string& name, const Rect&, bool lit = false);
+/// Draws on the side of the second of two panes what it is given, with that pane's player.
+using OnItsSide = std::function<void(const std::function<void(Player&)>& draw)>;
 /// Draws the strip of a lecture, below the scene while the panels are hidden: the step's words, or its question in
 /// their place; at the right the current line, the formula and the values in use, or what the question needs.
-/// (lecture.cpp) `other`: the second of two panes, whose line and values are told, too; null: there is none.
-void lecture(Player&, Ui&, StepWords&, const Rect&, Player* other = nullptr);
+/// (lecture.cpp) `other`: draws in the second of two panes, whose line and values are told, too; empty: there is none.
+void lecture(Player&, Ui&, StepWords&, const Rect&, const OnItsSide& other = {});
 /// Returns which of its values a step uses, at most three, in their order: those that its condition names, those that
 /// are new, those that its line and its formula name, as far as there is room. (lecture.cpp)
 std::vector<Value> values_in_use(const Walk&, const Step&);
 /// Draws nothing but black over the whole window, until a click. (lecture.cpp)
 void dark_screen(WindowSession&, const Rect& window);
-/// Draws scrubber and buttons. (transport.cpp)
-void transport(Player&, Ui&, Settings&, Toast&, const Rect&);
+/// Draws scrubber and buttons. (transport.cpp) `lecture`: keys do what they do in one.
+void transport(Player&, Ui&, Settings&, Toast&, const Rect&, bool lecture);
 /// Lets play pass over questions, or stop at them again. (transport.cpp)
 void pass_questions(Player&, Settings&, Toast&);
 /// Draws the key sheet, the picker and the save sheet, over everything else. (sheets.cpp)
@@ -65,6 +69,8 @@ void keep_place(const Player&, Settings&);
 
 /// Opens the lesson after this one, where the closing card is on show and there is one. (ending.cpp)
 void open_next_lesson(Player&, Toast&);
+/// Goes on by a step, or opens that lesson. (ending.cpp)
+void go_on(Player&, Toast&);
 /// Shows the published line fail or, where that is on show, leads back to where the reader was: `before`, which keeps
 /// that. (fault.cpp)
 void fault_or_back(Player&, std::optional<Player>& before);

@@ -14,8 +14,6 @@
 namespace isect::viz {
 namespace {
 
-constexpr float button_height = 34;
-
 constexpr float button_sides = 28;  ///< beside its words, both
 
 /// Draws the lines of the program that an exercise shows, with their numbers.
@@ -69,13 +67,13 @@ void erratum(Column& c, Player& player, std::optional<Player>& before, Toast& to
   const auto e = std::ranges::find(all, player.step().line + 1, &ErratumText::line);
   if (e == all.end()) return;
   c.y += 20;
-  c.paragraph(e->says, c.ui.palette.text, 15, 23, true);
+  c.paragraph(e->says, c.ui.palette.text, true);
   c.paragraph(e->why, c.ui.palette.text);
   if (player.played().preset_id() == e->shown_by->id) return;  // the line fails in this setting
   c.y += 8;
   float x = c.x;
   if (c.button("see it fail", "See it fail (E)", x)) attempt(toast, [&] { fault_or_back(player, before); });
-  c.y += button_height;
+  c.y += Column::button_height;
 }
 
 void exercises(Column& c, Player& player, std::set<const Exercise*>& shown, const std::set<std::string>& solved,
@@ -84,7 +82,7 @@ void exercises(Column& c, Player& player, std::set<const Exercise*>& shown, cons
   if (!closing) return;
   const Palette& ink = c.ui.palette;
   c.y += 24;
-  c.paragraph("Exercises", ink.text, 15, 23, true);
+  c.paragraph("Exercises", ink.text, true);
   for (std::size_t i = 0; i < closing->exercises.size(); ++i) {
     const Exercise& e = closing->exercises[i];
     const std::string number = std::to_string(i + 1);
@@ -107,7 +105,7 @@ void exercises(Column& c, Player& player, std::set<const Exercise*>& shown, cons
     const char* const hide = e.program.empty() ? "Hide the solution" : "Hide the correction";
     if (c.button("solution " + number, open ? hide : solution_head(e), x))
       open ? (void)shown.erase(&e) : (void)shown.insert(&e);
-    c.y += button_height + 4;
+    c.y += Column::button_height + 4;
     if (open) c.paragraph(e.solution, ink.muted);
   }
   if (const std::optional<Judge> own = judge(player.lesson())) {
@@ -121,7 +119,7 @@ void same_ideas(Column& c, Player& player, Toast& toast) {
   const std::vector<SharedIdea> all = shared_ideas(player.lesson());
   if (all.empty()) return;
   c.y += 24;
-  c.paragraph("The same idea elsewhere", c.ui.palette.text, 15, 23, true);
+  c.paragraph("The same idea elsewhere", c.ui.palette.text, true);
   for (const SharedIdea& shared : all) {
     c.y += 6;
     c.paragraph(heading(shared), c.ui.palette.muted);
@@ -132,7 +130,7 @@ void same_ideas(Column& c, Player& player, Toast& toast) {
       if (c.button("same idea " + shared.idea + ": " + other->id, title, x))
         return attempt(toast, [&] { player.open(*other); });
     }
-    c.y += button_height + 4;
+    c.y += Column::button_height + 4;
   }
 }
 
@@ -142,7 +140,7 @@ void exercise_on_hand(Column& c, Player& player) {
   const Palette& ink = c.ui.palette;
   const bool solved = exercise_solved(player);
   const float top = c.y;
-  c.paragraph(e->prompt, ink.text, 15, 23, true);
+  c.paragraph(e->prompt, ink.text, true);
   program_lines(c, *e);
   if (solved) {
     const std::string said = found_text(*e, player.parameters());
@@ -162,7 +160,7 @@ void exercise_on_hand(Column& c, Player& player) {
   c.y += 8;
   float x = c.x;
   const bool back = c.button("end exercise", solved ? "Back to the exercises" : "Give up", x);
-  c.y += button_height + 20;
+  c.y += Column::button_height + 20;
   if (!back) return;
   player.set_exercise({});
   player.last();

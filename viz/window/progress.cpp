@@ -1,10 +1,10 @@
 #include "viz/window/progress.h"
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "viz/formats/files.h"
 #include "viz/window/save_figure.h"
+#include "viz/window/save_place.h"
 
 namespace isect::viz {
 
@@ -46,11 +46,11 @@ std::string progress_json(const std::vector<const Lesson*>& lessons, const Setti
 }
 
 std::string save_progress(const std::vector<const Lesson*>& lessons, const Settings& settings,
-                          const std::string& folder) {
+                          const std::string& folder, const std::string& name) {
   const std::string text = progress_json(lessons, settings);
-  const std::string path = free_path(folder + "/progress", "json", text);
+  const std::string path = free_path(folder + "/" + (name.empty() ? usual_progress_name : name), "json", text);
   write_file(path, text);
-  return std::filesystem::absolute(path).lexically_normal();
+  return whole_path(path);
 }
 
 }  // namespace isect::viz

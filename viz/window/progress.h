@@ -37,8 +37,11 @@ std::vector<LessonProgress> progress_of(const std::vector<const Lesson*>&, const
 ///       "record": {...}                 each question's answers, as text_of(AnswerRecord) and pages keep them
 ///     }
 std::string progress_json(const std::vector<const Lesson*>&, const Settings&);
-/// Writes that to <folder>/progress.json; where another file has that name, a number is added to it. Returns the whole
-/// path. Throws FileError.
-std::string save_progress(const std::vector<const Lesson*>&, const Settings&, const std::string& folder);
+/// The name of its file, where no other is given.
+inline const std::string usual_progress_name = "progress";
+/// Writes that to <folder>/<name>.json, without a name to progress.json; where another file has that name, a number is
+/// added to it. Returns the whole path. Throws FileError.
+std::string save_progress(const std::vector<const Lesson*>&, const Settings&, const std::string& folder,
+                          const std::string& name);
 
 }  // namespace isect::viz

@@ -15,8 +15,6 @@
 namespace isect::viz {
 namespace {
 
-constexpr float review_button_height = 34;
-
 std::string review_title(int number) { return "Review " + std::to_string(number); }
 
 std::string right_of(int right, std::size_t of) {
@@ -64,7 +62,7 @@ const ReviewPrompt* not_right(Column& c, const Player& player, const Reviewing& 
     float x = c.x;
     const std::string where = title_of_lesson(player, prompt.lesson) + ", step " + std::to_string(prompt.step + 1);
     if (c.button("to step " + std::to_string(i + 1), where, x)) pressed = &prompt;
-    c.y += review_button_height;
+    c.y += Column::button_height;
   }
   return pressed;
 }
@@ -175,7 +173,7 @@ void review_score(WindowSession& s, const Rect& r) {
     float from = c.x;
     again = c.button("review again", "Eight more", from);
     leave = c.button("end review", "Back to where I was", from);
-    c.y += review_button_height + 24;
+    c.y += Column::button_height + 24;
     ImGui::SetCursorScreenPos({r.left, c.y});
     ImGui::Dummy({1, 1});
   });
@@ -190,14 +188,14 @@ void review_offer(Column& c, const Player& player, Requests& requests) {
   const int number = review_after(player.lessons(), player.lesson());
   if (number == 0) return;
   c.y += 24;
-  c.paragraph(review_title(number), c.ui.palette.text, 15, 23, true);
+  c.paragraph(review_title(number), c.ui.palette.text, true);
   c.y += 6;
   c.paragraph("Eight questions from these lessons: " + titles_of(lessons_of_review(player.lessons(), number)) + ".",
               c.ui.palette.muted);
   c.y += 6;
   float x = c.x;
   if (c.button("take review " + std::to_string(number), "Begin", x)) requests.review = number;
-  c.y += review_button_height + 4;
+  c.y += Column::button_height + 4;
 }
 
 void reviews_sheet(WindowSession& s, const Rect& window) {

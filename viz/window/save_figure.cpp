@@ -13,6 +13,7 @@
 #include "viz/formats/formats.h"
 #include "viz/snapshot/snapshot.h"
 #include "viz/walk/alt_text.h"
+#include "viz/window/save_place.h"
 
 namespace isect::viz {
 namespace {
@@ -77,13 +78,30 @@ bool is_free_for(const std::string& path, const std::string& bytes) {
   }
 }
 
-/// Returns the path without its ending, with a number if another figure or another text has that name.
-std::string free_stem(const std::string& wanted, const std::string& format, const std::string& figure,
-                      const std::string& text) {
+/// A file that is to be written beside others of its name.
+struct NamedFile {
+  std::string ending;
+  const std::string& bytes;
+};
+
+/// Returns the stem, with a number if another file has the name of one of these.
+std::string free_stem(const std::string& wanted, const std::vector<NamedFile>& files) {
+  const auto is_free = [&](const std::string& stem) {
+    return std::ranges::all_of(
+        files, [&](const NamedFile& file) { return is_free_for(stem + "." + file.ending, file.bytes); });
+  };
   std::string stem = wanted;
-  for (int i = 2; !is_free_for(stem + "." + format, figure) || !is_free_for(stem + ".txt", text); ++i)
-    stem = wanted + "-" + std::to_string(i);
+  for (int i = 2; !is_free(stem); ++i) stem = wanted + "-" + std::to_string(i);
   return stem;
+}
+
+/// Returns <stem>-<N>.json with the first N that no file has.
+std::string first_free(const std::string& stem) {
+  std::error_code error;
+  int number = 1;
+  const auto path = [&] { return stem + "-" + std::to_string(number) + ".json"; };
+  while (std::filesystem::exists(path(), error)) ++number;
+  return path();
 }
 
 }  // namespace
@@ -104,9 +122,7 @@ std::string usual_stem(const Player& player) {
 }
 
 std::string free_path(const std::string& stem, const std::string& ending, const std::string& bytes) {
-  std::string path = stem + "." + ending;
-  for (int i = 2; !is_free_for(path, bytes); ++i) path = stem + "-" + std::to_string(i) + "." + ending;
-  return path;
+  return free_stem(stem, {{ending, bytes}}) + "." + ending;
 }
 
 std::string save_figure(const Player& player, const Settings& settings, Renderer& renderer, const std::string& folder,
@@ -123,11 +139,11 @@ std::string save_figure(const Player& player, const Settings& settings, Renderer
         renderer.draw(d, 2 * made.scale);
         return halved(renderer.read());
       });
-  const std::string stem = free_stem(wanted, settings.save_format, figure, made.imprint.alt);
+  const std::string stem = free_stem(wanted, {{settings.save_format, figure}, {"txt", made.imprint.alt}});
   const std::string path = stem + "." + settings.save_format;
   write_file(path, figure);
   write_file(stem + ".txt", made.imprint.alt);
-  return std::filesystem::absolute(path).lexically_normal();
+  return whole_path(path);
 }
 
 PixelBox draw_preview(const Player& player, const Settings& settings, Renderer& renderer, int most_width,
@@ -150,19 +166,15 @@ std::string save_preset(const Player& player, const std::string& folder, const s
   if (!player.camera().moved()) state.camera.reset();  // then each window frames it
   const std::string text = to_json(state), place = folder + "/" + state.lesson + "/";
   const std::string kind = player.played().methods_differ() ? "disagreement" : "setting";
-  std::string path = name.empty() ? std::string() : free_path(place + name, "json", text);
-  std::error_code error;
-  for (int i = 1; path.empty() || (name.empty() && std::filesystem::exists(path, error)); ++i)
-    path = place + kind + "-" + std::to_string(i) + ".json";
+  const std::string path = name.empty() ? first_free(place + kind) : free_path(place + name, "json", text);
   write_file(path, text);
-  return std::filesystem::absolute(path).lexically_normal();
+  return whole_path(path);
 }
 
 std::vector<std::string> saved_presets(const std::string& folder, const std::vector<std::string>& others) {
   std::vector<std::string> files;
   std::error_code error;
-  const std::filesystem::path whole = std::filesystem::absolute(folder, error).lexically_normal();
-  for (const auto& lesson : std::filesystem::directory_iterator(whole, error))
+  for (const auto& lesson : std::filesystem::directory_iterator(whole_path(folder), error))
     for (const auto& file : std::filesystem::directory_iterator(lesson.path(), error))
       if (file.path().extension() == ".json" && file.is_regular_file(error)) files.push_back(file.path());
   std::ranges::sort(files);

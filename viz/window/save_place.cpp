@@ -20,12 +20,6 @@ std::string without_spaces_around(const std::string& words) {
   return from == words.npos ? std::string() : words.substr(from, to - from + 1);
 }
 
-std::string whole_path(const std::string& folder) {
-  std::error_code error;
-  const std::filesystem::path whole = std::filesystem::absolute(folder, error).lexically_normal();
-  return error ? folder : whole.string();
-}
-
 /// Returns the reader's own folder; empty if it is not known.
 std::string home_folder() {
   const char* const home = std::getenv("HOME");
@@ -82,6 +76,12 @@ void failure(Ui& ui, SaveSheet& sheet, const Settings& settings, const std::stri
 
 }  // namespace
 
+std::string whole_path(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::absolute(path, error).lexically_normal();
+  return error ? path : whole.string();
+}
+
 std::string given_name(const SaveSheet& sheet, const Settings& settings) {
   const std::string name = without_spaces_around(sheet.name);
   for (const std::string& ending : {"." + settings.save_format, std::string(".json")})
@@ -108,7 +108,7 @@ std::string whole_folder(const SaveSheet& sheet, const Settings& settings, const
 }
 
 void place_fields(Ui& ui, SaveSheet& sheet, const Settings& settings, const std::string& usual, const std::string& stem,
-                  const Rect& r) {
+                  const std::string& ending, const Rect& r) {
   const Palette& c = ui.palette;
   const float left = r.left + place_label;
   const std::string usual_name = stem.substr(stem.rfind('/') + 1), wrong = wrong_name(sheet, settings);
@@ -129,8 +129,8 @@ void place_fields(Ui& ui, SaveSheet& sheet, const Settings& settings, const std:
     failure(ui, sheet, settings, usual, {left, y, r.right, r.bottom});
   } else {
     const std::string name = given_name(sheet, settings);
-    const std::string figure = (name.empty() ? stem : name) + "." + settings.save_format;
-    text(ui.fonts.small, left, y + 8, packed(c.muted), fitted(ui.fonts.small, "Figure: " + figure, r.right - left));
+    const std::string file = (sheet.progress ? "File: " : "Figure: ") + (name.empty() ? stem : name) + "." + ending;
+    text(ui.fonts.small, left, y + 8, packed(c.muted), fitted(ui.fonts.small, file, r.right - left));
   }
 }
 

@@ -7,6 +7,8 @@
 
 namespace isect::viz {
 
+/// Returns the whole path of a file or a folder, without `.` and `..`.
+std::string whole_path(const std::string&);
 /// Returns the typed name without spaces around it and without the ending of a figure or a preset; empty: the usual
 /// one.
 std::string given_name(const SaveSheet&, const Settings&);
@@ -17,7 +19,8 @@ std::string wrong_name(const SaveSheet&, const Settings&);
 std::string whole_folder(const SaveSheet&, const Settings&, const std::string& usual);
 
 /// Draws the fields for the name and the folder below each other, and under them what will be written, or why the last
-/// file was not, with other folders to choose from. `usual`: the folder; `stem`: the usual name of the figure.
-void place_fields(Ui&, SaveSheet&, const Settings&, const std::string& usual, const std::string& stem, const Rect&);
+/// file was not, with other folders to choose from. `usual`: the folder; `stem`: the file's usual name.
+void place_fields(Ui&, SaveSheet&, const Settings&, const std::string& usual, const std::string& stem,
+                  const std::string& ending, const Rect&);
 
 }  // namespace isect::viz

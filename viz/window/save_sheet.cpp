@@ -9,6 +9,7 @@
 #include "viz/formats/formats.h"
 #include "viz/text/number_text.h"
 #include "viz/text/rich_text.h"
+#include "viz/window/progress.h"
 #include "viz/window/save_figure.h"
 #include "viz/window/save_place.h"
 #include "viz/window/sheets.h"
@@ -92,6 +93,19 @@ void choices_of_figure(SaveSheet& sheet, Ui& ui, Settings& settings, const ImVec
   }
 }
 
+/// Draws the button that saves the setting, if there is one: into the scene's file, or as a preset.
+void setting_button(const Player& player, Ui& ui, bool ready, bool to_file, Requests& requests, const Rect& r) {
+  const bool scene = !player.lesson().made_from.empty();
+  if (scene && to_file && chip(ui, "save scene", r, "Save the scene", false)) {
+    requests.save_back = true;
+    ImGui::CloseCurrentPopup();
+  }
+  if (!scene && chip(ui, "save as preset", r, "Save as preset", false) && ready) {
+    requests.save_preset = true;
+    ImGui::CloseCurrentPopup();
+  }
+}
+
 /// Draws the buttons beside each other from `at` on, and presses the first one on Enter. `ready`: nothing that was
 /// typed is refused.
 void save_buttons(const Player& player, Ui& ui, const SaveSheet& sheet, bool ready, bool to_file, Requests& requests,
@@ -106,16 +120,8 @@ void save_buttons(const Player& player, Ui& ui, const SaveSheet& sheet, bool rea
     (sheet.progress ? requests.save_progress : requests.save_figure) = true;
     ImGui::CloseCurrentPopup();
   }
-  const bool scene = !player.lesson().made_from.empty();
-  if (scene && to_file && chip(ui, "save scene", {x + 120, y - 18, x + 260, y + 18}, "Save the scene", false)) {
-    requests.save_back = true;
-    ImGui::CloseCurrentPopup();
-  }
-  if (!scene && chip(ui, "save as preset", {x + 120, y - 18, x + 260, y + 18}, "Save as preset", false) && ready) {
-    requests.save_preset = true;
-    ImGui::CloseCurrentPopup();
-  }
-  text(ui.fonts.small, x + 276, y, packed(ui.palette.muted), "Enter saves");
+  if (!sheet.progress) setting_button(player, ui, ready, to_file, requests, {x + 120, y - 18, x + 260, y + 18});
+  text(ui.fonts.small, x + (sheet.progress ? 126 : 276), y, packed(ui.palette.muted), "Enter saves");
 }
 
 }  // namespace
@@ -123,7 +129,8 @@ void save_buttons(const Player& player, Ui& ui, const SaveSheet& sheet, bool rea
 void save_sheet(const Player& player, Ui& ui, SaveSheet& sheet, Settings& settings, const std::string& figures,
                 bool to_file, Requests& requests, const Rect& window) {
   const float place = sheet.failed.empty() ? 104 : 172;  // of the name and the folder, with what is said below them
-  sheet.open = begin_sheet(ui, "save sheet", window, 780, 266 + place);
+  const float choices = sheet.progress ? 0 : 140;        // of the figure
+  sheet.open = begin_sheet(ui, "save sheet", window, 780, 126 + choices + place);
   if (!sheet.open) {
     sheet.name.clear(), sheet.folder.clear(), sheet.failed.clear();
     sheet.progress = false;
@@ -133,12 +140,20 @@ void save_sheet(const Player& player, Ui& ui, SaveSheet& sheet, Settings& settin
   const ImVec2 at = ImGui::GetCursorScreenPos();
   text(ui.fonts.heading, at.x, at.y + 10, packed(ui.palette.text),
        sheet.progress ? "Save the progress" : "Save this figure");
-  choices_of_figure(sheet, ui, settings, {at.x, at.y + 56});
-  const float right = ui.rects["other width"].right, top = at.y + 196;
-  place_fields(ui, sheet, settings, figures, usual_stem(player), {at.x, top, right, top + place});
-  const bool ready = sheet.width_wrong.empty() && wrong_name(sheet, settings).empty();
-  save_buttons(player, ui, sheet, ready, to_file, requests, {at.x, top + place + 8});
-  preview(sheet, ui, {right + 20, at.y + 10, ui.rects["save sheet"].right - 20, ui.rects["save sheet"].bottom - 20});
+  const Rect all = ui.rects["save sheet"];
+  const float top = at.y + 56 + choices, buttons = top + place + 8;
+  const bool named = wrong_name(sheet, settings).empty();
+  if (sheet.progress) {
+    place_fields(ui, sheet, settings, figures, usual_progress_name, "json", {at.x, top, all.right - 20, top + place});
+    save_buttons(player, ui, sheet, named, to_file, requests, {at.x, buttons});
+  } else {
+    choices_of_figure(sheet, ui, settings, {at.x, at.y + 56});
+    const float right = ui.rects["other width"].right;
+    place_fields(ui, sheet, settings, figures, usual_stem(player), settings.save_format,
+                 {at.x, top, right, top + place});
+    save_buttons(player, ui, sheet, named && sheet.width_wrong.empty(), to_file, requests, {at.x, buttons});
+    preview(sheet, ui, {right + 20, at.y + 10, all.right - 20, all.bottom - 20});
+  }
   ImGui::EndPopup();
 }
 

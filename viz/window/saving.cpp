@@ -19,7 +19,7 @@ bool save_by_sheet(WindowSession& s, const Write& write) {
   sheet.failed.clear(), sheet.progress = false;
   try {
     s.toast.say("Saved " + write(folder, given_name(sheet, s.settings)));
-    s.settings.save_folder = folder == whole_folder({}, {}, s.figures) ? std::string() : folder;
+    s.settings.save_folder = folder == whole_path(s.figures) ? std::string() : folder;
   } catch (const BadInput& wrong) {
     s.toast.complain(wrong.what());
   } catch (const FileError& failed) {
@@ -50,8 +50,8 @@ void save_what_is_wanted(WindowSession& s, Renderer& renderer) {
   if (std::exchange(s.requests.save_preset, false))
     save_by_sheet(s, [&](Words folder, Words name) { return save_as_preset(s, folder, name); });
   if (std::exchange(s.requests.save_progress, false))
-    s.save_sheet.progress =
-        !save_by_sheet(s, [&](Words folder, Words) { return save_progress(s.player.lessons(), s.settings, folder); });
+    s.save_sheet.progress = !save_by_sheet(
+        s, [&](Words folder, Words name) { return save_progress(s.player.lessons(), s.settings, folder, name); });
 }
 
 }  // namespace isect::viz

@@ -170,25 +170,31 @@ void SecondPane::leave(Player& first, Settings& settings) {
   other_.reset();
 }
 
-void SecondPane::show_other(const ScenePane& first, const Settings& settings, const PanesLayout& at) {
-  Ui& ui = first.ui;
-  const bool methods = !settings.beside->method.empty();
-  const WalkDifference difference = difference_now(first.player, *other_);
-  const Parted parted = {difference.line_b, difference.value_b};
+void SecondPane::on_its_side(const ScenePane& first, Settings& settings, const std::function<void(Player&)>& draw) {
+  Player& lead = first.player;
+  if (!two_panes(lead, settings) || !follow(lead, settings, first.toast)) return;
   if (std::exchange(named_, other_->revision()) != other_->revision() || names_.empty())
     names_ = names_of(other_->lesson(), other_->walk());
-  std::swap(ui.names, names_);
-  Toast toast;
-  double zoom = 1;
-  on_other_side(ui, [&] {
-    scene_.show({*other_, ui, toast, zoom, methods ? Pane::along : Pane::fixed}, at.second_scene);
-    if (at.second_code.height() > 0) code_panel(*other_, ui, at.second_code, &parted);
-  });
-  std::swap(ui.names, names_);
+  std::swap(first.ui.names, names_);
+  on_other_side(first.ui, [&] { draw(*other_); });
+  std::swap(first.ui.names, names_);
 
-  Parameters shared = methods ? other_->parameters() : first.player.parameters();
-  if (methods) shared[first.player.lesson().group_by] = first.player.played().method();
-  attempt(first.toast, [&] { first.player.take_from(*other_, shared); });
+  const bool methods = !settings.beside->method.empty();
+  Parameters shared = methods ? other_->parameters() : lead.parameters();
+  if (methods) shared[lead.lesson().group_by] = lead.played().method();
+  attempt(first.toast, [&] { lead.take_from(*other_, shared); });
+}
+
+void SecondPane::show_other(const ScenePane& first, Settings& settings, const PanesLayout& at) {
+  on_its_side(first, settings, [&](Player& other) {
+    const WalkDifference difference = difference_now(first.player, other);
+    const Parted parted = {difference.line_b, difference.value_b};
+    const Pane pane = settings.beside->method.empty() ? Pane::fixed : Pane::along;
+    Toast toast;
+    double zoom = 1;
+    scene_.show({other, first.ui, toast, zoom, pane}, at.second_scene);
+    if (at.second_code.height() > 0) code_panel(other, first.ui, at.second_code, &parted);
+  });
 }
 
 void SecondPane::show(const ScenePane& first, Settings& settings, SceneView& lead, const PanesLayout& at) {
@@ -199,7 +205,7 @@ void SecondPane::show(const ScenePane& first, Settings& settings, SceneView& lea
   const Parted parted = {difference.line_a, difference.value_a};
   lead.show(first, at.first_scene);
   if (at.first_code.height() > 0) code_panel(first.player, first.ui, at.first_code, &parted);
-  if (two_panes(first.player, settings) && follow(first.player, settings, first.toast)) show_other(first, settings, at);
+  show_other(first, settings, at);
 }
 
 }  // namespace isect::viz

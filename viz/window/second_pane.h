@@ -1,6 +1,7 @@
 #pragma once
 // Two panes: a method against another one, or a preset against another one, at one step and through one camera.
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -24,15 +25,16 @@ class SecondPane {
   void show(const ScenePane& first, Settings&, SceneView& lead, const PanesLayout&);
   /// Returns to one pane.
   void leave(Player& first, Settings&);
-  /// Returns the player of the second pane; null if there is none.
-  Player* other() { return other_ ? &*other_ : nullptr; }
+  /// Draws with the second player what belongs to its pane, among the names of its walk; what is changed there, the
+  /// first takes over. Draws nothing once there is one pane.
+  void on_its_side(const ScenePane& first, Settings&, const std::function<void(Player&)>& draw);
   /// Whether the second scene wants another frame (SceneView::behind), while there are two panes.
   bool behind() const { return other_ && scene_.behind(); }
   void rescale(double scale) { scene_.rescale(scale); }
 
  private:
   bool follow(Player& first, Settings&, Toast&);
-  void show_other(const ScenePane& first, const Settings&, const PanesLayout&);
+  void show_other(const ScenePane& first, Settings&, const PanesLayout&);
 
   SceneView scene_;
   std::optional<Player> other_;

@@ -49,7 +49,7 @@ void scrubber(Player& player, Ui& ui, const Rect& r, float y) {
   list.AddCircleFilled({knob, y}, 3.5f, packed(c.window), 16);
 }
 
-void buttons(Player& player, Ui& ui, Settings& settings, Toast& toast, float middle, float y) {
+void buttons(Player& player, Ui& ui, Settings& settings, Toast& toast, bool lecture, float middle, float y) {
   const auto at = [&](int i) {
     const float x = middle + static_cast<float>(i) * 52;
     return Rect{x - 22, y - 18, x + 22, y + 18};
@@ -59,8 +59,7 @@ void buttons(Player& player, Ui& ui, Settings& settings, Toast& toast, float mid
   if (icon_button(ui, "back", at(-1), Icon::back, false, !start)) player.back();
   if (icon_button(ui, "play", at(0), player.running() ? Icon::pause : Icon::play, true, true)) player.toggle_play();
   const bool to_next = leads_to_next_lesson(player);
-  if (icon_button(ui, "next", at(1), Icon::next, false, to_next || !player.at_end()))
-    to_next ? open_next_lesson(player, toast) : player.next();
+  if (icon_button(ui, "next", at(1), Icon::next, false, to_next || !player.at_end())) go_on(player, toast);
   if (ImGui::IsItemHovered() && leads_to_next_lesson(player)) tooltip(ui, "Next: " + plain(next_lesson(player)->title));
   if (icon_button(ui, "last", at(2), Icon::last, false, !player.at_end())) player.last();
 
@@ -86,7 +85,8 @@ void buttons(Player& player, Ui& ui, Settings& settings, Toast& toast, float mid
   const Rect pass{panes.right + 8, panes.top, panes.right + 52, panes.bottom};
   if (icon_button(ui, "pass questions", pass, Icon::pass, settings.nonstop, true))
     pass_questions(player, settings, toast);
-  if (ImGui::IsItemHovered()) tooltip(ui, "Play passes over questions (N)");
+  const bool by_key = !lecture && !leads_to_next_lesson(player);  // else N goes on
+  if (ImGui::IsItemHovered()) tooltip(ui, by_key ? "Play passes over questions (N)" : "Play passes over questions");
 }
 
 void key_hints(const Ui& ui, float right, float room, float y) {
@@ -107,7 +107,7 @@ void pass_questions(Player& player, Settings& settings, Toast& toast) {
   toast.say(settings.nonstop ? "Play passes over questions now" : "Play stops at questions again");
 }
 
-void transport(Player& player, Ui& ui, Settings& settings, Toast& toast, const Rect& r) {
+void transport(Player& player, Ui& ui, Settings& settings, Toast& toast, const Rect& r, bool lecture) {
   begin_region(ui, "transport", r);
   rule(ui, r.left, r.right, r.top);
   const bool low = r.height() < 80;
@@ -122,7 +122,7 @@ void transport(Player& player, Ui& ui, Settings& settings, Toast& toast, const R
     rich_line(ui, title, end + 24, y);
   else if (room > 60)
     text(ui.fonts.body, end + 24, y, packed(ui.palette.muted), fitted(ui.fonts.body, plain(title.markup), room));
-  buttons(player, ui, settings, toast, middle, y);
+  buttons(player, ui, settings, toast, lecture, middle, y);
   key_hints(ui, r.right - 24, r.right - 24 - (middle + 354), y);
   ImGui::End();
 }

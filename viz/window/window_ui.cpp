@@ -195,7 +195,9 @@ struct WindowUi::Impl {
       const PanesLayout two = panes_layout(at, session.panels, player.quiz().asked() || player.quiz().answered());
       panes.show(pane, settings, scene, two);
       if (two.lesson.width() > 0) return lesson_panel(lesson, two.lesson);
-      if (two.strip.height() > 0) lecture(player, ui, session.step_words, two.strip, panes.other());
+      if (two.strip.height() > 0)
+        lecture(player, ui, session.step_words, two.strip,
+                [&](const auto& draw) { panes.on_its_side(pane, settings, draw); });
       return;
     }
     panes.leave(player, settings);
@@ -268,8 +270,8 @@ void WindowUi::frame() {
   if (w.session.review) {
     review_bars(w.session, at.top, at.transport);
   } else {
-    top_bar(w.player, w.ui, w.settings, w.session.requests, w.session.toast, at.top);
-    transport(w.player, w.ui, w.settings, w.session.toast, at.transport);
+    top_bar(w.player, w.ui, w.settings, w.session.requests, w.session.toast, at.top, !w.session.panels);
+    transport(w.player, w.ui, w.settings, w.session.toast, at.transport, !w.session.panels);
   }
   sheets(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
   dark_screen(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
