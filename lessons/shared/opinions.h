@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <isect/conventions.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons {
