@@ -112,8 +112,8 @@ class Teller {
                        {{lengths[2], "That is the common length on *z* alone."},
                         {lengths[0] * lengths[1], "That leaves out *z*."},
                         {sum, "That adds the common lengths."},
-                        {s_.a.along(2).lo < s_.b.along(2).lo ? volume_of(s_.a) : volume_of(s_.b),
-                         "That is the volume of one of the boxes."}},
+                        {volume_of(s_.a), "That is the volume of a alone."},
+                        {volume_of(s_.b), "That is the volume of b alone."}},
                        volume == 0 ? "On some axis they share no length, and so no volume."
                                    : "It is a box: the product of the common lengths on the three axes.");
   }

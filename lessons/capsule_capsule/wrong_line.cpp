@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <isect/methods/nearest_features.h>
 #include <isect/orient.h>
 #include "lessons/capsule_capsule/picture.h"
 #include "lessons/shared/opinions.h"
@@ -18,9 +19,7 @@ bool on_both_sides(const Vec2& p, const Vec2& q, const Capsule2& line) {
 }
 
 double squared_distance(const Vec2& p, const Capsule2& to) {
-  const Vec2 d = to.q - to.p;
-  const double t = d.isZero(0) ? 0 : std::clamp((p - to.p).dot(d) / d.dot(d), 0.0, 1.0);
-  return (to.p + t * d - p).squaredNorm();
+  return nearest_features::distance2<double, 2>(p, Segment<double, 2>{to.p, to.q});
 }
 
 std::string program(const Capsule2& a, const Capsule2& b) {
@@ -33,7 +32,7 @@ std::string program(const Capsule2& a, const Capsule2& b) {
 
 TwoVerdicts verdicts(const Parameters& p) {
   const Setup s = setup(p);
-  return {program(s.a, s.b), says_overlap(s.truth != Relation::disjoint)};
+  return {program(s.a, s.b), says_overlap(s.truth)};
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ const Closing& closing() {
   static const Closing closing = {
       .result = "Every simple polygon can be preprocessed so that any point is located in O(lg *n*).",
       .cost =
-          "Slabs, by a sweep: O(*n*^2) time and space. Trapezoids: O(*n* lg *n*) and O(*n*), expected. Kirkpatrick: "
-          "the same, guaranteed. A query: O(lg *n*), by bisection; in trapezoids expected.",
+          "Slabs, swept: O(*n*^2) time and space. Trapezoids: O(*n* lg *n*) and O(*n*), expected. Kirkpatrick: the "
+          "same, guaranteed. A query: O(lg *n*); in slabs by bisection, in trapezoids expected.",
       .choose =
           "Few points: count crossings, without preprocessing. Many points, one fixed polygon: trapezoids. Slabs "
           "only for small *n*.",

@@ -146,9 +146,10 @@ class BallsTeller : Teller {
     const bool digits = s_.first && shown(t) != shown(*s_.first);
     add("root", "The smaller root", 11,
         (apart() && s_.signs.discriminant >= 0
-             ? "The ray enters the expanded ball at the smaller root: then the distance of the centres first falls to "
-               "*R*. At the larger root it leaves, and the balls part."
-             : "Rounded, there is a root, so the method goes on.") +
+             ? std::string("The ray enters the expanded ball at the smaller root: then the distance of the centres "
+                           "first falls to *R*.") +
+                   (s_.signs.discriminant > 0 ? " At the larger root it leaves, and the balls part." : "")
+             : std::string("Rounded, there is a root, so the method goes on.")) +
             std::string("\nWhere the balls almost touch at first, −*B* and √*Δ* nearly cancel. Stable roots, as for a "
                         "ray and a sphere, do not subtract: *t* = *C* / (−*B* + √*Δ*).") +
             (digits ? fmt::format("\nRounding has cost digits here: exactly, *t* is {}.", shown(*s_.first))

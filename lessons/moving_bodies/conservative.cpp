@@ -73,7 +73,7 @@ class ConservativeTeller : Teller {
       decide(
           "near", "Within the tolerance?", 3,
           std::string("The distance is within the tolerance *ε*: here the method stops.") +
-              (advances_ > 0 && distance_ > 0
+              (s_.first && advances_ > 0 && distance_ > 0
                    ? "\nUnless b heads straight for a, each step leaves a part of the distance: 0 is approached, and "
                      "not reached.\nHence *ε*. A smaller one may take more steps."
                    : ""),

@@ -45,7 +45,7 @@ std::optional<Question> velocity_question(const Setup& s) {
   const Vec2 d = s.d(), sum = s.v_a + s.v_b, other = s.v_a - s.v_b;
   const auto told_apart = [&](int i) -> std::size_t {
     const std::string right = shown(d[i]);
-    if (right.size() > 3 && shown(s.duration).find(right) != std::string::npos) return 0;  // the page before says it
+    if (right.size() > 1 && right == shown(s.duration)) return 0;  // the page before says it
     return std::set<std::string>{right, shown(sum[i]), shown(other[i]), shown(s.v_b[i])}.size();
   };
   const int i = told_apart(1) > told_apart(0) ? 1 : 0;

@@ -4,7 +4,6 @@
 
 #include <isect/methods/ray_sphere.h>
 #include "lessons/ray_sphere/telling.h"
-#include "lessons/shared/common_length.h"
 #include "lessons/shared/order_question.h"
 #include "lessons/shared/questions.h"
 

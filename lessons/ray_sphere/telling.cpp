@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "lessons/shared/common_length.h"
 #include "lessons/shared/questions.h"
 
 namespace isect::lessons::ray_sphere_lesson {

@@ -74,7 +74,8 @@ const Closing& closing() {
           {"Why is a shadow ray a segment, and why may its search stop early?",
            "What lies beyond the light source casts no shadow on the point. One object between them is enough; the "
            "nearest is not needed. A start moved along the normal, by a little that grows with the coordinates, avoids "
-           "acne. Moved too far it skips near blockers: light leaks in where objects touch."},
+           "acne if it exceeds the rounding error of the point. Moved too far it skips near blockers: light leaks in "
+           "where objects touch."},
       }};
   return closing;
 }

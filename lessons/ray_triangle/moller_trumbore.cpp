@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "lessons/ray_triangle/telling.h"
-#include "lessons/shared/common_length.h"
 #include "lessons/shared/questions.h"
 
 namespace isect::lessons::ray_triangle_lesson {

@@ -1,11 +1,7 @@
 #pragma once
 // Questions for the length that two intervals have in common; where there is a gap, it is negative.
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <optional>
 #include <string>
 
@@ -13,14 +9,6 @@
 #include "lessons/shared/questions.h"
 
 namespace isect::lessons {
-
-/// The number as a reader sees it, rounded to five digits.
-inline double as_read(double x) { return std::strtod(fmt::format("{:.4e}", x).c_str(), nullptr); }
-
-/// Whether a number computed from what is shown gives the truth to three digits; 0 must be 0.
-inline bool read_well(double read, double truth) {
-  return (read == 0) == (truth == 0) && std::abs(read - truth) <= 1e-3 * std::abs(truth);
-}
 
 /// The length that two intervals have in common; that of a gap between them is negative.
 inline double common_length(const Interval<double>& a, const Interval<double>& b) {
@@ -38,7 +26,7 @@ inline std::optional<viz::Question> common_length_question(const std::string& to
   const double length = common_length(a, b), of_a = a.hi - a.lo, of_b = b.hi - b.lo;
   if (!read_well(common_length_read(a, b), length)) return {};
   return which_value(told + " How long is what they share? Give a gap as a negative length.", length,
-                     {{std::max(a.hi, b.hi) - std::min(a.lo, b.lo), "That is what they cover together."},
+                     {{std::max(a.hi, b.hi) - std::min(a.lo, b.lo), "That reaches from the lowest end to the highest."},
                       {of_a, "That is the length of a alone."},
                       {of_b, "That is the length of b alone."},
                       {of_a + of_b, "That adds both lengths."}},

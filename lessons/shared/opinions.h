@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <isect/conventions.h>
 #include "viz/lesson.h"
 
 namespace isect::lessons {
@@ -14,6 +15,7 @@ namespace isect::lessons {
 inline std::string says_meet(bool meet) { return meet ? "they meet" : "disjoint"; }
 /// The words of the note's pseudocode for the same.
 inline std::string says_overlap(bool overlap) { return overlap ? "OVERLAP" : "DISJOINT"; }
+inline std::string says_overlap(Relation relation) { return says_overlap(relation != Relation::disjoint); }
 
 /// Collects the methods' answers. The exact one comes first, and the others are compared with it.
 class Opinions {

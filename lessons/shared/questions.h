@@ -3,15 +3,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "viz/lesson.h"
 #include "viz/walk/question_scene.h"
 #include "viz/walk/typed_answer.h"
 
 namespace isect::lessons {
+
+/// The number as a reader sees it: rounded to five digits, or to a whole number of up to seven.
+inline double as_read(double x) {
+  const double five_digits = std::strtod(fmt::format("{:.4e}", x).c_str(), nullptr), size = std::abs(five_digits);
+  return 1e5 <= size && size < 1e7 ? std::nearbyint(x) : five_digits;
+}
+
+/// Whether a number computed from what is shown gives the truth to three digits; 0 must be 0.
+inline bool read_well(double read, double truth) {
+  return (read == 0) == (truth == 0) && std::abs(read - truth) <= 1e-3 * std::abs(truth);
+}
 
 /// Whether a number is short enough to be typed, as it is shown.
 inline bool fit_for_typing(double x) { return x == 0 || (std::abs(x) >= 1e-4 && std::abs(x) < 1e7); }

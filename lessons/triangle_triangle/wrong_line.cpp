@@ -11,9 +11,7 @@ using namespace viz;
 
 namespace {
 
-bool share_a_point(const Segment<double, 3>& edge, const Three& x) {
-  return relate(x, half_spaces_of(edge)) != Relation::disjoint;
-}
+bool share_a_point(const Segment<double, 3>& edge, const Three& x) { return intersects(x, half_spaces_of(edge)); }
 
 std::string program(const Three& a, const Three& b) {
   for (std::size_t i = 0; i < 3; ++i)

@@ -12,6 +12,7 @@
 #include <isect/many/slab_map.h>
 #include <isect/many/trapezoid_map.h>
 #include <isect/methods/aabb_aabb.h>
+#include <isect/methods/motion.h>
 #include <isect/methods/nearest_features.h>
 #include <isect/orient.h>
 #include <isect/point_mesh.h>
@@ -103,15 +104,21 @@ TEST_CASE("counting says OUT of the highest vertex, whatever it says elsewhere o
       if (!says(s.caption, "Of the highest vertex it would say OUT")) continue;
       ++seen;
       CHECK_THAT(s.caption, Contains("Counting alone would say IN"));
-      double top = -INFINITY;
-      const lessons::crossings_lesson::Setup setup(p.parameters);
-      for (const Ring<double, 2>& ring : setup.polygon.rings)
-        for (const auto& v : ring) top = std::max(top, v.y());
-      for (const Ring<double, 2>& ring : setup.polygon.rings)
-        for (std::size_t i = 0; i < ring.size(); ++i)
-          CHECK((ring[i].y() > top) == (ring[(i + 1) % ring.size()].y() > top));  // no edge counts
     }
   CHECK(seen > 0);
+  for (const Preset& p : lesson("crossings").presets) {
+    INFO(p.id);
+    Vec2 top(0, -INFINITY);
+    const lessons::crossings_lesson::Setup setup(p.parameters);
+    for (const Ring<double, 2>& ring : setup.polygon.rings)
+      for (const auto& v : ring)
+        if (v.y() > top.y()) top = v;
+    const Walk walk =
+        with("crossings", p.id, {{"rule", "half-open"}, {"p", to_text(Setting(Vec3(top.x(), top.y(), 0)))}});
+    const Step* const on = find(walk, "on");
+    REQUIRE(on);
+    CHECK_THAT(on->caption, Contains("Counting alone would say OUT, "));
+  }
 }
 
 TEST_CASE("of a shape with dents no axis may separate what its convex parts show to be apart", "[words]") {
@@ -135,10 +142,23 @@ TEST_CASE("of a shape with dents no axis may separate what its convex parts show
 
 TEST_CASE("at 120 Hz the body and the wall of the exercise tunnel above the told speed", "[words]") {
   CHECK(solved_with("collision", "= 66 m/s still can"));
-  CHECK(0.55 * 120 == Approx(66));
+  const auto tunnels = [](double speed, int tests_a_second) {
+    const double step = speed / tests_a_second, duration = 12.0 / tests_a_second;
+    const Moving<Aabb, double, 2> wall = {{{0, -1}, {0.45, 1}}, {0, 0}};
+    bool unseen = false;
+    for (int k = 0; k < 200; ++k) {
+      const double x = -1 - step * k / 200;
+      const Moving<Aabb, double, 2> body = {{{x, -0.05}, {x + 0.1, 0.05}}, {speed, 0}};
+      unseen = unseen || (contact(body, wall, duration) && discrete_hits(body, wall, duration, 12).empty());
+    }
+    return unseen;
+  };
+  CHECK_FALSE(tunnels(30, 60));
+  CHECK_FALSE(tunnels(65, 120));
+  CHECK(tunnels(67, 120));
 }
 
-TEST_CASE("bridges of a clipped polygon have no area, and points behind the eye come out mirrored", "[words]") {
+TEST_CASE("bridges of a clipped polygon have no area", "[words]") {
   CHECK(told("clipping", "bridges do no harm: they have no area"));
   const Ring<double, 2> u = {{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}};
   const Ring<double, 2> kept = clip(u, Box2d{{-1, 3}, {7, 5}});
@@ -148,8 +168,6 @@ TEST_CASE("bridges of a clipped polygon have no area, and points behind the eye 
     twice += p.x() * q.y() - p.y() * q.x();
   }
   CHECK(twice / 2 == Approx(4));  // two pieces, 2 by 1 each
-  CHECK(solved_with("clipping", "would come out mirrored"));
-  for (const double x : {-1.5, 0.5, 2.0}) CHECK(x / -2 == -(x / 2));
 }
 
 TEST_CASE("a point clamped in an oriented box's own frame is the one that no corner lies before", "[words]") {
@@ -199,15 +217,11 @@ TEST_CASE("axes that are turned a little, many times, drift, and can be renewed"
 
 TEST_CASE("a ray through an instance's inverse matrix keeps its places", "[words]") {
   CHECK(solved_with("ray-tracing", "do not normalise d: then t stays the same."));
-  CHECK(solved_with("ray-sphere", "ranges and offsets in t are no lengths"));
   Eigen::Matrix3d matrix;
   matrix << 2, 1, 0, 0, 3, 1, 1, 0, 2;
   const Vec3 shift(1, -2, 3), o(4, 5, 6), d(-1, 2, 0.5);
   const Vec3 own_o = matrix.inverse() * (o - shift), own_d = matrix.inverse() * d;
-  for (const double t : {0.0, 0.5, 3.0}) {
-    CHECK((matrix * (own_o + t * own_d) + shift - (o + t * d)).norm() < 1e-12);
-    CHECK((o + t * d - o).norm() == Approx(t * d.norm()));
-  }
+  for (const double t : {0.0, 0.5, 3.0}) CHECK((matrix * (own_o + t * own_d) + shift - (o + t * d)).norm() < 1e-12);
 }
 
 TEST_CASE("a box that meets no triangle of a closed mesh lies on one side of it, with all of its points", "[words]") {
@@ -239,8 +253,7 @@ TEST_CASE("a box that meets no triangle of a closed mesh lies on one side of it,
 TEST_CASE("an empty box from infinity to minus infinity has a gap to others, and adds nothing to them", "[words]") {
   CHECK(solved_with("aabb-aabb", "So store an empty box with the ends min = ∞ and max = −∞."));
   CHECK(told("intervals", "Best stored as [∞, −∞], an empty one has a gap to each bounded one."));
-  const double far = std::numeric_limits<double>::infinity();
-  const Box2d empty = {{far, far}, {-far, -far}};
+  const Box2d empty = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
   for (const Box2d& box : {Box2d{{0, 0}, {4, 4}}, Box2d{{-1e300, 2}, {1e300, 2}}}) {
     CHECK(empty.lo.x() > box.hi.x());
     CHECK(box.lo.x() > empty.hi.x());

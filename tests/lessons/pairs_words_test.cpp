@@ -68,10 +68,15 @@ std::string in_choices(Relation r) {
 
 bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
 
-/// Checks the number that is typed as the answer to a question, where it can be typed.
+/// Checks the number that is typed as the answer to a question; where none can be typed, the right choice.
 void asks_for(const Question& question, const oracle::Rational& truth) {
   const double exact = static_cast<double>(truth);
-  if (question.number) CHECK(std::abs(question.number->truth - exact) <= 1e-12 * std::abs(exact));
+  if (question.number) {
+    CHECK(std::abs(question.number->truth - exact) <= 1e-12 * std::abs(exact));
+    return;
+  }
+  const std::string& right = question.choices.at(static_cast<std::size_t>(question.answer));
+  CHECK((right == shown(exact) || right == shown(exact * (1 - 1e-12)) || right == shown(exact * (1 + 1e-12))));
 }
 
 /// Compares what the end of the walk of two balls says with rationals.

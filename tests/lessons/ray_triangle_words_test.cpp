@@ -156,6 +156,8 @@ TEST_CASE("weights, and the answers to what follows from them, are those of rati
     if (const Step* const told = find(walk, "range-v"); told && told->question) {
       if (const auto& number = told->question->number)
         CHECK(number->truth == Approx(static_cast<double>(truth.w)).margin(1e-6));
+      else
+        CHECK(shows(answer(*told), static_cast<double>(truth.w)));
       CHECK(says(told->question->because, "None of them is negative") == (truth.v >= 0 && truth.w >= 0));
       ++followed;
     }

@@ -9,7 +9,6 @@
 
 #include <variant>
 
-#include <isect/nearest_features.h>
 #include <isect/shapes.h>
 #include <isect/trace.h>
 
