@@ -181,21 +181,6 @@ std::vector<PresetFile> named_files(const std::vector<std::string>& paths) {
   return files;
 }
 
-std::vector<std::string> step_names(const viz::Walk& walk) {
-  std::vector<std::string> names;
-  for (const viz::Step& step : walk.steps) names.push_back(step.slug);
-  if (std::ranges::find(names, verdict_step) == names.end()) names.emplace_back(verdict_step);
-  return names;
-}
-
-/// Returns the first part of it for which a walk has no step.
-std::string without_step(const std::string& asked, const viz::Walk& walk) {
-  std::istringstream parts(asked);
-  for (std::string part; std::getline(parts, part, ',');)
-    if (const std::optional<Steps> one = Steps::read(part); !one || !one->all_in(walk)) return part;
-  return asked;
-}
-
 void walk(Excerpt& e, const std::string& asked, bool one_of_many) {
   e.walk = e.lesson->walk(e.parameters);
   const std::string text = !asked.empty()       ? asked
@@ -204,17 +189,7 @@ void walk(Excerpt& e, const std::string& asked, bool one_of_many) {
                                                 : "all";
   one_of_many = one_of_many && !asked.empty();  // the step that a file names must exist
   const std::optional<Steps> wanted = Steps::read(text);
-  if (!wanted || (!one_of_many && !wanted->all_in(e.walk))) {
-    const std::string part = without_step(text, e.walk);
-    const std::vector<std::string> names = step_names(e.walk);
-    throw viz::BadInput(
-        fmt::format("step: \"{}\" is unknown{}", part,
-                    spelling::instead(
-                        part, names,
-                        fmt::format("{} has steps 1 to {}: give one, some (3-6, or 3,5,7-9), -1 for the last, all, or "
-                                    "a name: {}",
-                                    e.folder, e.walk.steps.size(), spelling::listed(names)))));
-  }
+  if (!wanted || (!one_of_many && !wanted->all_in(e.walk))) throw without_steps("step", text, e.walk, e.folder);
   e.steps = wanted->of(e.walk);
   const auto shows_map = [&](int step) { return e.walk.steps[step].slug == viz::case_map_slug; };
   if (std::ranges::any_of(e.steps, shows_map)) viz::sweep_map(e.walk, *e.lesson, e.parameters);
