@@ -10,6 +10,7 @@
 
 #include "app/figures/figure_place.h"
 #include "app/figures/setting_name.h"
+#include "app/playlist_file.h"
 #include "app/preset_folder.h"
 #include "app/scene/lesson.h"
 #include "app/scene/walks.h"
@@ -117,6 +118,8 @@ Excerpt from_file(const Program& program, const PresetFile& file) {
     require_utf8(file);
     const std::string text = read_named_file(file.path);
     if (scene::is_scene(text)) return from_scene(text, file);
+    if (is_playlist(text))
+      throw viz::BadInput("this is a playlist, which show, handout and deck take; a preset's file has \"lesson\"");
     state = viz::reader_state_from_json(text, program.lessons);
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", file.path, e.what()));

@@ -141,6 +141,8 @@ class StopReader {
     if (!wanted || !wanted->all_in(walk)) throw without_steps("steps", asked, walk, read.name);
     read.steps = wanted->of(walk);
     read.state.step = read.steps.front();
+    read.whole = read.steps.size() == walk.steps.size();
+    read.asks = read.steps.front() > 0 && walk.steps[read.steps.front()].question.has_value();
   }
 
   const std::vector<const viz::Lesson*>& lessons_;
@@ -169,6 +171,8 @@ viz::Playlist playlist_in(const Program& program, const std::string& path, const
   const Json& stops = source.member(json, {}, "stops");
   source.list(stops, {"stops"}, 1, most_stops, "stops");
   viz::Playlist list;
+  std::error_code nowhere;
+  list.file = std::filesystem::absolute(path, nowhere).lexically_normal().string();
   if (json.contains("title")) list.title = source.text(json["title"], {"title"});
   StopReader reader(program, std::filesystem::path(path).parent_path());
   for (std::size_t i = 0; i < stops.size(); ++i) try {
