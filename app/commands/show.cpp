@@ -157,7 +157,7 @@ void add_show(CLI::App& app, Program& program) {
   sub.footer(program.only ? "Example: " + program.name + " show --step 3"
                           : "Examples: isect show ray-sphere --step 3\n          isect show "
                             "figures/ray-sphere/tangent/03-distance.svg\n          isect show "
-                            "examples/playlists/first-hour.json\n\n"
+                            "examples/playlists/ray-and-ball.json\n\n"
                             "A playlist names the presets, steps and scenes of an hour, in its order:\n"
                             "  { \"title\": \"Rays and balls\", \"stops\": [\n"
                             "      {\"lesson\": \"ray-sphere\", \"preset\": \"tangent\", \"steps\": \"3-6\"},\n"

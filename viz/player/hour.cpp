@@ -44,7 +44,8 @@ void Hour::follow(Player& player) {
   if (!stop().fault.empty() || away(player)) return;
   const bool asked = player.quiz().asked();
   step_ = asked && at_first_step(player) ? -1 : player.index();
-  if (player.clock().playing() && !asked && player.index() == stop().steps.back()) player.clock().play(false);
+  const bool ends = !asked && !stop().whole && player.index() == stop().steps.back();
+  if (ends && player.clock().playing()) player.clock().play(false);
 }
 
 bool Hour::away(const Player& player) const { return stop().fault.empty() && &player.lesson() != stop().lesson; }
