@@ -21,6 +21,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Whether the parameters are those of the preset that is named.
+bool is_as_preset(const viz::Stop& stop) {
+  return !stop.state.preset.empty() &&
+         viz::preset(*stop.lesson, stop.state.preset).parameters == *stop.state.parameters;
+}
+
 /// Reads the stops of one file. An error begins with its field.
 class StopReader {
  public:
@@ -92,7 +98,7 @@ class StopReader {
   }
 
   viz::Stop of_file(const Json& stop) const {
-    only(stop, "a stop with a preset's file, which names the rest itself,", {"preset", "steps", "note"});
+    only(stop, "a stop with a preset's file", {"preset", "steps", "note"});
     viz::Stop read;
     read.path = path_in(stop, "preset");
     read.name = std::filesystem::path(read.path).stem().string();
@@ -124,12 +130,6 @@ class StopReader {
     read.state = viz::reader_state_from_json(state.dump(), lessons_);
     if (is_as_preset(read)) read.name = read.state.preset;
     return read;
-  }
-
-  /// Whether the parameters are those of the preset that is named.
-  static bool is_as_preset(const viz::Stop& stop) {
-    return !stop.state.preset.empty() &&
-           viz::preset(*stop.lesson, stop.state.preset).parameters == *stop.state.parameters;
   }
 
   static void choose_steps(const Json& stop, viz::Stop& read) {
@@ -212,7 +212,7 @@ std::vector<Excerpt> excerpts_of(const viz::Playlist& list) {
     Excerpt e;
     e.lesson = stop.lesson;
     e.folder = stop.name;
-    if (stop.name == stop.state.preset) e.preset = stop.name;
+    if (is_as_preset(stop)) e.preset = stop.state.preset;
     e.parameters = *stop.state.parameters;
     e.walk = stop.lesson->walk(e.parameters);
     e.steps = stop.steps;

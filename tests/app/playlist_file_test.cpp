@@ -25,7 +25,10 @@ using isect::test::write;
 
 namespace {
 
-const program::Program isect_program = {"isect", isect::lessons::all_lessons()};
+const program::Program& isect_program() {
+  static const program::Program whole = {"isect", isect::lessons::all_lessons()};
+  return whole;
+}
 
 constexpr const char* a_scene = R"({"objects": [{"sphere": "A", "center": [0, 0], "radius": 2},
              {"point": "p", "at": [1, 1]}], "ask": [["p", "A"]]})";
@@ -38,13 +41,13 @@ std::string file_of(const Shell& shell, const std::string& stops) {
 }
 
 viz::Playlist read(const Shell& shell, const std::string& stops) {
-  return program::read_playlist(isect_program, file_of(shell, stops));
+  return program::read_playlist(isect_program(), file_of(shell, stops));
 }
 
 /// Returns why a playlist's file is refused.
 std::string refusal(const std::string& file) {
   try {
-    program::read_playlist(isect_program, file);
+    program::read_playlist(isect_program(), file);
   } catch (const viz::BadInput& e) {
     return e.what();
   } catch (const viz::FileError& e) {
@@ -92,7 +95,7 @@ TEST_CASE("a playlist names presets, preset files and scenes, each with its step
   const std::vector<program::Excerpt> all = program::excerpts_of(list);
   REQUIRE(all.size() == 7);
   CHECK((all[0].folder == "miss" && all[0].preset == "miss" && all[0].steps == s[0].steps));
-  CHECK((all[2].folder == "grazing" && all[2].preset.empty()));
+  CHECK((all[2].folder == "grazing" && all[2].preset == "tangent"));
   CHECK((all[6].folder == "stop-7" && all[6].preset.empty()));
   for (const program::Excerpt& e : all)
     for (const int step : e.steps) CHECK(step < static_cast<int>(e.walk.steps.size()));
@@ -101,7 +104,7 @@ TEST_CASE("a playlist names presets, preset files and scenes, each with its step
 TEST_CASE("what Ctrl+C copies in the window is a stop: its step, or those that are named", "[playlist]") {
   const Shell shell;
   viz::Player player(isect::lessons::all_lessons());
-  player.open(viz::lesson_named(player.lessons(), "sphere-aabb"));
+  player.open(viz::lesson_named(player.lessons(), "ray-sphere"));
   player.edit("radius", 1.125);
   player.go_to(3);
   const std::string copied = viz::to_json(player.reader_state());
@@ -157,7 +160,7 @@ TEST_CASE("each wrong stop is refused by its file, number, line and field, with 
     INFO(w.stop);
     const std::string file = file_of(shell, std::string("{\"lesson\": \"rays\"},\n") + w.stop);
     CHECK_THAT(refusal(file), StartsWith(file + ": stop 2, line 4: ") && Contains(w.field) && Contains(w.hint));
-    const viz::Playlist kept = program::read_playlist(isect_program, file, program::Faults::kept);
+    const viz::Playlist kept = program::read_playlist(isect_program(), file, program::Faults::kept);
     REQUIRE(kept.stops.size() == 2);
     CHECK(kept.stops[0].fault.empty());
     CHECK(file + ": " + kept.stops[1].fault == refusal(file));
@@ -201,13 +204,14 @@ TEST_CASE("a playlist is told from presets, scenes and other files", "[playlist]
   const Shell shell;
   file_of(shell, R"({"lesson": "rays"})");
   write(shell.work() / "tangent.json", R"({"lesson": "ray-sphere", "preset": "tangent"})");
-  const program::PresetFolder found = program::preset_folder(shell.work().string(), isect_program);
+  const program::PresetFolder found = program::preset_folder(shell.work().string(), isect_program());
   CHECK((found.presets.size() == 1 && found.broken.empty()));
   CHECK(found.foreign == std::vector<std::string>{(shell.work() / "hour.json").string()});
 }
 
 TEST_CASE("the example is some twenty minutes of an hour", "[playlist]") {
-  const viz::Playlist list = program::read_playlist(isect_program, ISECT_EXAMPLE_SCENES "/playlists/ray-and-ball.json");
+  const viz::Playlist list =
+      program::read_playlist(isect_program(), ISECT_EXAMPLE_SCENES "/playlists/ray-and-ball.json");
   CHECK_FALSE(list.title.empty());
   CHECK((list.stops.size() >= 12 && list.stops.size() <= 16));
   CHECK((steps_in(list) >= 40 && steps_in(list) <= 60));  // some 25 seconds each
