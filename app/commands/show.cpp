@@ -61,15 +61,8 @@ viz::ReaderState state_of(const Program& program, Selection asked, Lessons& less
 /// Returns the playlist that is asked for, which opens in part at least; one without stops if something else is asked
 /// for. Stops that can't be opened are told.
 viz::Playlist playlist_of(const Program& program, const Selection& asked) {
-  const std::string path = asked.lessons.empty() ? std::string() : asked.lessons.front();
-  std::error_code absent;
-  const bool file = path.ends_with(".json") && std::filesystem::is_regular_file(path, absent);
-  if (!file || !is_playlist(viz::read_file(path))) return {};
-  for (const auto& [option, given] :
-       {std::pair("preset", !asked.preset.empty()), std::pair("step", !asked.step.empty()),
-        std::pair("scene", !asked.scene.empty()), std::pair("set", !asked.changes.empty())})
-    if (given)
-      throw viz::BadInput(fmt::format("{}: not allowed with a playlist; each stop in {} names its own", option, path));
+  const std::string path = playlist_asked(asked);
+  if (path.empty()) return {};
   viz::Playlist list = read_playlist(program, path, Faults::kept);
   const bool opens = std::ranges::any_of(list.stops, [](const viz::Stop& stop) { return stop.fault.empty(); });
   if (!opens) throw viz::BadInput(fmt::format("{}: {}", path, list.stops.front().fault));
