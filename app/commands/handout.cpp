@@ -35,7 +35,7 @@ class Handout {
     }
   }
 
-  Blocks made() {
+  Blocks made() && {
     if (!answers_.empty()) all_.push_back(Heading{"Answers"});
     append(all_, answers_);
     return std::move(all_);
@@ -84,18 +84,20 @@ viz::Drawing bare(FigureMaker& maker, Excerpt e, int step) {
   return maker.draw(e, step);
 }
 
-/// Draws the pictures of a part. Returns the questions that have one of their own: it differs from the picture before.
-std::set<int> draw(const Excerpt& e, FigureMaker& maker, PageFolder& pages) {
+/// Draws the pictures of a part. Returns the questions that have one of their own: it differs from the picture above.
+std::set<int> draw_handout(const Excerpt& e, FigureMaker& maker, PageFolder& pages) {
   std::set<int> drawn;
+  int above = -1;  // the step whose picture that is
   for (const int step : e.steps) {
     if (e.walk.steps[step].question && has_picture(e.walk, step)) {
       const Excerpt asked = asking(e, step);
       const FigureInfo info = info_of_question(e, step);
       const viz::Drawing drawing = maker.draw(asked, asked.steps.front());
       const auto text = [&](const viz::Drawing& d) { return maker.write(info, d, *maker.style().formats.back()); };
-      if (step == 0 || text(drawing) != text(bare(maker, e, step - 1)))
+      if (above < 0 || above != step - 1 || text(drawing) != text(bare(maker, e, above)))
         drawn.insert(step), pages.add(e, info, drawing, maker);
     }
+    above = step;
     pages.add(e, info_of(e, step), maker.draw(e, step), maker);
   }
   return drawn;
@@ -107,21 +109,22 @@ int handout(const Program& program, const PageOptions& options) {
   PageFolder pages(program, options, paper, "handout", style.formats);
   FigureMaker maker(style, "auto");
   Handout made(paper);
-  for (const PaperPart& part : paper.parts) made.add(part, draw(part.e, maker, pages));
-  finish_printed(pages, paper, made.made());
+  for (const PaperPart& part : paper.parts) made.add(part, draw_handout(part.e, maker, pages));
+  finish_printed(pages, paper, std::move(made).made());
   return done;
 }
 
 }  // namespace
 
 void add_handout(CLI::App& app, Program& program) {
-  CLI::App& sub = *app.add_subcommand("handout", "a lesson or a playlist to print, as LaTeX and as HTML, answers\nat the end");
+  CLI::App& sub = *app.add_subcommand("handout", "a lesson or a playlist to print, as LaTeX and as HTML");
   const auto options = std::make_shared<PageOptions>();
   options->width = "9cm";
   add_page_options(sub, program, *options, "handout");
   sub.footer(
       "The files go to DIR/<lesson>/<preset>/, beside the pictures: handout.tex, for pdflatex and lualatex run\n"
-      "there, and handout.html. A playlist's go to DIR/<its name>/: first the list of its stops, then stop after stop.\n"
+      "there, and handout.html. A playlist's go to DIR/<its name>/: first the list of its stops, then stop after "
+      "stop.\n"
       "Example: " +
       program.name + " handout" + (program.only ? "" : " ray-sphere") + " --preset tangent");
   sub.callback([&program, options] { program.chosen = [&program, options] { return handout(program, *options); }; });

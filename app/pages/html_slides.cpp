@@ -57,7 +57,8 @@ function next() {
 function back() { if (now > 0) show(now - 1, true); }
 function from_address() { show(Number(location.hash.slice(1)) - 1 || 0, false); }
 const keys = { ArrowRight: next, ArrowDown: next, PageDown: next, " ": next, Enter: next, ArrowLeft: back, ArrowUp: back,
-               PageUp: back, Backspace: back, n: () => document.body.classList.toggle("noted"), Home: () => show(0, false), End: () => show(slides.length - 1, true) };
+               PageUp: back, Backspace: back, Home: () => show(0, false), End: () => show(slides.length - 1, true),
+               n: () => document.body.classList.toggle("noted") };
 addEventListener("keydown", e => {
   if (e.ctrlKey || e.altKey || e.metaKey || !keys[e.key]) return;
   e.preventDefault();

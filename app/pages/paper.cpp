@@ -81,8 +81,8 @@ Paper paper_of(const Program& program, const Selection& asked, PaperSteps which)
     std::erase_if(paper.parts, [](const PaperPart& part) { return part.e.steps.empty(); });
   }
   if (paper.parts.empty())
-    throw viz::BadInput(fmt::format("step: none of the steps of {} has a question; `isect handout` prints them",
-                                    playlist.empty() ? viz::plain(paper.title) : playlist));
+    throw viz::BadInput(fmt::format("step: no step of {} asks a question; `{} handout` prints the steps themselves",
+                                    playlist.empty() ? "what is named here" : playlist, program.name));
   note_repeats(paper);
   return paper;
 }

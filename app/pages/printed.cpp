@@ -58,7 +58,6 @@ Blocks printed_head(const PaperPart& part) {
   return all;
 }
 
-
 void finish_printed(PageFolder& pages, const Paper& paper, const Blocks& blocks) {
   pages.finish(fmt::format(printed_latex, viz::tex(paper.title)) + latex(blocks) + "\\end{document}\n",
                html_page(viz::plain(paper.title), printed_html,
