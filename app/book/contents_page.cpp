@@ -16,7 +16,7 @@
 namespace isect::program::book {
 
 Page contents_page(const std::vector<Excerpt>& openings, const viz::Course& course, bool with_scene,
-                   viz::PageColours& colours) {
+                   const std::string& links, viz::PageColours& colours) {
   viz::PagePictures page(colours);
   std::string parts;
   bool open = false;
@@ -46,8 +46,8 @@ Page contents_page(const std::vector<Excerpt>& openings, const viz::Course& cour
       "<p class=\"summary\">Do two shapes meet, and where? Each lesson walks through a test as it runs, line by line, "
       "with its values and its picture. All verdicts are exact for the numbers given.</p>\n"
       "<p><a href=\"glossary.html\">The terms of the course</a></p>\n" +
-      (with_scene ? fmt::format("<p><a href=\"{}\">A scene of your own</a></p>\n", scene_file) : "") + "</div>\n" +
-      page.shared() + parts;
+      (with_scene ? fmt::format("<p><a href=\"{}\">A scene of your own</a></p>\n", scene_file) : "") + links +
+      "</div>\n" + page.shared() + parts;
   return contents;
 }
 

@@ -12,8 +12,9 @@
 namespace isect::program::book {
 
 /// `openings`: the first preset of each lesson, walked; its outcome is the picture of the lesson. `with_scene`: whether
-/// there is the page for users' own scenes.
-Page contents_page(const std::vector<Excerpt>& openings, const viz::Course&, bool with_scene, viz::PageColours&);
+/// there is the page for users' own scenes; `links`: paragraphs that link to playlists.
+Page contents_page(const std::vector<Excerpt>& openings, const viz::Course&, bool with_scene, const std::string& links,
+                   viz::PageColours&);
 Page glossary_page(const viz::Course&, const std::vector<const viz::Lesson*>&);
 
 }  // namespace isect::program::book
