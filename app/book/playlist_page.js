@@ -29,7 +29,7 @@
   }
 
   const script = document.createElement("script");
-  script.src = `hour-${hour_name}.js`, script.onload = () => begin(window.isect_hour);
+  script.src = `hour-${hour_name}.js`, script.onload = () => window.isect_hour && begin(window.isect_hour);
   document.head.append(script);
 
   function begin(hour) {
@@ -43,6 +43,7 @@
     const place_in = stop => places.findIndex(place => place.stop === stop && place.page === own && place.hash === here());
     const stop_asked = Math.min(Math.max(1, Math.trunc(Number(asked.get("stop"))) || 1), hour.stops.length) - 1;
     let at = place_in(stop_asked), away = false;  // away: the reader has gone elsewhere; the bar leads back
+    if (at < 0) at = places.findIndex(place => place.page === own && place.hash === here());  // the address kept the stop before
     if (at < 0) at = places.findIndex(place => place.stop === stop_asked), away = here() !== "";
 
     const bar = document.createElement("nav"), note = document.createElement("div");
@@ -53,7 +54,7 @@
       made.addEventListener("click", action);
       return made;
     };
-    const back = button("←", "Back in the playlist", () => step(-1)), next = button("Next →", "On in the playlist", () => step(1));
+    const back = button("←", "Back in the playlist", () => step(-1)), next = button("Next →", "Next → in the playlist", () => step(1));
     bar.className = "hour", bar.setAttribute("aria-label", "Playlist");
     list.href = `hour-${hour_name}.html`, list.title = hour.title, list.className = "stop-number";
     title.className = "stop-name", note.className = "note", note.setAttribute("role", "status");
@@ -98,6 +99,6 @@
       if (!way || with_others(event) || typing(event) || root.classList.contains("reading")) return;
       event.preventDefault(), event.stopImmediatePropagation(), step(way);
     }, true);
-    if (here() === "" || (at >= 0 && places[at].page === own && !away)) go(at); else show();
+    if (away) show(); else go(at);
   }
 })();

@@ -88,13 +88,17 @@ class Shelf {
     print(path(file) + "\n");
   }
 
-  /// Removes pages of lessons that no longer exist. A page not under its own name stays, and so does an edited one.
+  /// Removes pages of lessons that no longer exist, and those of playlists that are not asked for, with their scripts.
+  /// A page not under its own name stays, and so does an edited one.
   void remove_stale() const {
     std::vector<fs::path> gone;
     std::error_code absent;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_, absent)) {
       const std::string name = entry.path().filename().string();
-      if (!name.ends_with(".html") || added_.contains(name) || entry.is_symlink() || !entry.is_regular_file()) continue;
+      const bool of_playlist = name.starts_with("hour-") && name.ends_with(".js");
+      if (!(name.ends_with(".html") || of_playlist) || added_.contains(name) || entry.is_symlink() ||
+          !entry.is_regular_file())
+        continue;
       const std::string page = viz::read_regular_file(entry.path().string());
       if (!page.starts_with(first_line(name))) continue;
       if (is_edited(name, page))
