@@ -29,7 +29,7 @@ constexpr const char* alone_height = "6.2cm";
 constexpr const char* label_size = "9pt";
 
 /// How many stops one slide lists.
-constexpr std::size_t stops_a_slide = 14;
+constexpr std::size_t stops_a_slide = 16;
 
 /// The picture of a step, or of the question before it.
 using Picture = std::function<Image(const Excerpt&, int step, bool asks)>;
