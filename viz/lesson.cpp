@@ -168,6 +168,10 @@ bool has_axis(const Walk& walk) {
   return std::ranges::any_of(walk.steps, [](const Step& step) { return step.scene.axis.has_value(); });
 }
 
+bool has_time(const Walk& walk) {
+  return std::ranges::any_of(walk.steps, [](const Step& step) { return step.scene.time != nullptr; });
+}
+
 const Preset& preset(const Lesson& lesson, const std::string& id) {
   const auto found = std::ranges::find(lesson.presets, id, &Preset::id);
   if (found != lesson.presets.end()) return *found;

@@ -284,6 +284,8 @@ struct BadInput : std::runtime_error {
 Camera opening(const Lesson&);
 /// Whether some step has a t-axis: then all steps leave room for it, so that the scene stays in place.
 bool has_axis(const Walk&);
+/// Whether shapes move in some step: then all steps leave room for the time below the scene.
+bool has_time(const Walk&);
 const Preset& preset(const Lesson&, const std::string& id);  ///< throws BadInput with the nearest name
 /// Sets one parameter from text ("1.5", "1,2,3", "haines"). Throws BadInput; `to` is unchanged then. The lesson's
 /// conditions are left to `validate`, as they may hold only when all parameters are set.

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -208,6 +209,17 @@ struct Scene {
   std::vector<Handle> handles;
   std::optional<Axis> axis;
   std::shared_ptr<const Chart> chart = {};  ///< drawn in place of the items, flat, whatever the camera
+
+  struct Time;
+  std::shared_ptr<const Time> time = {};  ///< of a scene whose shapes move; null: nothing does
+};
+
+/// The time in which the shapes of a scene move. The scene itself is a still; viz/player/scene_time.h lets time run.
+struct Scene::Time {
+  double lo = 0, hi = 1;                 ///< the motion's begin and end
+  double now = 0;                        ///< what the still shows, within these
+  std::optional<double> contact = {};    ///< first contact, as the core found it; none: not known at this step
+  std::function<Scene(double t)> at = {};  ///< the lesson's own drawing at a time from lo to hi; it has no time itself
 };
 
 }  // namespace isect::viz

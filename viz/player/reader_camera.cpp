@@ -24,10 +24,12 @@ Camera ReaderCamera::opening(const PlayedWalk& played, const Scene& shown, std::
   return viz::frame(view, scenes, aspect_);
 }
 
-Camera ReaderCamera::whole(const PlayedWalk& played) const {
+Camera ReaderCamera::whole(const PlayedWalk& played, const std::vector<const Scene*>& more) const {
   Camera from = viz::opening(played.lesson());
   from.perspective = goal().perspective;
-  return viz::frame(from, scenes_of(played.walk()), aspect_);
+  std::vector<const Scene*> scenes = scenes_of(played.walk());
+  scenes.insert(scenes.end(), more.begin(), more.end());
+  return viz::frame(from, scenes, aspect_);
 }
 
 Camera ReaderCamera::holding(const Scene& shown) const {
