@@ -216,9 +216,9 @@ struct Scene {
 
 /// The time in which the shapes of a scene move. The scene itself is a still; viz/player/scene_time.h lets time run.
 struct Scene::Time {
-  double lo = 0, hi = 1;                 ///< the motion's begin and end
-  double now = 0;                        ///< what the still shows, within these
-  std::optional<double> contact = {};    ///< first contact, as the core found it; none: not known at this step
+  double lo = 0, hi = 1;                   ///< the motion's begin and end
+  double now = 0;                          ///< what the still shows, within these
+  std::optional<double> contact = {};      ///< first contact, as the core found it; none: not known at this step
   std::function<Scene(double t)> at = {};  ///< the lesson's own drawing at a time from lo to hi; it has no time itself
 };
 
