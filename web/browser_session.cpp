@@ -11,6 +11,7 @@
 #include "viz/player/camera_moves.h"
 #include "viz/player/dragging.h"
 #include "viz/player/lights.h"
+#include "viz/player/scene_time.h"
 #include "viz/snapshot/snapshot.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/tex.h"
@@ -60,6 +61,7 @@ BrowserSession::BrowserSession(std::vector<const viz::Lesson*> lessons, ReadScen
   on("turn", &BrowserSession::turn);
   on("zoom", &BrowserSession::zoom);
   on("frame all", &BrowserSession::frame_all);
+  on("time", &BrowserSession::time);
   on("undo", &BrowserSession::undo);
   on("redo", &BrowserSession::redo);
   on("look", &BrowserSession::look);
@@ -234,6 +236,22 @@ Json BrowserSession::zoom(const Json& request) {
 Json BrowserSession::frame_all(const Json&) {
   viz::frame_all(player());
   return frame(Drawn::at_rest);
+}
+
+/// {"share"}: of the motion, from 0 to 1, first contact where it is next to that; or {"seconds"} of play; or {"still"},
+/// where nothing is to move by itself: the next one.
+Json BrowserSession::time(const Json& request) {
+  const viz::Scene::Time* const time = player().time();
+  if (!time) throw BadInput("nothing moves in this step");
+  const double length = time->hi - time->lo;
+  if (request.contains("seconds"))
+    player_->set_time(
+        viz::time_after(*time, player_->now(), std::clamp(request.at("seconds").get<double>(), 0.0, 1.0)));
+  else if (request.contains("still"))
+    player_->set_time(viz::next_still(*time, player_->now()));
+  else
+    player_->set_time(viz::time_near(*time, time->lo + request.at("share").get<double>() * length, 0.004 * length));
+  return frame(Drawn::in_motion);
 }
 
 Json BrowserSession::undo(const Json&) {

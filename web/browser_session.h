@@ -55,6 +55,7 @@ class BrowserSession {
   Json turn(const Json&);
   Json zoom(const Json&);
   Json frame_all(const Json&);
+  Json time(const Json&);
   Json undo(const Json&);
   Json redo(const Json&);
   Json look(const Json&);
@@ -72,6 +73,7 @@ class BrowserSession {
   Json frame(Drawn, const viz::Moved& = {});
   viz::Figure composed(Drawn);
   Json handles() const;
+  Json time_shown() const;
   Json values() const;
   Json idle() const;
   Json place() const;

@@ -12,6 +12,7 @@
 #include "viz/formats/page_svg.h"
 #include "viz/formats/svg_path.h"
 #include "viz/player/lights.h"
+#include "viz/player/scene_time.h"
 #include "viz/text/names.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/alt_text.h"
@@ -125,6 +126,8 @@ Json BrowserSession::frame(Drawn how, const viz::Moved& moved) {
                 {"refused", p.shown().refused},
                 {"untaken", p.shown().untaken},
                 {"handles", handles()},
+                {"moves", viz::has_time(p.walk())},
+                {"time", time_shown()},
                 {"values", values()},
                 {"idle", idle()},
                 {"place", place()},
@@ -161,6 +164,18 @@ Json BrowserSession::handles() const {
                    {"y", at.at.y()}});
   }
   return all;
+}
+
+/// Where the scene stands in its motion, as shares of it, and in words; null where nothing moves. `chosen`: it is not
+/// the step's own picture.
+Json BrowserSession::time_shown() const {
+  const viz::Scene::Time* const time = player_->time();
+  if (!time) return nullptr;
+  const auto share = [&](double t) { return (t - time->lo) / (time->hi - time->lo); };
+  return {{"now", share(player_->now())},
+          {"contact", time->contact ? Json(share(*time->contact)) : Json()},
+          {"chosen", player_->time_is_chosen()},
+          {"words", html_text(viz::time_words(*time, player_->now()))}};
 }
 
 Json BrowserSession::values() const {

@@ -152,6 +152,7 @@
     list.forEach((article, i) => article.classList.toggle("shown", i === at));
     const article = list[at];
     walk.classList.toggle("over", at === list.length - 1);
+    if (!live) root.classList.toggle("moves", walk.classList.contains("moves"));
     const numbers = name => (article.dataset[name] ?? "").split(" ").filter(Boolean).map(Number);
     light_code(walk, {
       line: numbers("line")[0] ?? -1, said: article.dataset.said ?? "", refused: numbers("refused"), untaken: numbers("untaken")

@@ -46,7 +46,8 @@ function isect_live(book) {
       pressed("Save the scene", () => save(new Blob([scene.value], { type: "application/json" }), example + ".json"))), chosen);
   const share = element("details", { class: "share" }, element("summary", {}, "Save or share"));
   const tools = element("div", { class: "tools", role: "group", "aria-label": "Tools" }, wants_map, snap, undo, redo, frame_all);
-  const pictures = element("div", { class: "pictures" }, stage, map,
+  const time = isect_time(element, request => act(request, "keep"), () => book.stop());
+  const pictures = element("div", { class: "pictures" }, stage, map, time.bar,
     element("div", { class: "told-below" }, outcome, message));
   const article = element("article", { class: "step shown" }, above, pictures, below);
   const workshop = element("div", { class: "workshop" }, own_scene, values, share);
@@ -90,6 +91,7 @@ function isect_live(book) {
     const name = place["preset title"], own = is_scene ? name + ", changed" : `Changed from “${name}”`;
     html(heading, (changed ? own : name) +
       (place.method && place.method !== place["preset title"] ? ` <small>${place.method}</small>` : ""));
+    time.show(frame);
     draw(frame);
     html(given, frame.given), html(opinions, frame.opinions), html(above, frame.above);
     if (frame.algorithm !== undefined) html(algorithm, frame.algorithm);

@@ -95,11 +95,13 @@ class Player {
   const Scene::Time* time() const { return shown().scene.time.get(); }
   /// Returns the time at which the scene is drawn.
   double now() const;
+  bool time_is_chosen() const { return now_.has_value(); }  ///< it need not be the step's own
   bool time_runs() const { return time_runs_; }
   /// Draws the scene at this time, or at the nearest one of its motion.
   void set_time(double);
   /// Lets time run, from the begin once it has ended, or stops it; with reduced motion it shows the next still.
   void toggle_time();
+  void stop_time() { time_runs_ = false; }
 
   // Other lessons, presets and parameters. They throw BadInput on what does not exist. If one of them throws, for
   // whatever reason, nothing has changed: neither what is shown, nor the camera, nor what undo() knows.

@@ -60,8 +60,8 @@ double next_still(const Scene::Time& time, double now) {
   return next == stills.end() ? time.lo : *next;
 }
 
-std::string time_words(const Scene::Time& time, double now) {
-  if (!time.contact) return fmt::format("*t* = {}", told_time(time, now));
+std::string time_words(const Scene::Time& time, double now, bool brief) {
+  if (!time.contact || brief) return fmt::format("*t* = {}", told_time(time, now));
   const std::string contact = shown(*time.contact);
   if (now == *time.contact) return fmt::format("*t* = {} (contact)", contact);
   return fmt::format("*t* = {} (contact at *t* = {})", told_time(time, now), contact);

@@ -21,7 +21,7 @@ double time_beside(const Scene::Time&, double now, int way);
 /// Returns the next of the stills that stand for the motion where nothing is to move by itself: its quarters and first
 /// contact; after the end, the begin.
 double next_still(const Scene::Time&, double now);
-/// Returns "*t* = 0.37 (contact at *t* = 0.5)".
-std::string time_words(const Scene::Time&, double now);
+/// Returns "*t* = 0.37 (contact at *t* = 0.5)", and in `brief` the first of it.
+std::string time_words(const Scene::Time&, double now, bool brief = false);
 
 }  // namespace isect::viz

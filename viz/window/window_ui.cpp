@@ -317,9 +317,9 @@ std::string WindowUi::title() const {
 double WindowUi::rest() const {
   const Player& p = impl_->player;
   const bool scene_is_shown = !impl_->session.review || !impl_->session.review->over();
-  if (p.camera().moving() || p.motion().share() < 1 || p.motion().light() < 1 || impl_->ui.light.changing() ||
-      (scene_is_shown && impl_->scene.behind()) || impl_->panes.behind() || impl_->ui.texts.waiting() ||
-      impl_->preparing)
+  if (p.camera().moving() || p.time_runs() || p.motion().share() < 1 || p.motion().light() < 1 ||
+      impl_->ui.light.changing() || (scene_is_shown && impl_->scene.behind()) || impl_->panes.behind() ||
+      impl_->ui.texts.waiting() || impl_->preparing)
     return 0;
   double rest = std::numeric_limits<double>::infinity();
   if (p.running()) rest = std::min(rest, std::max(p.clock().seconds_to_step(), 0.0));
