@@ -241,16 +241,16 @@ Json BrowserSession::frame_all(const Json&) {
 /// {"share"}: of the motion, from 0 to 1, first contact where it is next to that; or {"seconds"} of play; or {"still"},
 /// where nothing is to move by itself: the next one.
 Json BrowserSession::time(const Json& request) {
-  const viz::Scene::Time* const time = player().time();
-  if (!time) throw BadInput("nothing moves in this step");
-  const double length = time->hi - time->lo;
+  const viz::Scene::Time* const motion = player().time();
+  if (!motion) throw BadInput("nothing moves in this step");
+  const double length = motion->hi - motion->lo;
   if (request.contains("seconds"))
     player_->set_time(
-        viz::time_after(*time, player_->now(), std::clamp(request.at("seconds").get<double>(), 0.0, 1.0)));
+        viz::time_after(*motion, player_->now(), std::clamp(request.at("seconds").get<double>(), 0.0, 1.0)));
   else if (request.contains("still"))
-    player_->set_time(viz::next_still(*time, player_->now()));
+    player_->set_time(viz::next_still(*motion, player_->now()));
   else
-    player_->set_time(viz::time_near(*time, time->lo + request.at("share").get<double>() * length, 0.004 * length));
+    player_->set_time(viz::time_near(*motion, motion->lo + request.at("share").get<double>() * length, 0.004 * length));
   return frame(Drawn::in_motion);
 }
 

@@ -169,13 +169,13 @@ Json BrowserSession::handles() const {
 /// Where the scene stands in its motion, as shares of it, and in words; null where nothing moves. `chosen`: it is not
 /// the step's own picture.
 Json BrowserSession::time_shown() const {
-  const viz::Scene::Time* const time = player_->time();
-  if (!time) return nullptr;
-  const auto share = [&](double t) { return (t - time->lo) / (time->hi - time->lo); };
+  const viz::Scene::Time* const motion = player_->time();
+  if (!motion) return nullptr;
+  const auto share = [&](double t) { return (t - motion->lo) / (motion->hi - motion->lo); };
   return {{"now", share(player_->now())},
-          {"contact", time->contact ? Json(share(*time->contact)) : Json()},
+          {"contact", motion->contact ? Json(share(*motion->contact)) : Json()},
           {"chosen", player_->time_is_chosen()},
-          {"words", html_text(viz::time_words(*time, player_->now()))}};
+          {"words", html_text(viz::time_words(*motion, player_->now()))}};
 }
 
 Json BrowserSession::values() const {

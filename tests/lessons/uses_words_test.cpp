@@ -147,6 +147,35 @@ TEST_CASE("a moving box tunnels only with a step longer than wall and box, and i
   for (const int count : {tunnels, never, until_the_end, seen_too}) CHECK(count > 10);
 }
 
+TEST_CASE("the moving box is drawn at any time of its flight, and at its contact it touches the wall",
+          "[collision lesson]") {
+  const Walk walk = lesson("collision").walk(preset(lesson("collision"), "tunnelling").parameters);
+  const Scene::Time& time = *step_of(walk, "motion")->scene.time;
+  CHECK((time.lo == 0 && time.hi == 1.5 && !time.contact));
+  const auto right_of_box = [&](double t) {
+    double right = -1e9;
+    for (const Item& item : time.at(t).items)
+      if (const Region* box = std::get_if<Region>(&item); box && box->role == Role::first) right = box->rings[0][1].x();
+    return right;
+  };
+  CHECK(right_of_box(0) == -2.25);
+  CHECK(right_of_box(1) == 2.75);
+  for (const Step& step : walk.steps) {
+    if (step.scene.chart) continue;
+    REQUIRE(step.scene.time);
+    if (step.slug.starts_with("time-")) CHECK(step.scene.time->now == step.values.back().value);
+    CHECK(step.scene.time->contact.has_value() == (step.slug == "ray"));
+  }
+  const double contact = *step_of(walk, "ray")->scene.time->contact;
+  CHECK(right_of_box(contact) == Approx(0.4));
+  CHECK(right_of_box(0.9 * contact) < 0.4);
+
+  Parameters rests = preset(lesson("collision"), "tunnelling").parameters;
+  rests["speed"] = 0.0;
+  CHECK_FALSE(has_time(lesson("collision").walk(rests)));
+  CHECK_FALSE(has_time(lesson("collision").walk(preset(lesson("collision"), "sweep").parameters)));
+}
+
 TEST_CASE("a false positive of culling is called one where box and frustum are apart, and nowhere else",
           "[culling lesson]") {
   namespace own = lessons::culling_lesson;

@@ -109,6 +109,47 @@ TEST_CASE("a drag at the first step tells the verdict at once", "[session]") {
   CHECK(met < 12);
 }
 
+TEST_CASE("time runs where bodies move, holds the contact, and waits for an answer", "[session]") {
+  BrowserSession session = fresh();
+  Json frame = open(session, "moving-bodies", "boxes-meet");
+  CHECK((frame.at("moves") == true && frame.at("time").at("now") == 0 && frame.at("time").at("contact").is_null()));
+  CHECK(frame.at("time").at("chosen") == false);
+  const std::string still = frame.at("picture");
+  frame = ask(session, {{"do", "time"}, {"share", 0.5}});
+  CHECK((frame.at("time").at("now") == 0.5 && frame.at("time").at("chosen") == true));
+  CHECK(frame.at("picture").get<std::string>() != still);
+  CHECK(frame.at("values") == ask(session, {{"do", "drop"}}).at("values"));
+  CHECK_THAT(frame.at("time").at("words").get<std::string>(), Contains("<i>t</i> = 1"));
+
+  int contacts = 0, idle = 0;
+  for (int at = 1; at < frame.at("count"); ++at) {
+    frame = ask(session, {{"do", "go"}, {"at", at}});
+    CHECK(frame.at("moves") == true);
+    const Json& time = frame.at("time");
+    if (frame.at("asks") == true) CHECK(time.is_null());
+    if (time.is_null()) {
+      ++idle;
+      CHECK(ask(session, {{"do", "time"}, {"share", 0.5}}).contains("wrong"));
+      continue;
+    }
+    CHECK(time.at("chosen") == false);
+    if (time.at("contact").is_null()) continue;
+    ++contacts;
+    CHECK(time.at("contact") == 0.8125);
+    frame = ask(session, {{"do", "time"}, {"share", 0.811}});
+    CHECK(frame.at("time").at("now") == 0.8125);
+    CHECK_THAT(frame.at("time").at("words").get<std::string>(), Contains("1.625 (contact)"));
+    frame = ask(session, {{"do", "time"}, {"seconds", 0.1}});
+    CHECK(frame.at("time").at("now").get<double>() - 0.8125 < 0.01);  // a quarter of the usual
+    frame = ask(session, {{"do", "time"}, {"share", 7}});
+    CHECK(frame.at("time").at("now") == 1);
+    CHECK(ask(session, {{"do", "time"}, {"still", true}}).at("time").at("now") == 0);
+  }
+  CHECK((contacts > 0 && idle > 2));
+  frame = open(session, "sphere-sphere");
+  CHECK((frame.at("moves") == false && frame.at("time").is_null()));
+}
+
 TEST_CASE("a verdict that other methods contradict says so", "[session]") {
   BrowserSession session = fresh();
   int differ = 0;

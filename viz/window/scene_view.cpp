@@ -360,7 +360,7 @@ void SceneView::show(const ScenePane& s, const Rect& whole) {
   const float time = time_room(s.player, whole);
   Rect r = whole;
   r.bottom -= time;
-  if (time > 0 && s.pane == Pane::lead) time_strip(s.player, s.ui, {r.left, r.bottom, r.right, whole.bottom});
+  if (time > 0) time_strip(s.player, s.ui, {r.left, r.bottom, r.right, whole.bottom}, s.pane == Pane::lead);
   Player& player = s.player;
   Ui& ui = s.ui;
   begin_region(ui, "scene", r);

@@ -25,17 +25,10 @@ struct TimeLine {
   double at(float x) const { return time_near(time, time.lo + (x - left) * a_pixel(), reach_of_contact * a_pixel()); }
 };
 
-}  // namespace
-
-float time_room(const Player& player, const Rect& whole) {
-  if (!has_time(player.walk())) return 0;
-  return is_low(whole) ? 30.0f : 38.0f;
-}
-
-void time_strip(Player& player, Ui& ui, const Rect& r) {
+/// Draws the button, the line, and the words.
+void time_line(Player& player, Ui& ui, const Rect& r) {
   const Scene::Time* const time = player.time();
   if (!time) return;
-  begin_region(ui, "time", r);
   const Palette& c = ui.palette;
   const float y = std::round(r.middle_y());
   const Rect button{r.left + 16, y - 14, r.left + 56, y + 14};
@@ -53,7 +46,6 @@ void time_strip(Player& player, Ui& ui, const Rect& r) {
   filled({line.left, y - 2, knob, y + 2}, c.first, 2);
   if (time->contact) {
     const float x = std::round(line.place_of(*time->contact));
-    ui.rects["contact on the line"] = {x - 2, y - 11, x + 2, y + 11};
     filled({x - 1, y - 11, x + 1, y + 11}, c.hit, 0);
     diamond(x, y - 11, 9, packed(c.hit));
   }
@@ -61,6 +53,18 @@ void time_strip(Player& player, Ui& ui, const Rect& r) {
   const std::string told = plain(time_words(*time, player.now()));
   const bool brief = text_width(ui.fonts.body, told) > words;
   text(ui.fonts.body, line.right + 20, y, packed(c.text), brief ? plain(time_words(*time, player.now(), true)) : told);
+}
+
+}  // namespace
+
+float time_room(const Player& player, const Rect& whole) {
+  if (!has_time(player.walk())) return 0;
+  return is_low(whole) ? 30.0f : 38.0f;
+}
+
+void time_strip(Player& player, Ui& ui, const Rect& r, bool lead) {
+  begin_region(ui, "time", r);
+  if (lead) time_line(player, ui, r);
   ImGui::End();
 }
 
