@@ -71,11 +71,12 @@ export class Browser {
     if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
     return result.value;
   }
-  async look({ width = 1440, height = 900, dark = false, scripts = true, print = false } = {}) {
+  async look({ width = 1440, height = 900, dark = false, scripts = true, print = false, calm = false } = {}) {
     await this.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: false });
     await this.send("Emulation.setEmulatedMedia", {
       media: print ? "print" : "",
-      features: [{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }]
+      features: [{ name: "prefers-color-scheme", value: dark ? "dark" : "light" },
+        { name: "prefers-reduced-motion", value: calm ? "reduce" : "no-preference" }]
     });
     await this.send("Emulation.setScriptExecutionDisabled", { value: !scripts });
   }

@@ -13,7 +13,7 @@ using namespace isect::viz;
 
 namespace {
 
-constexpr WindowOptions moves = {.reduced_motion = false, .draw_scene = false, .place_names = false};
+const WindowOptions moves = {.reduced_motion = false, .draw_scene = false, .place_names = false};
 
 /// The window at this step of two boxes that meet at 1.625 of 2.
 struct Moving : WindowDriver {
