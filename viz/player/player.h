@@ -184,8 +184,8 @@ class Player {
   void ask(bool);  ///< about the next step, if it has a question
   void answer(GivenAnswer);
   Camera opening_view() const { return camera_.opening(*played_, scene()); }
-  /// Returns the opening view in the projection that the reader has chosen; where time runs, with the whole motion in
-  /// view. (player_time.cpp)
+  /// Returns the opening view in the projection that the reader has chosen; once a time is chosen, with the whole
+  /// motion in view. (player_time.cpp)
   Camera framed_view() const;
 
   void let_time_run(double seconds);

@@ -49,9 +49,10 @@ void Player::keep_time(const Player& before) {
 }
 
 Camera Player::framed_view() const {
-  const std::optional<bool> projection = camera_.goal().perspective;
-  if (!now_ || !time()) return camera_.opening(*played_, scene(), projection);
+  const Camera usual = camera_.opening(*played_, shown().scene, camera_.goal().perspective);
+  if (!now_ || !time()) return usual;
   const Scene begin = time()->at(time()->lo), end = time()->at(time()->hi);
+  if (camera_.has_in_view(usual, begin) && camera_.has_in_view(usual, end)) return usual;
   return camera_.whole(*played_, {&begin, &end});
 }
 

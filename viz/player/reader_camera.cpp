@@ -32,6 +32,12 @@ Camera ReaderCamera::whole(const PlayedWalk& played, const std::vector<const Sce
   return viz::frame(from, scenes, aspect_);
 }
 
+bool ReaderCamera::has_in_view(const Camera& view, const Scene& scene) const {
+  const Box2 all = extent(scene.items, view), middle = extent({Dot{view.target}}, view);
+  const Vec2 room(view.half_height * aspect_, view.half_height), lo = all.lo - middle.lo, hi = all.hi - middle.lo;
+  return (lo.array() >= -room.array()).all() && (hi.array() <= room.array()).all();
+}
+
 Camera ReaderCamera::holding(const Scene& shown) const {
   Scene all = shown;
   for (const Handle& h : shown.handles) all.items.emplace_back(Dot{h.at});

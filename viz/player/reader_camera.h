@@ -31,6 +31,8 @@ class ReaderCamera {
   Camera opening(const PlayedWalk&, const Scene& shown, std::optional<bool> perspective = {}) const;
   /// Returns the lesson's opening direction with the whole walk in view, and these scenes.
   Camera whole(const PlayedWalk&, const std::vector<const Scene*>& more = {}) const;
+  /// Whether the whole scene is in this view.
+  bool has_in_view(const Camera&, const Scene&) const;
   /// Returns the reader's own direction with the whole scene in view, and all of its handles.
   Camera holding(const Scene&) const;
   /// From now on opening() has that walk in view, too; null: no longer. Returns whether that is a change.

@@ -16,7 +16,7 @@ constexpr Row left_keys[] = {
     {"Home / End", "first / last step"},
     {"Space", "play / pause"},
     {"N", "play past questions, or stop"},
-    {"K / J", "let time run / to the contact"},
+    {"K / J", "time runs / to the contact"},
     {"→ or N at the end", "the next lesson"},
     {"1 … 9, 0", "presets"},
     {"Page Up / Down", "preset before / after"},
