@@ -10,6 +10,7 @@
 
 #include "app/figures/figure_place.h"
 #include "app/figures/setting_name.h"
+#include "app/playlist_file.h"
 #include "app/preset_folder.h"
 #include "app/scene/lesson.h"
 #include "app/scene/walks.h"
@@ -117,6 +118,8 @@ Excerpt from_file(const Program& program, const PresetFile& file) {
     require_utf8(file);
     const std::string text = read_named_file(file.path);
     if (scene::is_scene(text)) return from_scene(text, file);
+    if (is_playlist(text))
+      throw viz::BadInput("this is a playlist, which show, handout and deck take; a preset's file has \"lesson\"");
     state = viz::reader_state_from_json(text, program.lessons);
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", file.path, e.what()));
@@ -181,21 +184,6 @@ std::vector<PresetFile> named_files(const std::vector<std::string>& paths) {
   return files;
 }
 
-std::vector<std::string> step_names(const viz::Walk& walk) {
-  std::vector<std::string> names;
-  for (const viz::Step& step : walk.steps) names.push_back(step.slug);
-  if (std::ranges::find(names, verdict_step) == names.end()) names.emplace_back(verdict_step);
-  return names;
-}
-
-/// Returns the first part of it for which a walk has no step.
-std::string without_step(const std::string& asked, const viz::Walk& walk) {
-  std::istringstream parts(asked);
-  for (std::string part; std::getline(parts, part, ',');)
-    if (const std::optional<Steps> one = Steps::read(part); !one || !one->all_in(walk)) return part;
-  return asked;
-}
-
 void walk(Excerpt& e, const std::string& asked, bool one_of_many) {
   e.walk = e.lesson->walk(e.parameters);
   const std::string text = !asked.empty()       ? asked
@@ -204,17 +192,7 @@ void walk(Excerpt& e, const std::string& asked, bool one_of_many) {
                                                 : "all";
   one_of_many = one_of_many && !asked.empty();  // the step that a file names must exist
   const std::optional<Steps> wanted = Steps::read(text);
-  if (!wanted || (!one_of_many && !wanted->all_in(e.walk))) {
-    const std::string part = without_step(text, e.walk);
-    const std::vector<std::string> names = step_names(e.walk);
-    throw viz::BadInput(
-        fmt::format("step: \"{}\" is unknown{}", part,
-                    spelling::instead(
-                        part, names,
-                        fmt::format("{} has steps 1 to {}: give one, some (3-6, or 3,5,7-9), -1 for the last, all, or "
-                                    "a name: {}",
-                                    e.folder, e.walk.steps.size(), spelling::listed(names)))));
-  }
+  if (!wanted || (!one_of_many && !wanted->all_in(e.walk))) throw without_steps("step", text, e.walk, e.folder);
   e.steps = wanted->of(e.walk);
   const auto shows_map = [&](int step) { return e.walk.steps[step].slug == viz::case_map_slug; };
   if (std::ranges::any_of(e.steps, shows_map)) viz::sweep_map(e.walk, *e.lesson, e.parameters);

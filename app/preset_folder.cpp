@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/figures/ownership.h"
+#include "app/playlist_file.h"
 #include "app/scene/lesson.h"
 #include "app/shell/terminal.h"
 #include "viz/formats/files.h"
@@ -74,7 +75,7 @@ PresetFolder preset_folder(const std::string& folder, const Program& program) {
         continue;
       }
       scene::require_shallow(text);
-      if (!is_meant_as_preset(text)) {
+      if (is_playlist(text) || !is_meant_as_preset(text)) {
         found.foreign.push_back(file.path);
         continue;
       }

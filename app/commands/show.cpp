@@ -3,12 +3,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "app/figures/figure_place.h"
+#include "app/playlist_file.h"
 #include "app/scene/lesson.h"
 #include "app/scene/save.h"
 #include "app/shell/environment.h"
@@ -53,10 +58,49 @@ viz::ReaderState state_of(const Program& program, Selection asked, Lessons& less
   return state;
 }
 
+/// Returns the playlist that is asked for, which opens in part at least; one without stops if something else is asked
+/// for. Stops that can't be opened are told.
+viz::Playlist playlist_of(const Program& program, const Selection& asked) {
+  const std::string path = asked.lessons.empty() ? std::string() : asked.lessons.front();
+  std::error_code absent;
+  const bool file = path.ends_with(".json") && std::filesystem::is_regular_file(path, absent);
+  if (!file || !is_playlist(viz::read_file(path))) return {};
+  for (const auto& [option, given] :
+       {std::pair("preset", !asked.preset.empty()), std::pair("step", !asked.step.empty()),
+        std::pair("scene", !asked.scene.empty()), std::pair("set", !asked.changes.empty())})
+    if (given)
+      throw viz::BadInput(fmt::format("{}: not allowed with a playlist; each stop in {} names its own", option, path));
+  viz::Playlist list = read_playlist(program, path, Faults::kept);
+  const bool opens = std::ranges::any_of(list.stops, [](const viz::Stop& stop) { return stop.fault.empty(); });
+  if (!opens) throw viz::BadInput(fmt::format("{}: {}", path, list.stops.front().fault));
+  for (const viz::Stop& stop : list.stops)
+    if (!stop.fault.empty()) say(fmt::format("{}: {}: {}", program.name, path, stop.fault));
+  return list;
+}
+
+/// Gives each scene of a playlist an id of its own, by which the window finds it among the lessons.
+void add_scenes(viz::Playlist& list, Lessons& lessons, std::deque<viz::Lesson>& scenes) {
+  std::map<const viz::Lesson*, const viz::Lesson*> known;
+  for (viz::Stop& stop : list.stops) {
+    if (!stop.lesson || stop.lesson->made_from.empty()) continue;
+    const auto [made, is_new] = known.try_emplace(stop.lesson);
+    if (is_new) {
+      viz::Lesson& scene = scenes.emplace_back(*stop.lesson);
+      if (scenes.size() > 1) scene.id += fmt::format("-{}", scenes.size());
+      lessons.push_back(made->second = &scene);
+    }
+    stop.lesson = made->second;
+    stop.state.lesson = stop.lesson->id;
+  }
+}
+
 int show(const Program& program, const Selection& asked) {
   Lessons lessons = program.lessons;
   std::optional<scene::KeptFile> file;
-  const viz::ReaderState state = state_of(program, asked, lessons, file);
+  std::deque<viz::Lesson> scenes;  // none of them moves
+  viz::Playlist list = playlist_of(program, asked);
+  add_scenes(list, lessons, scenes);
+  const viz::ReaderState state = list.stops.empty() ? state_of(program, asked, lessons, file) : viz::ReaderState();
   std::function<void(const viz::Parameters&)> save;
   if (file)
     save = [&](const viz::Parameters& p) {
@@ -67,9 +111,14 @@ int show(const Program& program, const Selection& asked) {
   try {
     viz::show(
         lessons, lessons::course(), state,
-        [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); }, save);
+        [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); }, save, list);
   } catch (const viz::NoDisplay& e) {
     say(fmt::format("{}: {}", program.name, e.what()));
+    if (!list.stops.empty()) {
+      say(fmt::format("Without a display, `{} handout {}` makes the same hour a page to print.", program.name,
+                      asked.lessons.front()));
+      return nowhere_to_draw;
+    }
     const bool scene = lessons.size() > program.lessons.size();
     const std::string which = scene ? file ? " " + (asked.lessons.empty() ? asked.preset : asked.lessons.front())
                                            : std::string(" FILE.json, of the scene in it,")
@@ -93,9 +142,11 @@ int show(const Program& program, const Selection& asked) {
 void add_show(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("show", "the window, at that place");
   const auto asked = std::make_shared<Selection>();
-  add_lesson(sub, program, *asked, Takes::one,
-             fmt::format("a lesson's id; or a figure made by isect (.{}),\nto open it where it was made",
-                         fmt::join(viz::format_names(), ", .")));
+  add_lesson(
+      sub, program, *asked, Takes::one,
+      fmt::format("a lesson's id; or a figure made by isect (.{}),\nto open it where it was made; or the file of "
+                  "a playlist, to go\nthrough its stops",
+                  fmt::join(viz::format_names(), ", .")));
   add_preset(sub, *asked, Takes::one,
              "a preset, or a file with one (its step and camera are\nhonoured); the first if not given");
   add_step(
@@ -105,7 +156,16 @@ void add_show(CLI::App& app, Program& program) {
   add_set(sub, *asked);
   sub.footer(program.only ? "Example: " + program.name + " show --step 3"
                           : "Examples: isect show ray-sphere --step 3\n          isect show "
-                            "figures/ray-sphere/tangent/03-distance.svg");
+                            "figures/ray-sphere/tangent/03-distance.svg\n          isect show "
+                            "examples/playlists/ray-and-ball.json\n\n"
+                            "A playlist names the presets, steps and scenes of an hour, in its order:\n"
+                            "  { \"title\": \"Rays and balls\", \"stops\": [\n"
+                            "      {\"lesson\": \"ray-sphere\", \"preset\": \"tangent\", \"steps\": \"3-6\"},\n"
+                            "      {\"preset\": \"mine.json\", \"note\": \"Where does it end?\"},\n"
+                            "      {\"scene\": \"crates.json\"} ] }\n"
+                            "A stop is also what Ctrl+C copies in the window. N, the arrows and Page Down go on, ask\n"
+                            "each step's question first, and lead to the next stop; Page Up goes back; J lists all\n"
+                            "stops. Files are named relative to the playlist. The window opens where it was left.");
   sub.callback([&program, asked] { program.chosen = [&program, asked] { return show(program, *asked); }; });
 }
 

@@ -124,7 +124,6 @@ int Source::column_at(std::size_t byte) const {
   return column;
 }
 
-/// Returns the line of a field, or of the object that lacks it.
 int Source::line_of(const Path& path) const {
   std::size_t line = 0;
   std::string to;

@@ -23,6 +23,8 @@ class Source {
   [[noreturn]] void refuse(const Path&, const std::string& why) const;
   /// Returns "line 3: objects[2].lo".
   std::string place(const Path&) const;
+  /// Returns the line of a field, from 1, or of the object that lacks it.
+  int line_of(const Path&) const;
 
   // Return or check what is expected at a place; anything else is refused.
   void only(const Json& object, const Path&, const std::vector<std::string>& allowed,
@@ -41,7 +43,6 @@ class Source {
  private:
   int line_at(std::size_t byte) const;
   int column_at(std::size_t byte) const;
-  int line_of(const Path&) const;
 
   Json parsed() const;
 

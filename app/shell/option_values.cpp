@@ -10,6 +10,7 @@
 #include "viz/chart/chart.h"
 #include "viz/lesson.h"
 #include "viz/snapshot/snapshot.h"
+#include "viz/text/spelling.h"
 #include "viz/walk/closing.h"
 
 namespace isect::program {
@@ -116,6 +117,31 @@ int verdict_of(const viz::Walk& walk) {
   int step = viz::outcome(walk);
   while (step > 0 && viz::is_card(walk.steps[step].scene)) --step;  // the card of a scene's answers
   return step;
+}
+
+std::vector<std::string> step_names(const viz::Walk& walk) {
+  std::vector<std::string> names;
+  for (const viz::Step& step : walk.steps) names.push_back(step.slug);
+  if (std::ranges::find(names, verdict_step) == names.end()) names.emplace_back(verdict_step);
+  return names;
+}
+
+viz::BadInput without_steps(const std::string& field, const std::string& asked, const viz::Walk& walk,
+                            const std::string& whose) {
+  std::string part = asked;  // the first one that the walk lacks
+  for (const std::string& one : split(asked, ','))
+    if (const std::optional<Steps> read = Steps::read(one); !read || !read->all_in(walk)) {
+      part = one;
+      break;
+    }
+  const std::vector<std::string> names = step_names(walk);
+  return viz::BadInput(
+      fmt::format("{}: \"{}\" is unknown{}", field, part,
+                  spelling::instead(
+                      part, names,
+                      fmt::format("{} has steps 1 to {}: give one, some (3-6, or 3,5,7-9), -1 for the last, all, or a "
+                                  "name: {}",
+                                  whose, walk.steps.size(), spelling::listed(names)))));
 }
 
 std::optional<Steps> Steps::read(const std::string& text) {

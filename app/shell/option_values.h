@@ -57,5 +57,10 @@ class Steps {
 inline constexpr const char* verdict_step = "verdict";
 /// Returns which step that is, from 0.
 int verdict_of(const viz::Walk&);
+/// Returns the names of a walk's steps.
+std::vector<std::string> step_names(const viz::Walk&);
+/// Returns the error for steps that a walk lacks, which is that of `whose`: "tangent has steps 1 to 13: give ...".
+viz::BadInput without_steps(const std::string& field, const std::string& asked, const viz::Walk&,
+                            const std::string& whose);
 
 }  // namespace isect::program

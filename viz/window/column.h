@@ -57,6 +57,8 @@ void exercises(Column&, Player&, std::set<const Exercise*>& shown, const std::se
 void same_ideas(Column&, Player&, Toast&);
 /// Draws, on the closing card of every fifth lesson, the review of these lessons. (review.cpp)
 void review_offer(Column&, const Player&, Requests&);
+/// Draws the playlist's note, if there is one. (hour_panels.cpp)
+void hour_note(Column&, const std::string& note);
 /// Draws the exercise that is being tried, and whether its setting has been found. (practice.cpp)
 void exercise_on_hand(Column&, Player&);
 

@@ -28,10 +28,6 @@ void open_next_lesson(Player& player, Toast& toast) {
   });
 }
 
-void go_on(Player& player, Toast& toast) {
-  leads_to_next_lesson(player) ? open_next_lesson(player, toast) : player.next();
-}
-
 void next_lesson_button(Column& c, Player& player, Toast& toast) {
   if (!leads_to_next_lesson(player)) return;
   Ui& ui = c.ui;

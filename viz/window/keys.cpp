@@ -85,14 +85,13 @@ void focus_keys(Focus& focus, bool in_popup) {
   if (pressed(key::enter) || pressed(key::keypad_enter)) focus.press();
 }
 
-/// Page Down and Page Up, a presenter's two buttons: on and back in a lecture, else the presets.
+/// Page Down and Page Up, a presenter's two buttons: on and back in a lecture and in a playlist, else the presets.
 void page_keys(WindowSession& s) {
-  const bool repeat = s.panels || !leads_to_next_lesson(s.player);  // a key that is held does not run on into it
+  const bool repeat = !pages_go_on(s) || !leads_on(s);  // a key that is held does not run on into another lesson
   const int by = (pressed(key::page_down, repeat) ? 1 : 0) - (pressed(key::page_up, true) ? 1 : 0);
   if (by == 0) return;
-  if (s.panels) return neighbour_preset(s.player, s.toast, by);
-  if (by > 0) return go_on(s.player, s.toast);
-  s.player.back();
+  if (!pages_go_on(s)) return neighbour_preset(s.player, s.toast, by);
+  by > 0 ? go_on(s) : go_back(s);
 }
 
 /// Whether a key is pressed that types nothing.
@@ -116,10 +115,10 @@ bool makes_light(WindowSession& s) {
 
 void moving_keys(WindowSession& s) {
   Player& player = s.player;
-  const bool shift = ImGui::GetIO().KeyShift;         // with it the arrows turn the scene, or move a handle
-  const bool repeat = !leads_to_next_lesson(player);  // a key that is held does not run on into it
-  if (!shift && pressed(key::right, repeat)) go_on(player, s.toast);
-  if (!shift && pressed(key::left, true)) player.back();
+  const bool shift = ImGui::GetIO().KeyShift;  // with it the arrows turn the scene, or move a handle
+  const bool repeat = !leads_on(s);            // a key that is held does not run on into another lesson
+  if (!shift && pressed(key::right, repeat)) go_on(s);
+  if (!shift && pressed(key::left, true)) go_back(s);
   if (pressed(key::escape)) s.ui.focus.clear();
   if (pressed(key::home)) player.first();
   if (pressed(key::end)) player.last();
@@ -188,8 +187,11 @@ void command(WindowSession& s, char c) {
       player.reduce_motion(s.settings.reduced_motion);
       return s.toast.say(s.settings.reduced_motion ? "Nothing moves by itself now" : "Steps and views glide again");
     case 'n':
-      if (s.panels && !leads_to_next_lesson(player)) return pass_questions(player, s.settings, s.toast);
-      return go_on(player, s.toast);
+      if (!pages_go_on(s) && !leads_on(s)) return pass_questions(player, s.settings, s.toast);
+      return go_on(s);
+    case 'j':
+      s.requests.sheet = Sheet::stops;
+      return;
     case 'b':
     case '.':
       s.dark = !s.panels;

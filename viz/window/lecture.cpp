@@ -165,6 +165,7 @@ void lecture(Player& player, Ui& ui, StepWords& step_words, const Rect& r, const
   const float words = std::min(room - (state > 0 ? state + told_gap : 0), 1100.0f);
   const bool asks = player.quiz().asked() != nullptr;
   told_part(ui, "told words", {left, r.top + 1, left + words, r.bottom - 1}, size, fresh, [&](Column& c) {
+    hour_note(c, step_words.note);
     question_in_lecture(c, player, step_words.answer);
     if (!asks) c.paragraph(player.step().caption, ui.palette.text);
   });

@@ -63,7 +63,7 @@ void ending(Column& c, const LessonPanel& panel) {
   const auto on_show = [&, walk = player.walk_number(), step = player.index()] {
     return player.walk_number() == walk && player.index() == step;
   };
-  next_lesson_button(c, player, panel.toast);
+  if (!panel.words.in_hour) next_lesson_button(c, player, panel.toast);
   if (on_show())
     exercises(c, player, panel.words.solutions, panel.settings.scores[player.lesson().id].solved, panel.toast);
   if (on_show()) missed(c, player, panel.settings);
@@ -81,6 +81,7 @@ void lesson_text(const LessonPanel& panel, const Rect& r, bool fresh, bool low) 
   const float top = ImGui::GetCursorScreenPos().y;  // moves with the scroll
   Column c{panel.ui, r.left + panel_margin, top + (low ? 10.0f : 18.0f), r.width() - 2 * panel_margin};
   exercise_on_hand(c, player);
+  hour_note(c, panel.words.note);
   if (player.quiz().asked()) {  // the scene is the next step's already: the words of this one would be taken for its
     c.y -= 24;
   } else {

@@ -7,7 +7,7 @@
 
 namespace isect::viz {
 
-/// Draws lesson, method and presets. (top_bar.cpp) `lecture`: keys do what they do in one.
+/// Draws lesson, method and presets. (top_bar.cpp) `lecture`: Page Up and Page Down load no presets.
 void top_bar(Player&, Ui&, Settings&, Requests&, Toast&, const Rect&, bool lecture);
 /// What the lesson's panel shows and changes.
 struct LessonPanel {
@@ -47,8 +47,8 @@ void lecture(Player&, Ui&, StepWords&, const Rect&, const OnItsSide& other = {})
 std::vector<Value> values_in_use(const Walk&, const Step&);
 /// Draws nothing but black over the whole window, until a click. (lecture.cpp)
 void dark_screen(WindowSession&, const Rect& window);
-/// Draws scrubber and buttons. (transport.cpp) `lecture`: keys do what they do in one.
-void transport(Player&, Ui&, Settings&, Toast&, const Rect&, bool lecture);
+/// Draws scrubber and buttons, and where a reader is in a playlist. (transport.cpp)
+void transport(WindowSession&, const Rect&);
 /// Lets play pass over questions, or stop at them again. (transport.cpp)
 void pass_questions(Player&, Settings&, Toast&);
 /// Draws the key sheet, the picker and the save sheet, over everything else. (sheets.cpp)
@@ -69,8 +69,34 @@ void keep_place(const Player&, Settings&);
 
 /// Opens the lesson after this one, where the closing card is on show and there is one. (ending.cpp)
 void open_next_lesson(Player&, Toast&);
-/// Goes on by a step, or opens that lesson. (ending.cpp)
-void go_on(Player&, Toast&);
+
+// In a playlist as without one. (hour_keys.cpp)
+/// Goes on by a step; after the last one to the playlist's next stop, or else to the next lesson.
+void go_on(WindowSession&);
+void go_back(WindowSession&);
+/// Whether going on leads to another stop or lesson: a key that is held does not run on into it.
+bool leads_on(const WindowSession&);
+bool may_go_on(const WindowSession&);
+bool may_go_back(const WindowSession&);
+/// Whether N, Page Down and Page Up go on and back: in a lecture, and in a playlist.
+bool pages_go_on(const WindowSession&);
+
+/// Returns the way through a playlist, from where the settings left it; none if it has no stops.
+std::optional<Hour> hour_of(const Playlist&, const Settings&);
+/// Called once, and in every frame: takes note of where the reader is in the playlist, if there is one.
+void begin_hour(WindowSession&);
+void follow_hour(WindowSession&);
+/// Goes to the beginning of a stop, from 0.
+void open_stop(WindowSession&, int stop);
+/// Keeps where a playlist was left, before the others.
+void keep_hour(std::vector<HourPlace>&, const HourPlace&);
+/// Draws "3 of 14", which opens the list of stops, from x on, around the middle y; returns where it ends.
+/// (hour_panels.cpp)
+float hour_badge(WindowSession&, float x, float y);
+/// Whether the playlist's stop can't be opened, and stop_fault, which says so and offers to go past it, is what there
+/// is to see. (hour_panels.cpp)
+bool shows_fault(const WindowSession&);
+void stop_fault(WindowSession&, const Rect&);
 /// Shows the published line fail or, where that is on show, leads back to where the reader was: `before`, which keeps
 /// that. (fault.cpp)
 void fault_or_back(Player&, std::optional<Player>& before);

@@ -96,6 +96,26 @@ std::map<std::string, Score> scores_field(const Json& from) {
   return scores;
 }
 
+std::vector<HourPlace> hours_field(const Json& from) {
+  std::vector<HourPlace> hours;
+  const auto found = from.find("hours");
+  if (found == from.end() || !found->is_array()) return hours;
+  for (const Json& hour : *found) {
+    if (!hour.is_object() || hours.size() == hours_kept) continue;
+    HourPlace place{field(hour, "file", std::string())};
+    const int stop = count_field(hour, "stop");
+    place.stop = std::max(stop - 1, 0), place.step = stop > 0 ? count_field(hour, "step") - 1 : -1;
+    if (place.file.starts_with('/')) hours.push_back(std::move(place));
+  }
+  return hours;
+}
+
+Json json_of(const HourPlace& hour) {
+  Json kept = {{"file", hour.file}, {"stop", hour.stop + 1}};
+  if (hour.step >= 0) kept["step"] = hour.step + 1;
+  return kept;
+}
+
 /// Returns the record of answers. Throws BadInput where it is damaged. A file from before there was one knows at least
 /// how each question was answered the last time.
 AnswerRecord record_field(const Json& from, const std::map<std::string, Score>& scores) {
@@ -203,6 +223,7 @@ Settings read_settings(const std::string& file, const std::vector<const Lesson*>
   if (s.recent.size() > recent_kept) s.recent.resize(recent_kept);
   s.saved = field(json, "saved", s.saved);
   if (s.saved.size() > saved_kept) s.saved.resize(saved_kept);
+  s.hours = hours_field(json);
   return s;
 }
 
@@ -246,6 +267,7 @@ std::string text_of(const Settings& s) {
                {"scores", json_of(s.scores)},
                {"record", Json::parse(text_of(s.record))}};
   if (const auto& b = s.beside) json["beside"] = {{"lesson", b->lesson}, {"method", b->method}, {"preset", b->preset}};
+  for (const HourPlace& hour : s.hours) json["hours"].push_back(json_of(hour));
   if (s.reader_state) json["place"] = Json::parse(to_json(*s.reader_state));
   return json.dump(2) + "\n";
 }

@@ -69,12 +69,14 @@ void sheets(WindowSession& s, const Rect& window) {
   if (open == Sheet::reviews) ImGui::OpenPopup("reviews");
   if (open == Sheet::save) ImGui::OpenPopup("save sheet");
   if (open == Sheet::progress) ImGui::OpenPopup("progress sheet");
+  if (open == Sheet::stops && s.hour) ImGui::OpenPopup("list of stops");
   key_sheet(s.ui, window);
   picker(s.player, s.ui, s.picker, {s.player.lessons(), s.course, s.settings, s.figures}, s.toast, window);
   terms_sheet(s.player, s.ui, s.searched_term, s.course, s.toast, window);
   if (std::exchange(s.picker.progress, false)) s.requests.sheet = Sheet::progress;
   reviews_sheet(s, window);
   progress_sheet(s, window);
+  if (s.hour) stops_sheet(s, window);
   save_sheet(s.player, s.ui, s.save_sheet, s.settings, s.figures, keeps_file(s), s.requests, window);
   if (std::exchange(s.requests.save_back, false)) save_back(s);
   if (const int number = std::exchange(s.requests.review, 0)) begin_review(s, number);

@@ -34,6 +34,8 @@ void terms_sheet(Player&, Ui&, std::string& searched, const Course&, Toast&, con
 void reviews_sheet(WindowSession&, const Rect& window);
 /// Lists all lessons with what the reader did in them, and the reviews. (progress_sheet.cpp)
 void progress_sheet(WindowSession&, const Rect& window);
+/// Lists the playlist's stops, to go to one. (hour_panels.cpp)
+void stops_sheet(WindowSession&, const Rect& window);
 /// Asks for the format, theme, size, name and folder of a figure. `to_file`: the setting can be written into the
 /// scene's file. `figures`: the usual folder.
 void save_sheet(const Player&, Ui&, SaveSheet&, Settings&, const std::string& figures, bool to_file, Requests&,

@@ -49,18 +49,19 @@ void scrubber(Player& player, Ui& ui, const Rect& r, float y) {
   list.AddCircleFilled({knob, y}, 3.5f, packed(c.window), 16);
 }
 
-void buttons(Player& player, Ui& ui, Settings& settings, Toast& toast, bool lecture, float middle, float y) {
+void buttons(WindowSession& s, float middle, float y) {
+  Player& player = s.player;
+  Ui& ui = s.ui;
   const auto at = [&](int i) {
     const float x = middle + static_cast<float>(i) * 52;
     return Rect{x - 22, y - 18, x + 22, y + 18};
   };
   const bool start = player.index() == 0 && !player.quiz().asked();
   if (icon_button(ui, "first", at(-2), Icon::first, false, !start)) player.first();
-  if (icon_button(ui, "back", at(-1), Icon::back, false, !start)) player.back();
+  if (icon_button(ui, "back", at(-1), Icon::back, false, may_go_back(s))) go_back(s);
   if (icon_button(ui, "play", at(0), player.running() ? Icon::pause : Icon::play, true, true)) player.toggle_play();
-  const bool to_next = leads_to_next_lesson(player);
-  if (icon_button(ui, "next", at(1), Icon::next, false, to_next || !player.at_end())) go_on(player, toast);
-  if (ImGui::IsItemHovered() && leads_to_next_lesson(player)) tooltip(ui, "Next: " + plain(next_lesson(player)->title));
+  if (icon_button(ui, "next", at(1), Icon::next, false, may_go_on(s))) go_on(s);
+  if (ImGui::IsItemHovered() && !s.hour && leads_on(s)) tooltip(ui, "Next: " + plain(next_lesson(player)->title));
   if (icon_button(ui, "last", at(2), Icon::last, false, !player.at_end())) player.last();
 
   constexpr const char* speeds[] = {"0.5×", "1×", "1.5×", "2×"};
@@ -75,17 +76,17 @@ void buttons(Player& player, Ui& ui, Settings& settings, Toast& toast, bool lect
   text(ui.fonts.small, speed.middle_x(), y, packed(ui.palette.muted), speeds[i], 0.5f);
 
   const Rect map{speed.right + 12, y - 18, speed.right + 56, y + 18};
-  if (icon_button(ui, "show map", map, Icon::map, shows_map(player, settings), has_map(player)))
-    show_map(player, settings, toast);
+  if (icon_button(ui, "show map", map, Icon::map, shows_map(player, s.settings), has_map(player)))
+    show_map(player, s.settings, s.toast);
   if (ImGui::IsItemHovered()) tooltip(ui, "Where this case lies: the map of cases beside the scene (W)");
   const Rect panes{map.right + 8, map.top, map.right + 52, map.bottom};
-  if (icon_button(ui, "two panes", panes, Icon::panes, two_panes(player, settings), true))
-    toggle_panes(player, settings, toast);
+  if (icon_button(ui, "two panes", panes, Icon::panes, two_panes(player, s.settings), true))
+    toggle_panes(player, s.settings, s.toast);
   if (ImGui::IsItemHovered()) tooltip(ui, "Method against method, or preset against preset (V)");
   const Rect pass{panes.right + 8, panes.top, panes.right + 52, panes.bottom};
-  if (icon_button(ui, "pass questions", pass, Icon::pass, settings.nonstop, true))
-    pass_questions(player, settings, toast);
-  const bool by_key = !lecture && !leads_to_next_lesson(player);  // else N goes on
+  if (icon_button(ui, "pass questions", pass, Icon::pass, s.settings.nonstop, true))
+    pass_questions(player, s.settings, s.toast);
+  const bool by_key = !pages_go_on(s) && !leads_on(s);  // else N goes on
   if (ImGui::IsItemHovered()) tooltip(ui, by_key ? "Play passes over questions (N)" : "Play passes over questions");
 }
 
@@ -107,7 +108,9 @@ void pass_questions(Player& player, Settings& settings, Toast& toast) {
   toast.say(settings.nonstop ? "Play passes over questions now" : "Play stops at questions again");
 }
 
-void transport(Player& player, Ui& ui, Settings& settings, Toast& toast, const Rect& r, bool lecture) {
+void transport(WindowSession& s, const Rect& r) {
+  Player& player = s.player;
+  Ui& ui = s.ui;
   begin_region(ui, "transport", r);
   rule(ui, r.left, r.right, r.top);
   const bool low = r.height() < 80;
@@ -115,14 +118,15 @@ void transport(Player& player, Ui& ui, Settings& settings, Toast& toast, const R
 
   const float y = r.top + (low ? 43.0f : 58.0f), middle = std::round(r.middle_x());
   const std::string where = "Step " + std::to_string(player.index() + 1) + " of " + std::to_string(player.count());
-  const float end = 24 + text(ui.fonts.body, 24, y, packed(ui.palette.text), where);
+  const float left = s.hour ? hour_badge(s, 24, y) + 16 : 24;
+  const float end = left + text(ui.fonts.body, left, y, packed(ui.palette.text), where);
   const Paragraph title{.markup = player.step().title, .colour = ui.palette.muted};
   const float room = middle - 136 - (end + 24);
   if (ui.texts.size_of(title).x <= room)
     rich_line(ui, title, end + 24, y);
   else if (room > 60)
     text(ui.fonts.body, end + 24, y, packed(ui.palette.muted), fitted(ui.fonts.body, plain(title.markup), room));
-  buttons(player, ui, settings, toast, lecture, middle, y);
+  buttons(s, middle, y);
   key_hints(ui, r.right - 24, r.right - 24 - (middle + 354), y);
   ImGui::End();
 }

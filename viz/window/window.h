@@ -8,6 +8,7 @@
 
 #include "viz/course.h"
 #include "viz/lesson.h"
+#include "viz/player/playlist.h"
 #include "viz/player/reader_state.h"
 
 namespace isect::viz {
@@ -19,9 +20,10 @@ struct NoDisplay : std::runtime_error {
 
 /// Opens the window at `at` and returns when it is closed. Messages for the user, such as that a state file is damaged,
 /// are shown there and passed to `say`. `save_scene` writes a setting into the scene file of the lesson, which is then
-/// as if made from that; null: there is no file. Throws NoDisplay.
+/// as if made from that; null: there is no file. `playlist`: the window goes through it, from where it was left, and
+/// not to `at`; its lessons are among the others. Throws NoDisplay.
 void show(const std::vector<const Lesson*>&, const Course&, const ReaderState& at,
           const std::function<void(const std::string&)>& say = {},
-          const std::function<void(const Parameters&)>& save_scene = {});
+          const std::function<void(const Parameters&)>& save_scene = {}, const Playlist& playlist = {});
 
 }  // namespace isect::viz

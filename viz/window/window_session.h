@@ -12,6 +12,7 @@
 
 #include "viz/course.h"
 #include "viz/formats/formats.h"
+#include "viz/player/hour.h"
 #include "viz/player/player.h"
 #include "viz/walk/review.h"
 #include "viz/window/widgets.h"
@@ -36,7 +37,7 @@ struct Score {
     return static_cast<int>(std::ranges::count_if(answers, [](const auto& answer) { return answer.second; }));
   }
 };
-constexpr std::size_t recent_kept = 5, saved_kept = 100;
+constexpr std::size_t recent_kept = 5, saved_kept = 100, hours_kept = 10;
 /// The version of the file of settings: 1 had none, and neither skipped questions nor solved exercises. Files of all
 /// versions are read; a copy of a newer one is kept before it is written over.
 constexpr int settings_version = 2;
@@ -72,6 +73,7 @@ struct Settings {
   AnswerRecord record = {};                  ///< all answers: what reviews are drawn from
   std::vector<std::string> recent = {};      ///< ids of the lessons last opened
   std::vector<std::string> saved = {};       ///< whole paths of presets, the last saved first, wherever they lie
+  std::vector<HourPlace> hours = {};         ///< where playlists were left, the last one first
 };
 
 /// Returns the file in the user's state folder; empty if there is no home.
@@ -88,7 +90,7 @@ std::string text_of(const Settings&);
 void write_settings(const std::string& file, const Settings&);
 
 /// The sheets that may cover the window.
-enum class Sheet { none, keys, picker, save, terms, reviews, progress };
+enum class Sheet { none, keys, picker, save, terms, reviews, progress, stops };
 
 /// What keys and buttons ask for, to be done between two frames.
 struct Requests {
@@ -165,6 +167,8 @@ struct StepWords {
   unsigned seen = 0;                         ///< the revision whose words are shown
   std::set<const Exercise*> solutions = {};  ///< those that are shown
   bool reading = false;                      ///< the closing card's references are unfolded
+  bool in_hour = false;                      ///< a playlist says what comes after the last step
+  std::string note = {};                     ///< the playlist's, told before them
   std::optional<Player> before_fault = {};   ///< as the reader was before a published line was shown to fail
   AnswerField answer = {};
 };
@@ -231,7 +235,8 @@ struct WindowSession {
   StepWords step_words = {};
   Toast toast = {};
   std::optional<Reviewing> review = {};
-  unsigned answers_kept = 0;  ///< how many of the player's answers are in the record
+  std::optional<Hour> hour = {};  ///< the playlist that is gone through
+  unsigned answers_kept = 0;      ///< how many of the player's answers are in the record
 };
 
 }  // namespace isect::viz

@@ -56,6 +56,12 @@ UiFonts fonts_at(double scale) {
   return load_fonts(scale);
 }
 
+/// Returns where the player starts: in the playlist, if there is one.
+ReaderState start_of(const WindowOptions& options, const Settings& kept, const ReaderState& at) {
+  const std::optional<Hour> hour = hour_of(options.playlist, kept);
+  return hour ? hour->start() : at;
+}
+
 /// Keeps freed memory for the next frame, which needs about as much: otherwise it would be given back and fetched again
 /// page by page.
 void keep_memory() {
@@ -72,7 +78,7 @@ struct WindowUi::Impl {
   Impl(const std::vector<const Lesson*>& lessons, const ReaderState& at, Renderer& gl, const Settings& kept,
        const WindowOptions& options)
       : renderer(gl),
-        player(lessons, at, options.reduced_motion || kept.reduced_motion),
+        player(lessons, start_of(options, kept, at), options.reduced_motion || kept.reduced_motion),
         settings(kept),
         reduced_motion(options.reduced_motion),
         drawing(options.draw_scene),
@@ -92,6 +98,8 @@ struct WindowUi::Impl {
     player.clock().set_speed(kept.speed);
     player.clock().stop_at_questions(!kept.nonstop);
     if (at.beside) settings.beside = beside_of(at);
+    session.hour = hour_of(options.playlist, kept);
+    begin_hour(session);
   }
 
   /// Draws the preview; again only if something has changed.
@@ -191,6 +199,10 @@ struct WindowUi::Impl {
     const ScenePane pane{player, ui, session.toast, session.requests.zoom};
     const LessonPanel lesson{player, ui, settings, session.fields, session.step_words, session.requests, session.toast};
     if (session.review) return show_review(at, pane, lesson);
+    if (shows_fault(session)) {
+      panes.leave(player, settings);
+      return stop_fault(session, {at.top.left, at.top.bottom, at.top.right, at.transport.top});
+    }
     if (two_panes(player, settings)) {
       const PanesLayout two = panes_layout(at, session.panels, player.quiz().asked() || player.quiz().answered());
       panes.show(pane, settings, scene, two);
@@ -264,14 +276,15 @@ void WindowUi::frame() {
   ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);  // Tab is the window's own
   keys(w.session);
   follow_review(w.session);
+  follow_hour(w.session);
   w.learn_names();
   const WindowLayout at = w.layout();
   w.show_step(at);
   if (w.session.review) {
     review_bars(w.session, at.top, at.transport);
   } else {
-    top_bar(w.player, w.ui, w.settings, w.session.requests, w.session.toast, at.top, !w.session.panels);
-    transport(w.player, w.ui, w.settings, w.session.toast, at.transport, !w.session.panels);
+    top_bar(w.player, w.ui, w.settings, w.session.requests, w.session.toast, at.top, pages_go_on(w.session));
+    transport(w.session, at.transport);
   }
   sheets(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
   dark_screen(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
@@ -310,13 +323,15 @@ std::string WindowUi::title() const {
   std::string preset_title = "changed";
   for (const Preset& preset : p.lesson().presets)
     if (preset.id == p.played().preset_id()) preset_title = plain(p.told_title(preset));
-  return plain(p.lesson().title) + ", " + preset_title + ", step " + std::to_string(p.index() + 1) + " of " +
-         std::to_string(p.count()) + " – isect";
+  const std::optional<Hour>& hour = impl_->session.hour;
+  return (hour ? hour->told() + ": " : "") + plain(p.lesson().title) + ", " + preset_title + ", step " +
+         std::to_string(p.index() + 1) + " of " + std::to_string(p.count()) + " – isect";
 }
 
 double WindowUi::rest() const {
   const Player& p = impl_->player;
-  const bool scene_is_shown = !impl_->session.review || !impl_->session.review->over();
+  const WindowSession& s = impl_->session;
+  const bool scene_is_shown = s.review ? !s.review->over() : !shows_fault(s);
   if (p.camera().moving() || p.time_runs() || p.motion().share() < 1 || p.motion().light() < 1 ||
       impl_->ui.light.changing() || (scene_is_shown && impl_->scene.behind()) || impl_->panes.behind() ||
       impl_->ui.texts.waiting() || impl_->preparing)
@@ -355,6 +370,7 @@ Settings WindowUi::settings() const {
   const Player& player = review ? review->before : impl_->player;
   if (review) settings.beside = review->beside;
   settings.speed = player.clock().speed();
+  if (impl_->session.hour) keep_hour(settings.hours, impl_->session.hour->place());
   if (!player.lesson().made_from.empty()) return settings;  // from a file that the next run does not know
   settings.reader_state = player.reader_state();
   if (!player.camera().moved()) settings.reader_state->camera.reset();  // presets keep framing themselves

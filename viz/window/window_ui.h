@@ -27,6 +27,7 @@ struct WindowOptions {
   Course course = {};
   /// Writes a setting into the file from which the lesson is made; null: there is none.
   std::function<void(const Parameters&)> save_scene = {};
+  Playlist playlist = {};  ///< to be gone through, from where the settings left it, and not from `at`; empty: none
 };
 
 class WindowUi {

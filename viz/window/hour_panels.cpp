@@ -1,0 +1,136 @@
+// What is shown of a playlist: where the reader is in it, a stop's note, all stops, and a stop that can't be opened.
+
+#include <algorithm>
+#include <cmath>
+
+#include "viz/text/rich_text.h"
+#include "viz/window/column.h"
+#include "viz/window/panels.h"
+#include "viz/window/sheets.h"
+
+namespace isect::viz {
+namespace {
+
+constexpr float stop_row = 46;
+
+/// Returns "steps 3–6"; nothing for all of them.
+std::string steps_of(const Stop& stop) {
+  if (stop.whole || stop.steps.empty()) return {};
+  const int first = stop.steps.front() + 1, last = stop.steps.back() + 1;
+  if (first == last) return "step " + std::to_string(first);
+  if (last - first + 1 == static_cast<int>(stop.steps.size()))
+    return "steps " + std::to_string(first) + "–" + std::to_string(last);
+  std::string all;
+  for (const int step : stop.steps) all += (all.empty() ? "steps " : ", ") + std::to_string(step + 1);
+  return all;
+}
+
+/// Returns "Ray and sphere: tangent", without the preset while it may answer an open question of this lesson.
+std::string title_of(const Stop& stop, const Player& player) {
+  if (!stop.lesson) return stop.name.empty() ? "A stop" : stop.name;
+  const std::string title = plain(stop.lesson->title);
+  if (!stop.lesson->made_from.empty() || (player.quiz().asked() && stop.lesson == &player.lesson())) return title;
+  const auto named = std::ranges::find(stop.lesson->presets, stop.name, &Preset::id);
+  return title + ": " + (named == stop.lesson->presets.end() ? stop.name : plain(named->title));
+}
+
+/// Draws a stop's row; that of the stop whose turn it is looks chosen. Returns whether it was pressed.
+bool row_of_stop(WindowSession& s, int i, const Rect& r) {
+  Ui& ui = s.ui;
+  const Palette& c = ui.palette;
+  const Stop& stop = s.hour->list().stops[static_cast<std::size_t>(i)];
+  const std::string name = "stop " + std::to_string(i + 1);
+  const bool now = i == s.hour->at();
+  if (now) ui.focus.begin_at(name);
+  const Press p = press(ui, name, r);
+  if (p.hovered || now) filled(r, now ? c.card : c.hovered, 5);
+  if (now) filled({r.left, r.top + 4, r.left + 4, r.bottom - 4}, c.first, 2);
+  const float left = r.left + 52, room = r.right - 8 - left;
+  text(ui.fonts.bold, left - 12, r.top + 14, packed(c.muted), std::to_string(i + 1), 1);
+  text(ui.fonts.body, left, r.top + 14, packed(stop.fault.empty() ? c.text : c.miss),
+       fitted(ui.fonts.body, title_of(stop, s.player), room));
+  std::string below = steps_of(stop);
+  if (!stop.note.empty()) below += (below.empty() ? "" : " · ") + plain(stop.note);
+  if (!stop.fault.empty()) below = "can't be opened: " + stop.fault;
+  text(ui.fonts.small, left, r.top + 33, packed(c.muted), fitted(ui.fonts.small, below, room));
+  return p.clicked;
+}
+
+}  // namespace
+
+float hour_badge(WindowSession& s, float x, float y) {
+  const Hour& hour = *s.hour;
+  ImFont* const font = s.ui.fonts.heading;
+  const bool away = hour.away(s.player);
+  const Rect r{x, y - 16, x + text_width(font, hour.told()) + 20, y + 16};
+  if (chip(s.ui, "stops", r, hour.told(), !away, font)) s.requests.sheet = Sheet::stops;
+  if (ImGui::IsItemHovered())
+    tooltip(s.ui, away ? "Page Down returns to this stop; J lists all" : "The stops of this playlist (J)");
+  return r.right;
+}
+
+void hour_note(Column& c, const std::string& note) {
+  if (note.empty()) return;
+  const float top = c.y;
+  c.paragraph(note, c.ui.palette.muted);
+  c.ui.rects["note"] = {c.x, top, c.x + c.width, c.y};
+  c.y += 10;
+}
+
+bool shows_fault(const WindowSession& s) { return s.hour && !s.review && s.hour->faulty(s.player); }
+
+void stop_fault(WindowSession& s, const Rect& r) {
+  Ui& ui = s.ui;
+  const Hour& hour = *s.hour;
+  bool past = false, back = false;
+  begin_region(ui, "stop fault", r);
+  scrolling(ui, "fault of stop", r, [&] {
+    const float width = std::min(720.0f, r.width() - 40), x = std::round(r.middle_x() - width / 2);
+    Column c{ui, x, ImGui::GetCursorScreenPos().y + 40, width};
+    c.paragraph("Stop " + hour.told() + " can't be opened", ui.palette.text, 21, 28, true);
+    c.y += 6;
+    c.paragraph(as_markup(hour.stop().fault), ui.palette.muted);
+    c.y += 24;
+    float from = c.x;
+    if (hour.at() + 1 < hour.count()) past = c.button("go past stop", "Go past it  →", from);
+    if (hour.at() > 0) back = c.button("back from stop", "←  Back", from);
+    c.y += Column::button_height + 16;
+    ImGui::SetCursorScreenPos({r.left, c.y});
+    ImGui::Dummy({1, 1});
+  });
+  ui.rects["fault of stop"] = r;
+  ImGui::End();
+  if (past) return go_on(s);
+  if (back) go_back(s);
+}
+
+void stops_sheet(WindowSession& s, const Rect& window) {
+  constexpr float head = 46;
+  const int count = s.hour->count();
+  if (!begin_sheet(s.ui, "list of stops", window, 720, 40 + head + stop_row * static_cast<float>(count))) return;
+  Ui& ui = s.ui;
+  const Palette& c = ui.palette;
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  const std::string title = plain(s.hour->list().title);
+  text(ui.fonts.heading, top.x + 8, top.y + 12, packed(c.text),
+       fitted(ui.fonts.heading, title.empty() ? "Playlist" : title, ImGui::GetContentRegionAvail().x - 16));
+  ImGui::SetCursorScreenPos({top.x, top.y + 34});
+  const bool opened = ImGui::IsWindowAppearing();
+  ImGui::BeginChild("all stops");
+  if (opened) ImGui::SetScrollY(std::max(0.0f, stop_row * static_cast<float>(s.hour->at() - 2)));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = at.x + ImGui::GetContentRegionAvail().x - 4;
+  int pressed = -1;
+  for (int i = 0; i < count; ++i) {
+    const float y = at.y + stop_row * static_cast<float>(i);
+    if (row_of_stop(s, i, {at.x, y, right, y + stop_row - 2})) pressed = i;
+  }
+  ImGui::SetCursorScreenPos(at);
+  ImGui::Dummy({1, stop_row * static_cast<float>(count)});
+  ImGui::EndChild();
+  if (pressed >= 0) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+  if (pressed >= 0) open_stop(s, pressed);
+}
+
+}  // namespace isect::viz
