@@ -37,7 +37,7 @@ constexpr double map_width = 264, map_height = 190;
 /// The width of strokes that light up, as a share of the window's.
 constexpr double thinner = 0.45;
 
-std::string name_of(const viz::Handle& h) { return fmt::format("{}/{}", h.parameter, static_cast<int>(h.kind)); }
+std::string name_of(const viz::Handle& h) { return fmt::format("{}/{}", h.id(), static_cast<int>(h.kind)); }
 
 std::string svg_of(const viz::LitStroke& s) {
   const std::string width = fmt::format("stroke-width=\"{}\"", viz::svg_number(thinner * s.width));
@@ -150,11 +150,11 @@ Json BrowserSession::handles() const {
   for (const viz::Handle& h : player_->scene().handles) {
     const viz::Projected at = figure_.view.project(h.at);
     if (!(at.depth > 0)) continue;
-    std::string label = h.one_of, value;
+    std::string label = viz::plain(h.one_of), value;
     for (const viz::Parameter& p : player_->lesson().parameters) {
       if (p.name != h.parameter) continue;
       if (label.empty()) label = viz::plain(p.label.empty() ? p.name : p.label);
-      if (player_->parameters().contains(p.name))
+      if (h.with.empty() && player_->parameters().contains(p.name))
         value = program::in_words(player_->parameters().at(p.name), player_->lesson().flat);
     }
     all.push_back({{"name", name_of(h)},

@@ -22,7 +22,9 @@ std::vector<viz::Parameter> parameters_of(const File& file) {
       const bool vertex = known == spec(o.type).fields.end();
       const bool its_place = field == "center" || field == "at" || field == "origin";
       const bool slab = vertex && o.type == Type::kdop;
-      const std::string help = slab     ? "An end of a slab of " + o.name + "."
+      const bool moves = vertex && field == "at";
+      const std::string help = moves    ? fmt::format("How far {} is moved from where its points are given.", o.name)
+                               : slab   ? "An end of a slab of " + o.name + "."
                                : vertex ? fmt::format("A point of {}.", o.name)
                                         : fmt::format("Of {}: {}.", o.name, known->help);
       viz::Parameter p = {o.name + "." + field, shown_name(o.name) + (its_place ? "" : "." + field), help,
@@ -42,12 +44,16 @@ std::vector<viz::Condition> conditions_of(const File& file) {
         all.push_back({name, "a vector of any length but 0",
                        [name](const viz::Parameters& p) { return !std::get<viz::Vec3>(p.at(name)).isZero(0); }});
       }
-  for (const Object& o : file.objects)
-    for (const ShapeRule& rule : spec(o.type).rules)
-      if (const std::string name = o.name + "." + rule.field; file.parameters.contains(name))
-        all.push_back({name, rule.allowed, [o, rule, flat = file.flat](const viz::Parameters& p) {
-                         return rule.holds({p, flat}, o);
-                       }});
+  const auto add = [&](const Object& o, const ShapeRule& rule) {
+    if (const std::string name = o.name + "." + rule.field; file.parameters.contains(name))
+      all.push_back({name, rule.allowed, [o, rule, flat = file.flat](const viz::Parameters& p) {
+                       return rule.holds({p, flat}, o);
+                     }});
+  };
+  for (const Object& o : file.objects) {
+    for (const ShapeRule& rule : spec(o.type).rules) add(o, rule);
+    for (const ShapeRule& rule : spec(o.type).drawable) add(o, rule);
+  }
   return all;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/scene/spans.h"
+#include "app/scene/types.h"
 #include "viz/formats/files.h"
 
 namespace isect::program::scene {
@@ -24,6 +25,12 @@ std::vector<std::string> places(const Object& o, const std::string& field) {
   for (std::size_t ring = 0; ring < o.rings.size(); left -= o.rings[ring++])
     if (left >= 0 && left < o.rings[ring]) all.push_back(fmt::format("/rings/{}/{}", ring, left));
   return all;
+}
+
+/// Returns where "at" is added to an object that has none yet: behind its name. Null: there is no such object.
+const Spans::Span* end_of_name(const Spans& spans, const Object& o, std::size_t i) {
+  const Spans::Span* name = spans.at(fmt::format("/objects/{}/{}", i, spec(o.type).name));
+  return name ? name : spans.at(fmt::format("/objects/{}/{}", i, other_name(spec(o.type))));
 }
 
 std::string written(const viz::Setting& setting, bool flat) {
@@ -44,6 +51,10 @@ std::string with_numbers(const std::string& text, const File& file, const viz::P
       const Spans::Span* span = nullptr;
       for (const std::string& place : places(file.objects[i], field))
         if (!span) span = spans.at(fmt::format("/objects/{}{}", i, place));
+      if (const Spans::Span* own = end_of_name(spans, file.objects[i], i); !span && own && field == "at") {
+        changes[own->end] = {own->end, ", \"at\": " + written(parameters.at(name), file.flat)};
+        continue;
+      }
       if (!span)
         throw viz::BadInput(fmt::format("{}: it stands in a file of its own, which isect does not change", name));
       changes[span->begin] = {span->end, written(parameters.at(name), file.flat)};

@@ -194,6 +194,32 @@ TEST_CASE("a handle on the image plane stays on it, under the pointer", "[player
   CHECK((view.project(after.at).at - pixel).norm() < 1e-6);
 }
 
+TEST_CASE("a handle on a line stays on it, next to the pointer, unless the line points to the viewer", "[player]") {
+  const View view(Camera{.azimuth = 0.6, .elevation = 0.4, .perspective = true}, 800, 600);
+  Handle face = {.parameter = "A.lo",
+                 .kind = Handle::Kind::on_line,
+                 .at = Vec3(0.5, 0.25, 0),
+                 .direction = Vec3(1, 2, 0.5),
+                 .name = "A.lo.x"};
+  const Vec3 there = face.at + 0.375 * face.direction;
+  CHECK(brought(view, face, view.project(there).at).isApprox(there, 1e-9));
+  const Vec3 beside = brought(view, face, view.project(there).at + Vec2(9, 3));
+  CHECK((beside - face.at).cross(face.direction).norm() < 1e-9);
+  face.direction = view.towards_eye(face.at);
+  const Vec3 facing = brought(view, face, view.project(face.at).at + Vec2(9, 3));
+  CHECK((facing - face.at).norm() < 0.2);
+  CHECK(facing == view.on_facing_plane(view.project(face.at).at + Vec2(9, 3), face.at));
+
+  Scene scene;
+  Handle other = face;
+  other.name = "A.lo.y";
+  scene.handles = {other, face};
+  REQUIRE(same_handle(scene, face));
+  CHECK(same_handle(scene, face)->name == "A.lo.x");
+  face.name = "A.lo.z";
+  CHECK_FALSE(same_handle(scene, face));
+}
+
 TEST_CASE("Snap stands on the short number where a border is one", "[player]") {
   Player player(lessons::all_lessons(), place_at("rays", "segment"));
   const auto shown = [&] {

@@ -34,14 +34,19 @@ bool stands_at(const Label& label, const Handle& h) { return (label.at - h.at).n
 }  // namespace
 
 std::string name_of(const Player& player, const Handle& h) {
+  if (!h.name.empty() && !h.one_of.empty()) return h.one_of;  // its parameter is another handle's, too
   for (const Parameter& p : player.lesson().parameters)
     if (p.name == h.parameter && !p.label.empty()) return p.label;
   return h.parameter;
 }
 
 bool is_named(const Player& player, const Handle& h) {
-  const std::size_t handles = player.scene().handles.size();
-  const bool part = !player.lesson().made_from.empty() && name_of(player, h).find('.') != std::string::npos;
+  const std::vector<Handle>& all = player.scene().handles;
+  const bool own = !player.lesson().made_from.empty();
+  const std::size_t handles =  // those of faces and of whole objects have no names
+      own ? static_cast<std::size_t>(std::ranges::count_if(all, [](const Handle& one) { return one.one_of.empty(); }))
+          : all.size();
+  const bool part = own && name_of(player, h).find('.') != std::string::npos;
   return h.one_of.empty() && handles <= most_named_handles && (!part || handles <= few_handles);
 }
 

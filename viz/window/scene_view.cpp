@@ -137,7 +137,7 @@ void SceneView::draw(const ScenePane& s, const Rect& r, const View& view) {
 static std::optional<Handle> handle_of_keyboard(const ScenePane& s) {
   const std::string name = s.ui.focus.name();
   for (const Handle& h : s.player.scene().handles)
-    if (s.pane == Pane::lead && name == "handle " + h.parameter) return h;
+    if (s.pane == Pane::lead && name == "handle " + h.id()) return h;
   return {};
 }
 
@@ -227,7 +227,7 @@ void SceneView::keyboard(const ScenePane& s, const View& view) {
   }
   const std::vector<Handle>& handles = s.player.scene().handles;
   const auto held =
-      std::ranges::find_if(handles, [&](const Handle& h) { return "handle " + h.parameter == s.ui.focus.name(); });
+      std::ranges::find_if(handles, [&](const Handle& h) { return "handle " + h.id() == s.ui.focus.name(); });
   if (io.KeyShift && held != handles.end()) {
     if (way == Vec2::Zero()) return;
     const Handle handle = *held;
@@ -235,7 +235,7 @@ void SceneView::keyboard(const ScenePane& s, const View& view) {
       if (search_) return;
       return attempt(s.toast, [&] {
         Snap snap = snapping_nudge(s.player, view, handle, way);
-        s.player.remember("snap " + handle.parameter);
+        s.player.remember("snap " + handle.id());
         begin_snap(s.player, std::move(snap));
       });
     }
@@ -325,8 +325,8 @@ void SceneView::handles_and_names(const ScenePane& s, const Rect& r, const View&
     const Vec2 at = view.project(h.at).at;
     const float x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
     const Rect grip{x - hit_area, y - hit_area, x + hit_area, y + hit_area};
-    s.ui.rects["handle " + h.parameter] = grip;
-    focused(s.ui, "handle " + h.parameter, grip);
+    s.ui.rects["handle " + h.id()] = grip;
+    focused(s.ui, "handle " + h.id(), grip);
   }
   const std::optional<Handle> under = held_ ? held_ : hovered ? handle_near(s.handles(), view, mouse()) : std::nullopt;
   if (hovered && !active) point_at_names(s.player, s.ui, view, r, labels_, under);
