@@ -317,7 +317,11 @@ function isect_live(book) {
   }
 
   // A scene of one's own: its text is the state, with what was dragged written into it.
-  const text_of = id => book.find(id, ".written pre").textContent;
+  const texts = new Map();
+  function text_of(id) {
+    if (!texts.has(id)) texts.set(id, book.find(id, ".written pre").textContent);
+    return texts.get(id);
+  }
   const scene_request = (id, text = text_of(id)) => ({ do: "open", example: id, scene: text });
   function place_scene(frame) {
     const kept = frame.scene !== undefined;
