@@ -35,9 +35,10 @@ const isect_code = {
   async ready(address) {
     const inside = address.startsWith("#"), named = ending => address.replace(/\.js$/, ending);
     const served = !inside && location.protocol.startsWith("http") ? this.fetched(named(".wasm")).catch(() => null) : null;
-    await this.idle();
+    if (!served) await this.idle();
     await this.script(address);
     const compiled = await served ?? await this.unpacked(inside ? "" : named("-packed.js"));
+    await this.idle();
     const code = await new Promise((resolve, reject) => isect_module({
       instantiateWasm(imports, done) {
         WebAssembly.instantiate(compiled, imports).then(instance => done(instance, compiled)).catch(reject);
