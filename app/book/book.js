@@ -304,13 +304,13 @@
     tell_live(live ? "ready" : "none");
   }
   /// "loading", then "ready", or "none" where the lessons can't run.
-  function tell_live(state) {
+  function mark_live(state) {
     root.dataset.live = state, root.classList.toggle("can-live", state !== "none");  // the room for what can be changed
-    isect_tell("live", { state });
   }
+  function tell_live(state) { mark_live(state), isect_tell("live", { state }); }
   const script = document.body.dataset.live;
   if (script) {
-    tell_live("loading");
+    mark_live("loading");
     (window.WebAssembly ? come_alive(script) : Promise.reject()).catch(() => { live = null, tell_live("none"); });
   }
 })();
