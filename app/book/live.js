@@ -319,7 +319,11 @@ function isect_live(book) {
   }
 
   // A scene of one's own: its text is the state, with what was dragged written into it.
-  const text_of = id => document.getElementById(id).querySelector(".written pre").textContent;
+  const texts = new Map();
+  function text_of(id) {
+    if (!texts.has(id)) texts.set(id, book.find(id, ".written pre").textContent);
+    return texts.get(id);
+  }
   const scene_request = (id, text = text_of(id)) => ({ do: "open", example: id, scene: text });
   function place_scene(frame) {
     const kept = frame.scene !== undefined;
@@ -353,7 +357,7 @@ function isect_live(book) {
   }
   function request_from(hash) {
     const [path, query] = hash.slice(1).split("?"), [preset, step, question] = book.decoded(path).split("/");
-    if (!book.walks.some(w => w.id === preset)) return null;
+    if (!book.settings.includes(preset)) return null;
     const request = { ...(is_scene ? scene_request(preset) : { do: "open", lesson, preset, changes: [] }),
       step: Math.max(0, Number(step || 1) - 1 || 0), asks: question === "question" };
     for (const [name, text] of new URLSearchParams((query ?? "").replaceAll("+", "%2B")))
@@ -430,21 +434,21 @@ function isect_live(book) {
   });
   addEventListener("afterprint", () => section.querySelectorAll(".printed").forEach(e => e.remove()));
 
-  function begin(walk, at) {
+  /// `station`: the one on show, as an address names it.
+  function begin(station) {
     book.request({ do: "look", dark: dark.matches });
-    const station = book.walks.find(w => w.id === walk).querySelectorAll(".steps > article")[at];
     document.getElementById("walks").prepend(section);
     root.classList.add("lively");
     const asked = request_from(book.address()), name = book.decoded(location.hash.slice(1).split(/[/?]/)[0]);
     const nowhere = name !== "" && !asked && !document.getElementById(name);
-    if (act(asked ?? request_from("#" + (station ? station.id : walk)), "keep")) {
+    if (act(asked ?? request_from("#" + station), "keep")) {
       resized();
       if (asked) book.show_picture();
       if (nowhere) message.textContent = `This page has no setting “${name}”.`;
       return;
     }
     const wrong = message.textContent;  // a link that is no longer good
-    act(request_from("#" + walk), "keep");
+    act(request_from("#" + station.split("/")[0]), "keep");
     message.textContent = wrong;
   }
   snap.title = "Handles stop where the case changes; Shift does that, too";

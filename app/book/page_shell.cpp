@@ -51,9 +51,11 @@ std::string html(const Page& page, const Looks& looks) {
   const bool lives = !looks.live.empty() && !page.lesson.empty();
   const std::string inside =
       lives ? fmt::format("<script type=\"text/plain\" id=\"live-code\">{}</script>\n", looks.live) : "";
-  const std::string script =
-      page.neighbours.alone ? fmt::format("{}<script>\n{}</script>\n", inside, looks.script)
-                            : "<script src=\"book.js\" onerror=\"document.documentElement.className = ''\"></script>\n";
+  const std::string script = page.neighbours.alone
+                                 ? fmt::format("{}<script>\n{}</script>\n", inside, looks.script)
+                                 : "<script src=\"book.js\" onerror=\"document.documentElement.className = ''; "
+                                   "for (const waits of document.querySelectorAll('noscript')) "
+                                   "waits.outerHTML = waits.textContent\"></script>\n";
   const std::string body = fmt::format(
       "<a class=\"skip\" href=\"#main\">Skip to the text</a>\n{}<main id=\"main\">\n{}</main>\n{}{}",
       course_links(page, "header", "Course"), page.body, course_links(page, "footer", "Course, again"), script);

@@ -48,6 +48,34 @@ std::string faults(const std::string& page) {
   return out;
 }
 
+/// A page as a browser with scripts reads it: without what waits, which holds nothing else that waits.
+std::string at_first(const std::string& page) {
+  std::string out;
+  std::size_t from = 0;
+  for (std::size_t at = page.find("<noscript "); at != page.npos; at = page.find("<noscript ", from)) {
+    const std::size_t end = page.find("</noscript>", at);
+    REQUIRE(end != page.npos);
+    CHECK(page.find("<noscript", at + 1) > end);
+    out += page.substr(from, at - from);
+    from = page.find('\n', end);
+  }
+  return out + page.substr(from);
+}
+
+int elements(const std::string& page) {
+  int sum = 0;
+  for (std::size_t at = page.find('<'); at != page.npos; at = page.find('<', at + 1))
+    sum += page[at + 1] >= 'a' && page[at + 1] <= 'z';
+  return sum;
+}
+
+/// A page opens with few elements, and what these refer to is among them.
+void check_light(const std::string& page) {
+  const std::string first = at_first(page);
+  CHECK(elements(first) < 2500);  // scripts add some
+  for (const std::string& id : quoted(first, "<use href=\"#")) CHECK_THAT(first, Contains("<g id=\"" + id + "\">"));
+}
+
 /// Every fifth lesson is followed by a page that asks again what these lessons ask.
 void check_reviews(const std::filesystem::path& site) {
   const auto page = [&](const std::string& file) { return contents(site / file); };
@@ -68,6 +96,7 @@ void check_reviews(const std::filesystem::path& site) {
     const std::vector<std::string> names = quoted(review, "data-asked=\"");
     CHECK(std::set<std::string>(names.begin(), names.end()) == questions);
     CHECK(count(review, "<article class=\"ask\"") == asked);
+    CHECK(count(review, "<noscript data-asked=") == asked);
     CHECK(count(review, "<svg class=\"picture\"") == asked);
     CHECK(count(review, " data-right>") == asked);
     CHECK(count(review.substr(review.find("<div class=\"answers\">")), "<b>Question ") == asked);
@@ -79,15 +108,19 @@ void check_reviews(const std::filesystem::path& site) {
   }
 }
 
+/// A module of WebAssembly that holds nothing.
+const std::string empty_wasm("\0asm\1\0\0\0", 8);
+
 TEST_CASE("a book has a page for each lesson, with every preset and every step", "[book]") {
   const Shell shell;
-  write(shell.work() / "live.js", "isect_module.packed = \"\";\n");
+  write(shell.work() / "live.js", "var isect_module;\nisect_module.packed = \"\";\n");
+  write(shell.work() / "live.wasm", empty_wasm);
   const Ran r = shell("isect book --live live.js --live-scenes live.js --out site");
   REQUIRE(r.status == 0);
   CHECK(r.err.empty());
   const std::filesystem::path site = shell.work() / "site";
   const auto& lessons = isect::lessons::all_lessons();
-  const std::size_t reviews = (lessons.size() + 4) / 5, files = lessons.size() + reviews + 9;
+  const std::size_t reviews = (lessons.size() + 4) / 5, files = lessons.size() + reviews + 13;
   CHECK(isect::test::files_in(site).size() == files);
   CHECK(count(r.out, "\n") == static_cast<int>(files));
 
@@ -99,6 +132,7 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
     CHECK_THAT(text.substr(0, text.find('\n')), Contains("Made by isect book: " + file + "."));
     if (!file.ends_with(".html")) continue;
     CHECK(faults(text) == "");
+    check_light(text);
     CHECK_THAT(text, Contains("<!DOCTYPE html>\n<html lang=\"en\">") && !Contains("**") && !Contains("http"));
     for (const std::string& target : quoted(text, "href=\""))
       if (!target.starts_with("#")) CHECK(std::filesystem::exists(site / target.substr(0, target.find('#'))));
@@ -125,6 +159,7 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
     last = at;
     const std::string page = contents(site / (lesson->id + ".html"));
     int steps = 0, questions = 0, said = 0;
+    CHECK(count(page, "<noscript data-setting=\"") == static_cast<int>(lesson->presets.size()) - 1);
     for (const isect::viz::Preset& p : lesson->presets) {
       CHECK_THAT(page, Contains("id=\"" + p.id + "\"") && Contains("href=\"#" + p.id + "\""));
       const isect::viz::Walk walk = lesson->walk(p.parameters);
@@ -134,6 +169,9 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
         if (step.slug != isect::viz::closing_slug)
           said += isect::viz::taken(walk, static_cast<int>(&step - walk.steps.data())).has_value();
       }
+      if (&p == &lesson->presets.front())
+        CHECK_THAT(page, Contains("<noscript data-stations=\"" + std::to_string(steps + questions) +
+                                  "\" data-steps=\"" + std::to_string(steps) + "\">"));
     }
     CHECK(count(page, " data-said=\"") == said);
     CHECK(count(page, "<b class=\"said ") == said);  // without scripts, too
@@ -223,6 +261,40 @@ TEST_CASE("a page with compiled lessons has them, and its fonts for figures that
                        Contains("isect_module.packed = ") && Contains("<style id=\"letters\">") &&
                        Contains("function isect_live(book)"));
   CHECK_THAT(page, !Contains(" src=\"isect.js\""));
+}
+
+TEST_CASE("a book has its compiled lessons for servers and packed for disk, each with isect's mark", "[book]") {
+  const Shell shell;
+  write(shell.work() / "live.js", "var isect_module;\nisect_module.packed = \"H4sI\";\n");
+  write(shell.work() / "live.wasm", empty_wasm + std::string("\0\2\1x", 4));
+  const auto site = shell.work() / "site";
+  REQUIRE(shell("isect book --live live.js --out site").status == 0);
+  CHECK_THAT(contents(site / "isect.js"), Contains("function isect_live(book)") && Contains("\nvar isect_module;\n") &&
+                                              !Contains("isect_module.packed = "));
+  CHECK_THAT(contents(site / "isect-packed.js"), Contains("\nisect_module.packed = \"H4sI\";\n"));
+  CHECK_THAT(contents(site / "intervals.html"), Contains("data-live=\"isect.js\""));
+  // Sections of its own before and behind, as a browser passes over them: 0, the size, the length of a name, the name.
+  const std::string wasm = contents(site / "isect.wasm"), mark = "Made by isect book: isect.wasm.";
+  REQUIRE(wasm.size() > 60);
+  CHECK(wasm.starts_with(empty_wasm));
+  std::vector<std::string> sections;
+  for (std::size_t at = 8; at + 1 < wasm.size(); at += 2 + static_cast<unsigned char>(wasm[at + 1])) {
+    CHECK(wasm[at] == '\0');
+    sections.push_back(wasm.substr(at + 2, static_cast<unsigned char>(wasm[at + 1])));
+  }
+  REQUIRE(sections.size() == 3);
+  CHECK(sections[0] == "\5isect" + mark);
+  CHECK(sections[1] == "\1x");
+  CHECK_THAT(sections[2], StartsWith("\5isectDigest of all above: "));
+
+  write(site / "isect.wasm", wasm + std::string("\0\2\1y", 4));  // edited
+  CHECK_THAT(shell("isect book --live live.js --out site").err, Contains("left alone: site/isect.wasm"));
+  write(site / "isect.wasm", empty_wasm);  // somebody else's
+  CHECK(shell("isect book --live live.js --out site").status == 4);
+  write(shell.work() / "live.wasm", "not compiled");
+  const Ran wrong = shell("isect book --live live.js --out other");
+  CHECK(wrong.status == 2);
+  CHECK_THAT(wrong.err, Contains("live.wasm"));
 }
 
 TEST_CASE("a book is never written over somebody else's files", "[book]") {

@@ -15,11 +15,13 @@ if [ -n "$live" ]; then
     { echo "$told"; exit 1; }
   "$isect" book --live "$live" --live-scenes "$(dirname "$live")/live_scenes.js" --out "$scratch/site" >/dev/null
   node "$here/told.mjs" "$scratch/site"
+  node "$here/light.mjs" "$scratch/site"
   node "$here/scene.mjs" "$scratch/site" "$isect"
   node "$here/sizes.mjs" "$scratch/site"
   node "$here/habits.mjs" "$scratch/site" "$isect"
   exec node "$here/live.mjs" "$scratch/site" "$isect"
 fi
 "$isect" book --out "$scratch/site" >/dev/null
+node "$here/light.mjs" "$scratch/site"
 node "$here/sizes.mjs" "$scratch/site"
 exec node "$here/pages.mjs" "$scratch/site"

@@ -7,6 +7,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { Browser } from "./browser.mjs";
+import { loaded } from "./live_page.mjs";
 
 const folder = resolve(process.argv[2]), phone = "390x844";
 const sizes = [phone, "844x390", "1024x768", "1093x614", "1366x768", "1920x1080", "2560x1440"];
@@ -74,10 +75,7 @@ try {
       await browser.look({ width, height });
       await browser.open("about:blank");
       await browser.open(pathToFileURL(join(folder, page)).href);
-      await browser.ask(`new Promise(done => {
-        const look = () => document.documentElement.dataset.live ? done() : setTimeout(look, 10);
-        document.body.dataset.live ? look() : done();
-      })`);
+      await browser.ask(loaded);
       check(await browser.ask("scrollY") === 0, `${page}, ${size}: it opens scrolled`);
       const settings = await browser.ask(`[...document.querySelectorAll("nav.settings a")].map(a => a.hash)`);
       const some = settings.filter((_, i) => i === 0 || (thorough.includes(size) && (every || i % 5 === 0)));
