@@ -46,7 +46,8 @@ function isect_live(book) {
     element("div", { class: "tools" }, pressed("Show this scene", show_scene), pressed("Open a file", () => chosen.click()),
       pressed("Save the scene", () => save(new Blob([scene.value], { type: "application/json" }), example + ".json"))), chosen);
   const share = element("details", { class: "share" }, element("summary", {}, "Save or share"));
-  const tools = element("div", { class: "tools", role: "group", "aria-label": "Tools" }, wants_map, snap, undo, redo, frame_all);
+  const tools = element("div", { class: "tools", role: "group", "aria-label": "Tools" }, wants_map, snap, undo, redo, frame_all,
+    isect_key_button());
   const pictures = element("div", { class: "pictures" }, stage, map,
     element("div", { class: "told-below" }, task, outcome, message));
   const article = element("article", { class: "step shown" }, above, pictures, below);
@@ -105,7 +106,7 @@ function isect_live(book) {
       if (frame.asks) article.classList.remove("told"), book.prepare(article);
     }
     book.light_code(section, frame);
-    isect_mark_terms(article);
+    isect_mark_terms(article, frame.at, place.origin);
     if (frame.solved) mark_solved(frame.solved);
     show_values(frame.values, frame.idle);
     wants_map.hidden = !frame["has map"];
