@@ -409,11 +409,12 @@ function isect_live(book) {
   function show_task({ solved = [], place }) {
     if (begun && place.origin !== begun.start) begun = null;
     const found = section.classList.contains("changed") ? solved : [], own = begun && found.find(one => one.exercise === begun.exercise);
-    const others = found.map(one => one.exercise + 1), link = i => `<a href="#${exercises[i].id}">Exercise ${i + 1}</a>`;
+    const link = (i, name = `Exercise ${i + 1}`) => `<a href="#${exercises[i].id}">${name}</a>`, asked = begun && exercises[begun.exercise];
     root.classList.toggle("has-task", Boolean(begun)), task.classList.toggle("found", Boolean(own || !begun));
     html(task, own ? `✓ ${link(own.exercise)}: this setting is one. ${escaped(own.told)}`
-        : begun ? `${link(begun.exercise)}: ${exercises[begun.exercise].querySelector("p").innerHTML}`
-        : others.length ? `✓ ${others.map(n => link(n - 1)).join(", ")}: this setting is one.` : "");
+        : begun ? `${link(begun.exercise)}: ${asked.querySelector("p").innerHTML}` +
+          (asked.querySelector("ol.code") ? ` ${link(begun.exercise, "Its lines")}` : "")
+        : found.length ? `✓ ${found.map(one => link(one.exercise)).join(", ")}: this setting is one.` : "");
   }
 
   // A scene of one's own: its text is the state, with what was dragged written into it.
