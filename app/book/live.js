@@ -23,7 +23,7 @@ function isect_live(book) {
   const algorithm = element("div", { class: "algorithm-holder" }), opinions = element("div", { class: "opinions-holder" });
   const above = element("div", { class: "above" }), below = element("div", { class: "below" });
   const lights = element("g", { class: "lights" }), grips = element("g", { role: "group", "aria-label": "Handles" });
-  const over = element("svg", { class: "over", role: "application" }, lights, grips);
+  const over = element("svg", { class: "over" }, lights, grips);
   const holder = element("div", { class: "holder" }, over);
   const stage = element("figure", { class: "stage" }, holder);
   const map_over = element("svg", { class: "over", tabindex: "0", role: "application",
@@ -106,7 +106,7 @@ function isect_live(book) {
       if (frame.asks) article.classList.remove("told"), book.prepare(article);
     }
     book.light_code(section, frame);
-    isect_mark_terms(article, frame.at, place.origin);
+    if (frame.algorithm !== undefined) isect_mark_terms(article, frame.at, place.origin);
     if (frame.solved) mark_solved(frame.solved);
     show_values(frame.values, frame.idle);
     wants_map.hidden = !frame["has map"];
@@ -163,7 +163,7 @@ function isect_live(book) {
   function name_picture({ map, chart }) {
     const does = map?.own ? "Map of cases; the arrow keys move the setting" : chart ? ""
         : `Picture; the arrow keys ${flat ? "shift" : "turn"} it, + and − zoom`;
-    over.setAttribute("aria-label", does || "Picture");
+    over.setAttribute("role", does ? "application" : "group"), over.setAttribute("aria-label", does || "Picture");
     if (does) over.setAttribute("tabindex", "0"); else over.removeAttribute("tabindex");
   }
 

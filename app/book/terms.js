@@ -40,7 +40,7 @@ function isect_mark_terms(part, at = -1, setting = "", texts = ":is(.words, .abo
 function isect_term_mark(word, term) {
   const mark = document.createElement("span");
   mark.className = "term", mark.tabIndex = 0, mark.textContent = word, mark.dataset.term = term[0].toLowerCase();
-  mark.setAttribute("role", "button"), mark.setAttribute("aria-describedby", "term-told");
+  mark.setAttribute("role", "button");
   mark.addEventListener("pointerenter", event => event.pointerType === "mouse" && isect_tell_term(mark, term));
   mark.addEventListener("pointerleave", event => event.pointerType === "mouse" && isect_hide_term(event.relatedTarget));
   mark.addEventListener("focus", () => isect_tell_term(mark, term));
@@ -64,18 +64,25 @@ function isect_tell_term(mark, [name, meaning, title, file]) {
   if (file) link.href = file, link.textContent = title, told.append(link);
   told.addEventListener("pointerleave", event => isect_hide_term(event.relatedTarget));
   told.addEventListener("focusout", event => isect_hide_term(event.relatedTarget));
-  mark.after(told);
-  const word = mark.getBoundingClientRect(), box = told.getBoundingClientRect();
+  mark.setAttribute("aria-describedby", told.id), mark.after(told), isect_place_term(told);
+}
+function isect_place_term(told) {
+  const word = told.previousElementSibling.getBoundingClientRect(), box = told.getBoundingClientRect();
   told.style.left = `${Math.max(8, Math.min(word.left, innerWidth - box.width - 8))}px`;
   told.style.top = `${word.bottom + box.height + 4 < innerHeight ? word.bottom : Math.max(4, word.top - box.height)}px`;
 }
 /// Unless the pointer or the focus has gone to `to` and that still is the word, or what is told of it.
 function isect_hide_term(to = null) {
   const told = document.querySelector(".term-told");
-  if (told && !(to instanceof Node && (told.contains(to) || told.previousElementSibling === to))) told.remove();
+  if (!told || (to instanceof Node && (told.contains(to) || told.previousElementSibling === to))) return;
+  told.previousElementSibling.removeAttribute("aria-describedby");
+  told.className = "", told.remove();  // its link may lose the focus, and ask for the same once more
 }
 
-addEventListener("scroll", () => isect_hide_term(), { capture: true, passive: true });
+addEventListener("scroll", () => {  // what is reached by Tab may scroll into sight
+  const told = document.querySelector(".term-told");
+  if (told) isect_place_term(told);
+}, { capture: true, passive: true });
 addEventListener("pointerdown", event => isect_hide_term(event.target));
 document.addEventListener("isect:step", ({ detail: { setting, at } }) => {
   if (!document.documentElement.classList.contains("lively"))  // live.js marks its own
