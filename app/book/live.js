@@ -63,6 +63,7 @@ function isect_live(book) {
   let rested = null;         // the setting that was drawn last to stay, and how many steps it has
   let flat = false;          // the scene lies in a plane: it is shifted and not turned
   let example = "";          // the scene of the page that was opened last
+  const exercises = isect_exercises(task);
   const live = { count: 0, at: 0, article, go: at => act({ do: "go", at }), load, from_address, begin };
 
   // Asking the session, and showing what it answers.
@@ -97,7 +98,7 @@ function isect_live(book) {
     const name = place["preset title"], own = is_scene ? name + ", changed" : `Changed from “${name}”`;
     html(heading, (changed ? own : name) +
       (place.method && place.method !== place["preset title"] ? ` <small>${place.method}</small>` : ""));
-    show_task(frame);
+    exercises.show(changed ? frame.solved ?? [] : [], place.origin);
     draw(frame);
     html(given, frame.given), html(opinions, frame.opinions), html(above, frame.above);
     if (frame.algorithm !== undefined) html(algorithm, frame.algorithm);
@@ -107,7 +108,7 @@ function isect_live(book) {
     }
     book.light_code(section, frame);
     if (frame.algorithm !== undefined) isect_mark_terms(article, frame.at, place.origin);
-    if (frame.solved) mark_solved(frame.solved);
+    if (frame.solved) exercises.mark(changed ? frame.solved : []);
     show_values(frame.values, frame.idle);
     wants_map.hidden = !frame["has map"];
     snap.hidden = !frame["has handles"] && !frame["has map"];
@@ -275,37 +276,7 @@ function isect_live(book) {
     if (first) first.focus(); else tell("Nothing can be moved at this step.");
   }
 
-  // Two fingers on the picture turn it and bring it closer; one finger scrolls the page.
-  let pair = null, paired = null, waits = 0;
-  function pair_of([a, b]) {
-    const p = place_in(over, a), q = place_in(over, b);
-    return { x: (p.x + q.x) / 2, y: (p.y + q.y) / 2, far: Math.hypot(p.x - q.x, p.y - q.y) };
-  }
-  const is_free = touch => stage.contains(touch.target) && !touch.target.closest(".grip");
-  function turn_by_pair() {
-    waits = 0;
-    if (!pair || !paired) return;
-    const factor = paired.far / pair.far, zooms = Math.abs(factor - 1) > 0.02;
-    act({ do: "turn", x: paired.x - pair.x, y: paired.y - pair.y }, "keep");
-    if (zooms) act({ do: "zoom", factor, moving: true }, "keep");
-    pair = { ...paired, far: zooms ? paired.far : pair.far }, paired = null;
-  }
-  stage.addEventListener("touchstart", event => {
-    const two = event.touches.length === 2 && event.cancelable && now && !now.chart && [...event.touches].every(is_free);
-    if (pair && !two) end_pair();
-    if (two) event.preventDefault(), pair = pair_of(event.touches), paired = null;
-  }, { passive: false });
-  stage.addEventListener("touchmove", event => {
-    if (!pair || event.touches.length !== 2) return;
-    if (event.cancelable) event.preventDefault();
-    paired = pair_of(event.touches), waits ||= requestAnimationFrame(turn_by_pair);
-  }, { passive: false });
-  function end_pair() {
-    if (!pair) return;
-    if (waits) cancelAnimationFrame(waits), turn_by_pair();
-    pair = null, act({ do: "drop" }, "replace");
-  }
-  ["touchend", "touchcancel"].forEach(name => stage.addEventListener(name, end_pair));
+  isect_two_fingers({ stage, place: touch => place_in(over, touch), may_turn: () => now && !now.chart, act });
 
   // One name, one light.
   let lit = "";
@@ -383,40 +354,6 @@ function isect_live(book) {
       else if (name in all && field.matches("[type=text]") === false) field.value = all[name];
     }
   }
-  // Exercises: what is asked and whether it is found stand below the picture, too, where one drags.
-  const exercises = [...document.querySelectorAll(".exercises > ol > li")];
-  let begun = null;  // the number from 0 of the exercise that was begun, and the setting it starts from
-  exercises.forEach((exercise, i) => {
-    const link = exercise.querySelector(".start a");
-    exercise.id ||= "exercise-" + (i + 1);
-    link?.addEventListener("click", () => begun = { exercise: i, start: link.hash.slice(1).split("/")[0] });
-  });
-  // A setting in which a program errs tells enough: its correction unfolds.
-  function mark_solved(all) {
-    exercises.forEach((exercise, i) => {
-      const found = section.classList.contains("changed") && all.find(one => one.exercise === i);
-      let note = exercise.querySelector(".solved");
-      if (!found) return note && note.remove();
-      if (!note) {
-        exercise.append(note = element("p", { class: "solved" }));
-        isect_tell("solved", { exercise: i + 1 });
-        if (found.told) exercise.querySelector("details").open = true;
-      }
-      note.textContent = `✓ The setting above is one. ${found.told}`.trim();
-    });
-  }
-  /// While something moves, nothing is known to be solved.
-  function show_task({ solved = [], place }) {
-    if (begun && place.origin !== begun.start) begun = null;
-    const found = section.classList.contains("changed") ? solved : [], own = begun && found.find(one => one.exercise === begun.exercise);
-    const link = (i, name = `Exercise ${i + 1}`) => `<a href="#${exercises[i].id}">${name}</a>`, asked = begun && exercises[begun.exercise];
-    root.classList.toggle("has-task", Boolean(begun)), task.classList.toggle("found", Boolean(own || !begun));
-    html(task, own ? `✓ ${link(own.exercise)}: this setting is one. ${escaped(own.told)}`
-        : begun ? `${link(begun.exercise)}: ${asked.querySelector("p").innerHTML}` +
-          (asked.querySelector("ol.code") ? ` ${link(begun.exercise, "Its lines")}` : "")
-        : found.length ? `✓ ${found.map(one => link(one.exercise)).join(", ")}: this setting is one.` : "");
-  }
-
   // A scene of one's own: its text is the state, with what was dragged written into it.
   const text_of = id => document.getElementById(id).querySelector(".written pre").textContent;
   const scene_request = (id, text = text_of(id)) => ({ do: "open", example: id, scene: text });
