@@ -226,11 +226,11 @@ Json BrowserSession::turn(const Json& request) {
   return frame(Drawn::in_motion);
 }
 
-/// {"factor"}: above 1 closer
+/// {"factor", "moving"}: above 1 closer; whether more is to come
 Json BrowserSession::zoom(const Json& request) {
   const Vec2 middle = figure_.view.corner() + Vec2(figure_.view.width(), figure_.view.height()) / 2;
   viz::zoom(player(), figure_.view, middle, std::clamp(request.at("factor").get<double>(), 0.2, 5.0));
-  return frame(Drawn::at_rest);
+  return frame(request.value("moving", false) ? Drawn::in_motion : Drawn::at_rest);
 }
 
 Json BrowserSession::frame_all(const Json&) {

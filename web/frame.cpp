@@ -58,6 +58,29 @@ bool meet(const std::vector<std::string>& a, const std::vector<std::string>& b) 
   return std::ranges::any_of(a, [&](const std::string& name) { return std::ranges::find(b, name) != b.end(); });
 }
 
+bool has_handles(const viz::Walk& walk) {
+  return std::ranges::any_of(walk.steps, [](const viz::Step& step) { return !step.scene.handles.empty(); });
+}
+
+/// What a choice is called: a method by its title, as in the window.
+std::string title_of_choice(const viz::Player& player, const viz::Parameter& p, const std::string& choice) {
+  for (const viz::Method& m : player.played().methods())
+    if (p.name == player.lesson().group_by && m.choice == choice) return viz::plain(m.title);
+  return choice;
+}
+
+/// Whether a setting is of the objects that an exercise speaks of: a choice that it does not ask for stays as given.
+bool keeps_objects(const viz::Lesson& lesson, const viz::Exercise& e, const viz::Parameters& setting) {
+  if (e.preset.empty()) return true;
+  const viz::Parameters& given = viz::preset(lesson, e.preset).parameters;
+  return std::ranges::all_of(lesson.parameters, [&](const viz::Parameter& p) {
+    const bool asked = std::ranges::count(e.by, p.name, &std::pair<std::string, std::string>::first) > 0;
+    if (p.choices.empty() || p.name == lesson.group_by || asked) return true;
+    const auto was = given.find(p.name), is = setting.find(p.name);
+    return was == given.end() || is == setting.end() || was->second == is->second;
+  });
+}
+
 /// A walk of this one step, whose page is laid out as the whole walk's.
 viz::Walk alone(const viz::Walk& walk, viz::Step step) {
   viz::Walk one;
@@ -128,6 +151,8 @@ Json BrowserSession::frame(Drawn how, const viz::Moved& moved) {
                 {"handles", handles()},
                 {"moves", viz::has_time(p.walk())},
                 {"time", time_shown()},
+                {"has handles", has_handles(p.walk())},
+                {"chart", bool(p.scene().chart)},
                 {"values", values()},
                 {"idle", idle()},
                 {"place", place()},
@@ -216,11 +241,14 @@ Json BrowserSession::parameters() const {
     const char* kind = std::holds_alternative<double>(p.initial) ? "number"
                        : std::holds_alternative<Vec3>(p.initial) ? "point"
                                                                  : "choice";
+    Json titles = Json::array();
+    for (const std::string& choice : p.choices) titles.push_back(title_of_choice(*player_, p, choice));
     Json one = {{"name", p.name},
                 {"label", html_text(p.label.empty() ? p.name : p.label)},
                 {"help", p.help},
                 {"kind", kind},
                 {"choices", p.choices}};
+    one["titles"] = std::move(titles);
     if (!p.where.empty()) one["where"] = viz::told_where(p);
     if (kind == std::string("number")) one["from"] = std::max(p.lo, p.drag_lo), one["to"] = std::min(p.hi, p.drag_hi);
     all.push_back(one);
@@ -260,7 +288,8 @@ Json BrowserSession::solved() const {
   Json all = Json::array();
   if (const viz::Closing* closing = player_->lesson().closing)
     for (std::size_t i = 0; i < closing->exercises.size(); ++i)
-      if (const viz::Exercise& e = closing->exercises[i]; e.found && e.found(player_->parameters()))
+      if (const viz::Exercise& e = closing->exercises[i];
+          e.found && keeps_objects(player_->lesson(), e, player_->parameters()) && e.found(player_->parameters()))
         all.push_back({{"exercise", i}, {"told", viz::plain(viz::found_text(e, player_->parameters()))}});
   return all;
 }

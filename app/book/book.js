@@ -46,7 +46,7 @@
   slider.addEventListener("input", () => stand(Number(slider.value) - 1));
   const place = document.createElement("p");
   place.className = "place", place.setAttribute("aria-live", "polite");
-  bar.append(first, back, play, next, last, slider, all, place);
+  bar.append(first, back, play, next, last, slider, all, isect_key_button(), place);
   document.getElementById("walks").append(bar);
 
   // What a lesson is about, and its settings, each in a line: the picture begins on the first screen.
@@ -255,7 +255,7 @@
   }
   const keys = {
     ArrowRight: () => step(1), ArrowLeft: () => step(-1), Home: () => stand(0), End: () => stand(count() - 1),
-    " ": toggle_play, n: () => next_walk(1), p: () => next_walk(-1)
+    " ": toggle_play, n: () => next_walk(1), p: () => next_walk(-1), "?": isect_show_keys
   };
   /// Presets beyond the ninth have no number.
   function next_walk(by) {

@@ -16,6 +16,7 @@
 #include "app/book/lesson_page.h"
 #include "app/book/review_page.h"
 #include "app/book/scene_page.h"
+#include "app/book/terms_script.h"
 #include "app/figures/digest.h"
 #include "app/figures/ownership.h"
 #include "app/pages/pages.h"
@@ -177,8 +178,10 @@ int single(const Program& program, const BookOptions& options) {
   viz::PageColours colours;
   const book::Page page =
       book::lesson_page(lesson, all_presets(program, lesson), program.lessons, {nullptr, nullptr, true}, colours);
-  shelf.add(file, first_line(file) + book::html(page, {book::fonts_text(page.body + lesson_letters), style(colours),
-                                                       book::script_text(), live.script + live.packed}));
+  const std::string terms = book::terms_script(lessons::course(), program.lessons, true);
+  shelf.add(file, first_line(file) + book::html(page, {book::fonts_text(page.body + terms + lesson_letters),
+                                                       style(colours), book::script_text() + terms,
+                                                       live.script + live.packed}));
   return done;
 }
 
@@ -206,7 +209,8 @@ int whole(const Program& program, const BookOptions& options) {
               first_line(page.file) +
                   book::html(page, {{}, {}, {}, (page.file == book::scene_file ? live_scenes : live).script}));
   };
-  shelf.add("book.js", first_line("book.js") + "\n" + book::script_text());
+  shelf.add("book.js", first_line("book.js") + "\n" + book::script_text() +
+                           book::terms_script(lessons::course(), program.lessons, false));
   Progress progress(course.size());
   std::optional<book::ReviewPage> review;
   for (std::size_t i = 0; i < course.size(); ++i) {

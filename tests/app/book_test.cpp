@@ -147,6 +147,10 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
                          Contains("{&quot;box&quot;: &quot;A&quot;, &quot;lo&quot;: [0, 0], &quot;hi&quot;: [4, 3]}"));
   CHECK(count(scenes, "<details class=\"written\">") == count(scenes, "<section class=\"walk"));
 
+  // Terms tell where they are explained; letters are no terms.
+  CHECK_THAT(contents(site / "book.js"),
+             Contains("[\"discriminant\",") && Contains("\"ray-sphere.html\"]") && !Contains("[\"m\","));
+
   check_reviews(site);
   std::size_t last = 0;
   const std::string index = contents(site / "index.html");
@@ -243,7 +247,8 @@ TEST_CASE("one lesson in one file needs nothing beside it, and is the same each 
   const std::string page = contents(shell.work() / "one/points.html");
   CHECK(faults(page) == "");
   CHECK_THAT(page, Contains("@font-face") && Contains("SIL OPEN FONT LICENSE") && Contains("addEventListener") &&
-                       !Contains("<link") && !Contains(" src=\"") && !Contains(".html\""));
+                       Contains("var isect_terms = [[\"AABB\",\"Axis-aligned bounding box:") && !Contains("<link") &&
+                       !Contains(" src=\"") && !Contains(".html\""));
   REQUIRE(shell("isect book points --single --out one").status == 0);
   CHECK(contents(shell.work() / "one/points.html") == page);
   REQUIRE(shell("ray-sphere book --out two").status == 0);

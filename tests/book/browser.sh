@@ -19,6 +19,7 @@ if [ -n "$live" ]; then
   node "$here/scene.mjs" "$scratch/site" "$isect"
   node "$here/sizes.mjs" "$scratch/site"
   node "$here/habits.mjs" "$scratch/site" "$isect"
+  node "$here/hands.mjs" "$scratch/site" "$isect"
   exec node "$here/live.mjs" "$scratch/site" "$isect"
 fi
 "$isect" book --out "$scratch/site" >/dev/null

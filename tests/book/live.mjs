@@ -119,7 +119,9 @@ try {
     if (now.grips.length === 0) continue;
     const { before, dragged, pushed, name } = await site.move_a_handle();
     check(!same(dragged.values, before.values) || dragged.message !== "", `${page}: ${name} does not follow the mouse`);
-    check(!same(pushed.values, dragged.values) || pushed.message !== "", `${page}: ${name} does not follow the keys`);
+    const moved = pushed.grips.find(grip => grip.name === name)?.label ?? "";  // told, and then why it stays where it does
+    check(pushed.message.startsWith(moved), `${page}: ${moved} is told as “${pushed.message}”`);
+    check(!same(pushed.values, dragged.values) || pushed.message !== moved, `${page}: ${name} does not follow the keys`);
     if (queries[page]) await compare(page, "after a drag");
     compared += await compare_native(page.replace(".html", ""), "after a drag");
     if (pushed.hash.includes("?")) {

@@ -169,6 +169,12 @@ try {
   check(await browser.ask(`document.querySelector(".about").getBoundingClientRect().height > 0`), "what a lesson is about is not unfolded");
   await browser.press("ArrowRight");
   check(await browser.ask(whole), "a step does not bring the picture back");
+  await browser.press("?");
+  const keys = await browser.ask(`({ open: document.querySelector("dialog.keys")?.open, text: document.querySelector("dialog.keys")?.textContent ?? "" })`);
+  check(keys.open && keys.text.includes("Home, End") && !keys.text.includes("ring"), `the key ? shows ${keys.text}`);
+  await browser.press("Escape");
+  check(await browser.ask(`!document.querySelector("dialog.keys").open && document.querySelector(".term") !== null`), "the sheet of keys stays, or no term is marked");
+  check(await browser.ask(`document.querySelector(".exercises > .lively-told")?.textContent.startsWith("Nothing can be dragged")`), "its exercises ask for drags");
   await browser.ask(`document.querySelector(".transport .whole").click()`);
   check(await browser.ask(`document.querySelector(".transport .whole").getAttribute("aria-pressed") === "true"
     && document.querySelector(".transport .next").getBoundingClientRect().height === 0`), "where all is shown, Next steps out of sight");
