@@ -59,7 +59,7 @@ std::string scene_of(const std::string& name, const ShapeFile& shape) {
         other.empty() ? "" : ",\n    " + other, ask);
   };
   if (!shape.triangles.empty() && !shape.flat) {
-    const Vec3 origin = within(0, 0.45, 0.55) - Vec3(size / 2, 0, 0);
+    const Vec3 origin = within(0, 0.4, 0.35) - Vec3(size / 2, 0, 0);
     return scene("\"mesh\": \"M\"",
                  fmt::format("{{\"ray\": \"r\", \"origin\": {}, \"dir\": [1, 0, 0]}}", point(origin)),
                  "[\"r\", \"M\"], {\"fit\": \"M\", \"volume\": \"box\"}, {\"hierarchy\": \"M\"}");

@@ -8,6 +8,7 @@
   const articles = walk => [...walk.querySelectorAll(".steps > article")];
   const links = [...document.querySelectorAll("nav.settings a")];
   const seconds_a_step = 1.6;
+  const opens_at = Number(document.getElementById("walks").dataset.opensAt ?? 0);  // a scene, at its first answer
   let walk = walks[0], at = 0, playing = 0;
   let live = null;  // what live.js has made of the page
 
@@ -93,7 +94,7 @@
     show_picture();
   }
   function open_walk(to) {
-    if (live) live.load(to.id); else go(to, 0);
+    if (live) live.load(to.id); else go(to, opens_at);
     show_picture();
   }
 
@@ -229,7 +230,7 @@
     const asked = address(), id = decoded(asked.slice(1).split("?")[0]), found = id && document.getElementById(id);
     const owner = found && found.closest(".walk");
     if (!owner) return false;
-    go(owner, Math.max(0, articles(owner).indexOf(found)), true);
+    go(owner, found === owner ? opens_at : Math.max(0, articles(owner).indexOf(found)), true);
     if (location.hash === "" || asked === location.hash) show_picture();
     return true;
   }
@@ -267,7 +268,7 @@
   });
   // A browser scrolls to what an address names, and with it the page around this one: until it has, it is asked for nothing.
   if (names_a_walk(location.hash)) keep(location.hash, false, location.pathname + location.search);
-  if (!from_address()) go(walk, 0, true);
+  if (!from_address()) go(walk, opens_at, true);
   function keep_first() {
     const here = "#" + (live ? live.place : articles(walk)[at].id);
     if (location.hash === "") keep(history.state?.shown ?? here);

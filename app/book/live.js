@@ -39,22 +39,17 @@ function isect_live(book) {
   const frame_all = pressed("Whole scene", () => act({ do: "frame all" }));
   const form = element("form"), saved = element("textarea", { readonly: "", "aria-label": "Text to copy", hidden: "" });
   const values = element("details", { class: "changes" }, element("summary", {}, "Change the values"), form);
-  const scene = element("textarea", { "aria-label": "The scene as text", spellcheck: "false" });
-  const scene_told = element("p", { class: "help", role: "status" }), chosen = element("input", { type: "file", hidden: "" });
-  const own_scene = element("details", { class: "own-scene", open: "" }, element("summary", {}, "Change the scene"), scene, scene_told,
-    element("div", { class: "tools" }, pressed("Show this scene", show_scene), pressed("Open a file", () => chosen.click()),
-      pressed("Save the scene", () => save(new Blob([scene.value], { type: "application/json" }), example + ".json"))), chosen);
+  const lesson = document.body.dataset.lesson, is_scene = lesson === "scene";
+  const editor = is_scene ? isect_scene_text({ element, pressed, save, request: book.request, open: open_scene }) : null;
   const share = element("details", { class: "share" }, element("summary", {}, "Save or share"));
   const tools = element("div", { class: "tools", role: "group", "aria-label": "Tools" }, wants_map, snap, undo, redo, frame_all);
   const pictures = element("div", { class: "pictures" }, stage, map,
     element("div", { class: "told-below" }, outcome, message));
   const article = element("article", { class: "step shown" }, above, pictures, below);
-  const workshop = element("div", { class: "workshop" }, own_scene, values, share);
+  const workshop = element("div", { class: "workshop" }, values, share);
   const section = element("section", { class: "walk live shown", id: "live" }, heading, given,
-    element("div", { class: "steps" }, algorithm, article), tools, workshop, opinions);
+    element("div", { class: "steps" }, algorithm, article), tools, ...(editor ? [editor.element] : []), workshop, opinions);
 
-  const lesson = document.body.dataset.lesson;
-  const is_scene = lesson === "scene";
   let now = null;            // the last frame
   let heard = "";            // the station that was told last
   let example = "";          // the scene of the page that was opened last
@@ -71,9 +66,9 @@ function isect_live(book) {
   }
   function opened(reply) {
     if (is_scene || form.children.length === 0) make_form(reply.parameters);
-    frame_all.hidden = reply.flat, own_scene.hidden = !is_scene;
+    frame_all.hidden = reply.flat;
   }
-  function load(preset) { act(is_scene ? scene_request(preset) : { do: "load", preset }, "push"); }
+  function load(preset) { act(is_scene ? { ...scene_request(preset), step: "answer" } : { do: "load", preset }, "push"); }
   function look(wanted) { act({ do: "look", ...wanted }, "keep"); }
 
   function show(frame, address) {
@@ -212,7 +207,7 @@ function isect_live(book) {
   const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
   let pushed = 0;
   section.addEventListener("keydown", event => {
-    if (event.ctrlKey && !event.altKey && (event.key === "z" || event.key === "y") && !event.target.matches("input")) {
+    if (event.ctrlKey && !event.altKey && (event.key === "z" || event.key === "y") && !event.target.matches("input, textarea")) {
       event.preventDefault();
       return void act({ do: event.key === "z" ? "undo" : "redo" }, "push");
     }
@@ -258,7 +253,6 @@ function isect_live(book) {
   // A finger on a handle drags it and never the page: touch-action counts for the whole drawing only, which may be scrolled.
   grips.addEventListener("touchstart", event => event.preventDefault(), { passive: false });
 
-  // A scene's own text is open from the beginning, and moves nothing.
   [values, share].forEach(part => part.addEventListener("toggle", () => book.show_unfolded(part)));
 
   // The values, typed.
@@ -324,19 +318,15 @@ function isect_live(book) {
     if (!kept) frame.scene = now.scene;
     frame.place.origin = example;
     frame.place.preset = kept && frame.scene === text_of(example) ? example : "";
-    if (kept && scene !== document.activeElement) scene.value = frame.scene;
+    if (kept) editor.put(example, frame.scene);
   }
-  function show_scene() {
-    const shown = act({ ...scene_request(example, scene.value), step: now.step }, "push");
-    scene.setAttribute("aria-invalid", String(!shown));
-    scene_told.classList.toggle("refused", !shown);
-    scene_told.textContent = shown ? "" : message.textContent;
+  /// Returns what is wrong with a text.
+  function open_scene(written, step) {
+    if (act({ ...scene_request(example, written), step }, "push")) return book.show_picture(), "";
+    const wrong = message.textContent;
+    message.textContent = "";  // it is said beside the text
+    return wrong;
   }
-  scene.addEventListener("keydown", event => event.key === "Enter" && (event.ctrlKey || event.metaKey) && show_scene());
-  chosen.addEventListener("change", async () => {
-    if (chosen.files.length) scene.value = await chosen.files[0].text(), show_scene();
-    chosen.value = "";
-  });
 
   // The address holds the state.
   function address_of({ place, step, asks }) {
@@ -353,7 +343,7 @@ function isect_live(book) {
     const [path, query] = hash.slice(1).split("?"), [preset, step, question] = book.decoded(path).split("/");
     if (!book.walks.some(w => w.id === preset)) return null;
     const request = { ...(is_scene ? scene_request(preset) : { do: "open", lesson, preset, changes: [] }),
-      step: Math.max(0, Number(step || 1) - 1 || 0), asks: question === "question" };
+      step: is_scene && !step ? "answer" : Math.max(0, Number(step || 1) - 1 || 0), asks: question === "question" };
     for (const [name, text] of new URLSearchParams((query ?? "").replaceAll("+", "%2B")))
       if (name === "camera" || (is_scene && name === "scene")) request[name] = text;
       else if (!is_scene) request.changes.push([name, text]);
@@ -444,6 +434,7 @@ function isect_live(book) {
     const wrong = message.textContent;  // a link that is no longer good
     act(request_from("#" + walk), "keep");
     message.textContent = wrong;
+    if (editor && asked && asked.scene !== text_of(asked.example)) editor.try_again(asked.scene, wrong);
   }
   snap.title = "Handles stop where the case changes; Shift does that, too";
   snap.setAttribute("aria-pressed", "false");
