@@ -400,8 +400,9 @@ function isect_live(book) {
   }
   const escaped = text => text.replaceAll("&", "&amp;").replaceAll('"', "&quot;").replaceAll("<", "&lt;");
   const copied = name => () => copy(book.request({ do: "copy" })[name], { latex: "LaTeX", markdown: "Markdown", alt: "The alt text" }[name]);
+  const named_file = () => is_scene && /"file"\s*:/.test(now.scene);
   share.append(element("div", { class: "tools" }, pressed("Save SVG", save_svg), pressed("Save PNG", save_png),
-    pressed("Copy link", () => copy(location.href, "The link")),
+    pressed("Copy link", () => copy(location.href, named_file() ? "The link, without the file that it names," : "The link")),
     pressed("Copy LaTeX", copied("latex")), pressed("Copy Markdown", copied("markdown")),
     pressed("Copy alt text", copied("alt")),
     pressed("Copy iframe", () => copy(`<iframe src="${escaped(location.href)}" title="${escaped(document.title)}" width="100%" ` +

@@ -14,7 +14,7 @@
   let state = !script ? "static" : window.WebAssembly && window.DecompressionStream ? "loading" : "none", waiting = [];
   const takes = () => state === "loading" || state === "ready";
   function tell() {
-    told.textContent = words[state];
+    told.textContent = words[state] + (state === "loading" && waiting.length ? " What you dropped waits." : "");
     if (state === "ready" && waiting.length) isect_tell("files", { files: waiting.splice(0) });
   }
   document.addEventListener("isect:live", event => { state = event.detail.state, tell(); });

@@ -101,6 +101,7 @@ try {
     const walks = await browser.ask(`document.querySelectorAll(".walk").length`);
     for (const w of new Set([0, 1, Math.min(walks, 9) - 1].filter(w => w < walks))) {
       await browser.press(String(w + 1));
+      await browser.press("Home");  // a scene opens at its first answer
       const articles = await browser.ask(`document.querySelectorAll(".walk")[${w}].querySelectorAll(".steps > article").length`);
       const ids = new Set();
       for (let i = 0; i < articles; ++i) {
