@@ -12,6 +12,7 @@
   const { ids, articles } = settings;
   const links = [...document.querySelectorAll("nav.settings a")];
   const seconds_a_step = 1.6;
+  const opens_at = Number(document.getElementById("walks").dataset.opensAt ?? 0);  // a scene, at its first answer
   let walk = settings.section(ids[0], false), at = 0, playing = 0;
   let live = null;      // what live.js has made of the page
   let place_of = null;  // where that stands in the page's own walks
@@ -98,7 +99,7 @@
     show_picture();
   }
   function open_walk(id) {
-    if (live) live.load(id); else go(id, 0);
+    if (live) live.load(id); else go(id, opens_at);
     show_picture();
   }
 
@@ -245,7 +246,7 @@
     if (!names_a_walk(asked)) return false;
     const owner = settings.section(setting_in(asked), !document.getElementById(id)), found = document.getElementById(id);
     if (!found) return false;
-    go(owner.id, Math.max(0, articles(owner).indexOf(found)), true);
+    go(owner.id, found === owner ? opens_at : Math.max(0, articles(owner).indexOf(found)), true);
     if (location.hash === "" || asked === location.hash) show_picture();
     return true;
   }
@@ -283,7 +284,7 @@
   });
   // A browser scrolls to what an address names, and with it the page around this one: until it has, it is asked for nothing.
   if (names_a_walk(location.hash)) keep(location.hash, false, location.pathname + location.search);
-  if (!from_address()) go(walk.id, 0, true);
+  if (!from_address()) go(walk.id, opens_at, true);
   function keep_first() {
     const here = "#" + (live ? live.place : articles(walk)[at].id);
     if (location.hash === "") keep(history.state?.shown ?? here);

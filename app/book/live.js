@@ -40,11 +40,8 @@ function isect_live(book) {
   const frame_all = pressed("Whole scene", () => act({ do: "frame all" }));
   const form = element("form"), saved = element("textarea", { readonly: "", "aria-label": "Text to copy", hidden: "" });
   const values = element("details", { class: "changes" }, element("summary", {}, "Change the values"), form);
-  const scene = element("textarea", { "aria-label": "The scene as text", spellcheck: "false" });
-  const scene_told = element("p", { class: "help", role: "status" }), chosen = element("input", { type: "file", hidden: "" });
-  const own_scene = element("details", { class: "own-scene", open: "" }, element("summary", {}, "Change the scene"), scene, scene_told,
-    element("div", { class: "tools" }, pressed("Show this scene", show_scene), pressed("Open a file", () => chosen.click()),
-      pressed("Save the scene", () => save(new Blob([scene.value], { type: "application/json" }), example + ".json"))), chosen);
+  const lesson = document.body.dataset.lesson, is_scene = lesson === "scene";
+  const editor = is_scene ? isect_scene_text({ element, pressed, save, request: book.request, open: open_scene }) : null;
   const share = element("details", { class: "share" }, element("summary", {}, "Save or share"));
   const tools = element("div", { class: "tools", role: "group", "aria-label": "Tools" }, wants_map, snap, undo, redo, frame_all,
     isect_key_button());
@@ -52,12 +49,10 @@ function isect_live(book) {
   const pictures = element("div", { class: "pictures" }, stage, map, time.bar,
     element("div", { class: "told-below" }, task, outcome, message));
   const article = element("article", { class: "step shown" }, above, pictures, below);
-  const workshop = element("div", { class: "workshop" }, own_scene, values, share);
+  const workshop = element("div", { class: "workshop" }, values, share);
   const section = element("section", { class: "walk live shown", id: "live" }, heading, given,
-    element("div", { class: "steps" }, algorithm, article), tools, workshop, opinions);
+    element("div", { class: "steps" }, algorithm, article), tools, ...(editor ? [editor.element] : []), workshop, opinions);
 
-  const lesson = document.body.dataset.lesson;
-  const is_scene = lesson === "scene";
   let now = null;            // the last frame
   let heard = "";            // the station that was told last
   let said = "";             // of the last change; what is pointed at is told in its place for as long
@@ -79,9 +74,9 @@ function isect_live(book) {
   function tell(text) { said = message.textContent = text; }
   function opened(reply) {
     if (is_scene || form.children.length === 0) make_form(reply.parameters);
-    frame_all.hidden = flat = reply.flat, own_scene.hidden = !is_scene;
+    frame_all.hidden = flat = reply.flat;
   }
-  function load(preset) { act(is_scene ? scene_request(preset) : { do: "load", preset }, "push"); }
+  function load(preset) { act(is_scene ? { ...scene_request(preset), step: "answer" } : { do: "load", preset }, "push"); }
   function look(wanted) { act({ do: "look", ...wanted }, "keep"); }
 
   /// `kept`: what was said of the change that this ends.
@@ -313,7 +308,6 @@ function isect_live(book) {
   // A finger on a handle drags it and never the page: touch-action counts for the whole drawing only, which may be scrolled.
   grips.addEventListener("touchstart", event => event.preventDefault(), { passive: false });
 
-  // A scene's own text is open from the beginning, and moves nothing.
   [values, share].forEach(part => part.addEventListener("toggle", () => book.show_unfolded(part)));
 
   // The values, typed.
@@ -368,19 +362,15 @@ function isect_live(book) {
     if (!kept) frame.scene = now.scene;
     frame.place.origin = example;
     frame.place.preset = kept && frame.scene === text_of(example) ? example : "";
-    if (kept && scene !== document.activeElement) scene.value = frame.scene;
+    if (kept) editor.put(example, frame.scene);
   }
-  function show_scene() {
-    const shown = act({ ...scene_request(example, scene.value), step: now.step }, "push");
-    scene.setAttribute("aria-invalid", String(!shown));
-    scene_told.classList.toggle("refused", !shown);
-    scene_told.textContent = shown ? "" : message.textContent;
+  /// Returns what is wrong with a text.
+  function open_scene(written, step) {
+    if (act({ ...scene_request(example, written), step }, "push")) return book.show_picture(), "";
+    const wrong = message.textContent;
+    message.textContent = "";  // it is said beside the text
+    return wrong;
   }
-  scene.addEventListener("keydown", event => event.key === "Enter" && (event.ctrlKey || event.metaKey) && show_scene());
-  chosen.addEventListener("change", async () => {
-    if (chosen.files.length) scene.value = await chosen.files[0].text(), show_scene();
-    chosen.value = "";
-  });
 
   // The address holds the state.
   function address_of({ place, step, asks }) {
@@ -397,7 +387,7 @@ function isect_live(book) {
     const [path, query] = hash.slice(1).split("?"), [preset, step, question] = book.decoded(path).split("/");
     if (!book.settings.includes(preset)) return null;
     const request = { ...(is_scene ? scene_request(preset) : { do: "open", lesson, preset, changes: [] }),
-      step: Math.max(0, Number(step || 1) - 1 || 0), asks: question === "question" };
+      step: is_scene && !step ? "answer" : Math.max(0, Number(step || 1) - 1 || 0), asks: question === "question" };
     for (const [name, text] of new URLSearchParams((query ?? "").replaceAll("+", "%2B")))
       if (name === "camera" || (is_scene && name === "scene")) request[name] = text;
       else if (!is_scene) request.changes.push([name, text]);
@@ -454,8 +444,9 @@ function isect_live(book) {
   }
   const escaped = text => text.replaceAll("&", "&amp;").replaceAll('"', "&quot;").replaceAll("<", "&lt;");
   const copied = name => () => copy(book.request({ do: "copy" })[name], { latex: "LaTeX", markdown: "Markdown", alt: "The alt text" }[name]);
+  const named_file = () => is_scene && /"file"\s*:/.test(now.scene);
   share.append(element("div", { class: "tools" }, pressed("Save SVG", save_svg), pressed("Save PNG", save_png),
-    pressed("Copy link", () => copy(location.href, "The link")),
+    pressed("Copy link", () => copy(location.href, named_file() ? "The link, without the file that it names," : "The link")),
     pressed("Copy LaTeX", copied("latex")), pressed("Copy Markdown", copied("markdown")),
     pressed("Copy alt text", copied("alt")),
     pressed("Copy iframe", () => copy(`<iframe src="${escaped(location.href)}" title="${escaped(document.title)}" width="100%" ` +
@@ -491,6 +482,7 @@ function isect_live(book) {
     const wrong = message.textContent;  // a link that is no longer good
     act(request_from("#" + station.split("/")[0]), "keep");
     tell(wrong);
+    if (editor && asked && asked.scene !== text_of(asked.example)) editor.try_again(asked.scene, wrong);
   }
   snap.title = "Handles stop where the case changes; Shift does that, too";
   snap.setAttribute("aria-pressed", "false");

@@ -145,6 +145,7 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
   CHECK_THAT(scenes, Contains("<body data-lesson=\"scene\" data-live=\"scenes.js\">") &&
                          Contains("<h2>Segments that cross, touch and share a stretch</h2>") &&
                          Contains("{&quot;box&quot;: &quot;A&quot;, &quot;lo&quot;: [0, 0], &quot;hi&quot;: [4, 3]}"));
+  CHECK_THAT(scenes, Contains("<div id=\"walks\" data-opens-at=\"1\">") && Contains("class=\"scene-state\""));
   CHECK(count(scenes, "<details class=\"written\">") == count(scenes, "<section class=\"walk"));
 
   // Terms tell where they are explained; letters are no terms.

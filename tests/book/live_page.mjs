@@ -31,7 +31,7 @@ const shown = `(() => {
     code: document.querySelectorAll(".live ol.code li").length, tiles: document.querySelectorAll(".live .tiles button").length,
     typed: text(".reply"), help: text(".typed .help"),
     picture: document.querySelector(".live .picture").outerHTML.length, wide: document.documentElement.scrollWidth - document.documentElement.clientWidth,
-    message: text(".message"), scene: document.querySelector(".live .own-scene textarea").value, grips, values,
+    message: text(".message"), scene: document.querySelector(".live .own-scene textarea")?.value ?? "", grips, values,
     end: document.querySelector(".transport .next").disabled };
 })()`;
 

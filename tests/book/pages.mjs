@@ -103,6 +103,7 @@ try {
     const walks = await browser.ask(`document.querySelectorAll("nav.settings a").length`);
     for (const w of new Set([0, 1, Math.min(walks, 9) - 1].filter(w => w < walks))) {
       await browser.press(String(w + 1));
+      await browser.press("Home");  // a scene opens at its first answer
       const articles = Number(await browser.ask(`document.querySelector(".transport input").max`));
       const ids = new Set();
       for (let i = 0; i < articles; ++i) {

@@ -23,6 +23,7 @@ const text = 9, least = 7;  // units of a picture's letters; px of a picture tal
 /// own box; on a low screen the first new values count. `desk`: they stand beside the picture.
 const stations = `(() => {
   const all = [], next = document.querySelector(".transport .next");
+  document.querySelector(".transport .first").click();  // a scene opens at its first answer
   const seen = element => element && element.getBoundingClientRect().height > 0;
   const place = element => seen(element) ? [element.getBoundingClientRect().left, element.getBoundingClientRect().top].map(Math.round).join() : "";
   for (let i = 0; i < 100; ++i) {

@@ -2,6 +2,9 @@
 
 #include "web/scenes.h"
 
+#include <array>
+#include <cstdint>
+
 #include <isect/sphere_sphere.h>
 #include "lessons/lessons.h"
 #include "tests/catch.h"
@@ -15,7 +18,9 @@ using isect::test::Contains;
 using isect::web::BrowserSession;
 using Json = BrowserSession::Json;
 
-BrowserSession fresh() { return BrowserSession(isect::lessons::all_lessons(), isect::web::read_scene); }
+BrowserSession fresh() {
+  return BrowserSession(isect::lessons::all_lessons(), isect::web::read_scene, isect::web::take_file);
+}
 
 Json ask(BrowserSession& session, const Json& request) { return Json::parse(session.answer(request.dump())); }
 
@@ -428,6 +433,131 @@ TEST_CASE("a scene's text opens, follows what is dragged, and opens again as it 
   CHECK_FALSE(open(session, "sphere-sphere").contains("scene"));
   BrowserSession lessons_only(isect::lessons::all_lessons());
   CHECK(ask(lessons_only, {{"do", "open"}, {"scene", text}}).contains("wrong"));
+}
+
+TEST_CASE("a scene opens at its first answer, or stays at the one that is still asked for", "[session]") {
+  BrowserSession session = fresh();
+  const auto text = [](const std::string& asked) {
+    return "{\"objects\": [{\"sphere\": \"a\", \"center\": [0, 0, 0], \"radius\": 1},\n"
+           " {\"sphere\": \"b\", \"center\": [4, 0, 0], \"radius\": 1},\n"
+           " {\"sphere\": \"c\", \"center\": [1, 0, 0], \"radius\": 1}]" +
+           asked + "}";
+  };
+  const auto shown = [&](const std::string& asked, const char* step) {
+    return ask(session, {{"do", "open"}, {"scene", text(asked)}, {"step", step}});
+  };
+  const Json first = shown(", \"ask\": [[\"a\", \"b\"], [\"a\", \"c\"]]", "answer");
+  CHECK(first.at("step") == 1);
+  CHECK(first.at("told") == "");
+  CHECK_THAT(first.at("below").get<std::string>(), Contains("verdict no"));
+  ask(session, {{"do", "go"}, {"at", 2}});
+  CHECK(shown(", \"ask\": [[\"a\", \"b\"], [\"b\", \"c\"], [\"a\", \"c\"]]", "same answer").at("step") == 3);
+  CHECK(shown(", \"ask\": [[\"b\", \"c\"], [\"a\", \"b\"]]", "same answer").at("step") == 1);
+  ask(session, {{"do", "go"}, {"at", 2}});
+  CHECK(shown(", \"ask\": [[\"b\", \"c\"], [\"a\", \"b\"]]", "answer").at("step") == 1);
+  CHECK(shown("", "answer").at("step") == 0);  // nothing is asked
+}
+
+std::string base64(const std::string& bytes) {
+  constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned three = 0;
+    for (std::size_t k = i; k < i + 3; ++k)
+      three = three << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? letters[three >> (18 - 6 * k) & 63u] : '=';
+  }
+  return text;
+}
+
+Json give(BrowserSession& session, const std::string& name, const std::string& bytes, std::size_t part = 12) {
+  const std::string text = base64(bytes);
+  for (std::size_t from = 0;; from += part) {
+    const bool ends = from + part >= text.size();
+    const Json reply = ask(
+        session,
+        {{"do", "file"}, {"name", name}, {"base64", text.substr(from, part)}, {"begins", from == 0}, {"ends", ends}});
+    if (ends || reply.contains("wrong")) return reply;
+  }
+}
+
+/// A binary STL of a tetrahedron, `times` side by side.
+std::string tetrahedra(int times) {
+  std::string bytes(80, 'x');
+  const auto add = [&](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  add(static_cast<std::uint32_t>(4 * times));
+  for (int i = 0; i < times; ++i) {
+    const float x = static_cast<float>(2 * i);
+    const float at[4][3] = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}, {x, 0, 1}};
+    for (const auto& facet : {std::array{0, 2, 1}, std::array{0, 1, 3}, std::array{1, 2, 3}, std::array{0, 3, 2}}) {
+      bytes.append(12, '\0');
+      for (const int corner : facet) add(at[corner]);
+      bytes.append(2, '\0');
+    }
+  }
+  return bytes;
+}
+
+TEST_CASE("a mesh that is given has a scene that names it, and opens at an answer about it", "[session]") {
+  BrowserSession session = fresh();
+  const Json given = give(session, "four corners.stl", tetrahedra(1));
+  REQUIRE_FALSE(given.contains("wrong"));
+  const std::string text = given.at("scene");
+  CHECK_THAT(text, Contains("{\"mesh\": \"M\", \"file\": \"four corners.stl\"}") &&
+                       Contains("\"title\": \"four corners\"") && Contains("[-0.5, 0.4, 0.35]"));
+  const Json frame = ask(session, {{"do", "open"}, {"scene", text}, {"step", "answer"}});
+  REQUIRE_FALSE(frame.contains("wrong"));
+  CHECK(frame.at("scene") == text);
+  CHECK(frame.at("step") == 1);
+  CHECK_THAT(frame.at("below").get<std::string>(), Contains("verdict yes"));  // x + y + z < 1 is inside
+  // Another one of that name takes its place; other folders' are the same file.
+  REQUIRE_FALSE(give(session, "four corners.stl", tetrahedra(2), 1 << 18).contains("wrong"));
+  const std::string beside =
+      "{\"objects\": [{\"mesh\": \"M\", \"file\": \"parts/four corners.stl\"}], \"ask\": [{\"fit\": \"M\", \"volume\": "
+      "\"box\"}]}";
+  const Json two = ask(session, {{"do", "open"}, {"scene", beside}, {"step", "answer"}});
+  REQUIRE_FALSE(two.contains("wrong"));
+  CHECK_THAT(two.at("below").get<std::string>(), Contains("volume 3"));  // from 0 to 3 along x
+}
+
+TEST_CASE("points and polygons are given like meshes, and what is changed of them stands in the text", "[session]") {
+  BrowserSession session = fresh();
+  const Json points = give(session, "some.csv", "x,y\n0,0\n4,0\n1,3\n");
+  REQUIRE_FALSE(points.contains("wrong"));
+  CHECK_THAT(points.at("scene").get<std::string>(), Contains("{\"cloud\": \"C\", \"file\": \"some.csv\"}"));
+  Json frame = ask(session, {{"do", "open"}, {"scene", points.at("scene")}, {"step", "answer"}});
+  REQUIRE_FALSE(frame.contains("wrong"));
+  CHECK(frame.at("step") == 1);
+  frame = ask(session, {{"do", "set"}, {"name", "C.2"}, {"text", "5, 1"}});
+  REQUIRE_FALSE(frame.contains("wrong"));
+  const std::string text = frame.at("scene");
+  CHECK_THAT(text, Contains("[5,1]") || Contains("[5, 1]"));
+  const Json again = ask(session, {{"do", "open"}, {"scene", text}, {"step", 1}});
+  REQUIRE_FALSE(again.contains("wrong"));
+  CHECK(again.at("values") == frame.at("values"));
+
+  const Json outline = give(session, "field.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
+  REQUIRE_FALSE(outline.contains("wrong"));
+  CHECK_THAT(outline.at("scene").get<std::string>(),
+             Contains("{\"polygon\": \"P\", \"file\": \"field.wkt\"}") && Contains("\"at\": [1.8, 2.2]"));
+  const Json inside = ask(session, {{"do", "open"}, {"scene", outline.at("scene")}, {"step", "answer"}});
+  CHECK_THAT(inside.at("below").get<std::string>(), Contains("verdict yes"));
+}
+
+TEST_CASE("a file that can't be read, or is too large for a page, is refused with a word", "[session]") {
+  BrowserSession session = fresh();
+  CHECK_THAT(give(session, "a.stl", "solid\nfacet\nno").value("wrong", ""), Contains("a.stl: line 3"));
+  CHECK_THAT(give(session, "a.stl", "").value("wrong", ""), Contains("a.stl"));
+  CHECK_THAT(give(session, "a.docx", "PK").value("wrong", ""), Contains(".stl") && Contains(".ply"));
+  CHECK_THAT(give(session, "big.stl", tetrahedra(5001), 1 << 18).value("wrong", ""),
+             Contains("big.stl: 20004 triangles; a page takes up to 20000"));
+  CHECK(ask(session, {{"do", "file"}, {"name", "a.stl"}, {"base64", "*"}, {"ends", true}}).contains("wrong"));
+  const std::string unknown =
+      "{\"objects\": [\n{\"point\": \"p\", \"at\": [0, 0, 0]},\n{\"mesh\": \"M\", \"file\": \"never-given.obj\"}]}";
+  CHECK_THAT(ask(session, {{"do", "open"}, {"scene", unknown}}).value("wrong", ""),
+             Contains("never-given.obj") && Contains("(line 3: objects[1].file)"));
+  BrowserSession lessons_only(isect::lessons::all_lessons());
+  CHECK(give(lessons_only, "some.csv", "1,2\n").contains("wrong"));
 }
 
 }  // namespace browser_session_test
