@@ -159,7 +159,8 @@
     if (live) return;
     mark_link(walk.id);
     show_controls(told(article, list));
-    isect_tell("step", { setting: walk.id, at, asks: isect_is_open(article) });
+    isect_tell("step", { setting: walk.id, at, asks: isect_is_open(article), asked: article.dataset.asked ?? "", end: at === list.length - 1,
+      step: list.slice(0, at + 1).filter(a => a.classList.contains("step")).length, of: list.filter(a => a.classList.contains("step")).length });
     if (!keep_address) keep("#" + article.id);
     if (playing && (at === list.length - 1 || isect_is_open(article))) toggle_play();
   }
