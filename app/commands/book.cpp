@@ -184,7 +184,7 @@ int whole(const Program& program, const BookOptions& options) {
     progress.done(course[i]->id);
   }
   if (!live_scenes.empty()) add(book::scene_page(colours));
-  add(book::contents_page(firsts, lessons::course(), !live_scenes.empty(), colours));
+  add(book::contents_page(firsts, lessons::course(), {!live.empty(), !live_scenes.empty()}, colours));
   add(book::glossary_page(lessons::course(), course));
   shelf.add("book.css", first_line("book.css") + "\n" + style(colours));
   letters.add(lesson_letters);
