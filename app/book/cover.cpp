@@ -49,7 +49,7 @@ std::string cover(const std::vector<Excerpt>& openings, const Compiled& compiled
   const std::string scenes =
       compiled.scenes ? fmt::format("<li><a href=\"{}\">A scene of your own</a></li>\n", scene_file) : "";
   return fmt::format(
-      "<section class=\"cover\" aria-label=\"Begin\">\n{}<div class=\"start\">\n"
+      "<section class=\"cover\" aria-label=\"Begin\">\n{}<div class=\"go\">\n"
       "<p><a class=\"begin\" href=\"{}\">Begin with “{}”</a></p>\n"
       "<p class=\"facts\">{} lessons in order, about {} in all.</p>\n"
       "<ul class=\"links\">\n<li><a href=\"glossary.html\">The terms of the course</a></li>\n{}</ul>\n"

@@ -2,7 +2,7 @@
 // The first page: what its reader has done so far, where to go on, and the file of it. All that is added stands there before
 // the page is painted first, so nothing jumps.
 (() => {
-  const start = document.querySelector(".cover .start");
+  const start = document.querySelector(".cover .go");
   if (!start) return;
   const made = (name, text, type) => {
     const element = document.createElement(name);

@@ -1,7 +1,7 @@
 "use strict";
 // A search over the lessons and the terms of the course, on the first page: all that is found stands in the page.
 (() => {
-  const start = document.querySelector(".cover .start"), listed = document.getElementById("terms");
+  const start = document.querySelector(".cover .go"), listed = document.getElementById("terms");
   if (!start || !listed) return;
   const most = 8;
   const plain = text => text.normalize("NFKD").replace(/\p{M}/gu, "").toLowerCase();

@@ -116,6 +116,7 @@ function isect_add_progress(text) {
   isect_answers.change(mine => isect_merge_record(mine, record));
   isect_way.change(mine => {
     for (const [lesson, theirs] of told) {
+      if (!theirs.finished && theirs.of === 0 && theirs.solved === 0) continue;
       const own = mine.lessons[lesson] ??= isect_unread();
       own.finished ||= theirs.finished, own.solved_elsewhere = Math.max(own.solved_elsewhere, theirs.solved);
       if (theirs.seen * own.of >= own.seen * theirs.of && theirs.of > 0) own.seen = theirs.seen, own.of = theirs.of;

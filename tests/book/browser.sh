@@ -17,9 +17,11 @@ if [ -n "$live" ]; then
   node "$here/told.mjs" "$scratch/site"
   node "$here/scene.mjs" "$scratch/site" "$isect"
   node "$here/sizes.mjs" "$scratch/site"
+  node "$here/progress.mjs" "$scratch/site"
   node "$here/habits.mjs" "$scratch/site" "$isect"
   exec node "$here/live.mjs" "$scratch/site" "$isect"
 fi
 "$isect" book --out "$scratch/site" >/dev/null
 node "$here/sizes.mjs" "$scratch/site"
+node "$here/progress.mjs" "$scratch/site"
 exec node "$here/pages.mjs" "$scratch/site"
