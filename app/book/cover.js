@@ -42,7 +42,8 @@
   /// The lesson where its reader was last, if it has more to tell; else the next that has not been read to its end.
   function show_begin(way) {
     const at = way.last ? cards.findIndex(card => card.dataset.of === way.last.lesson) : -1;
-    const next = at < 0 ? null : [...cards.slice(at), ...cards.slice(0, at)].find(card => !way.lessons[card.dataset.of]?.finished);
+    const from = Math.max(0, at), unread = card => !way.lessons[card.dataset.of]?.finished;
+    const next = Object.keys(way.lessons).length ? [...cards.slice(from), ...cards.slice(0, from)].find(unread) : null;
     begin.textContent = next ? `Go on with “${title_of(next)}”` : first.text;
     const place = next && next === cards[at] && way.last.place ? "#" + way.last.place : "";
     begin.setAttribute("href", next ? next.querySelector("a").getAttribute("href") + place : first.href);
@@ -54,8 +55,8 @@
     const way = isect_way.read(), record = isect_answers.read();
     const all = exercises.map(lesson => isect_progress_of(...lesson, way, record)), of = name => all.reduce((total, p) => total + p[name], 0);
     show_cards(way, record), show_begin(way);
-    sum.textContent = `${share(all.filter(p => p.finished).length, all.length)} lessons read to the end · ${share(of("right"), of("answered"))} answers right · ` +
-      `${share(of("solved"), of("exercises"))} exercises solved`;
+    sum.textContent = [`${share(all.filter(p => p.finished).length, all.length)} lessons read to the end`,
+      `${share(of("right"), of("answered"))} answers right`, `${share(of("solved"), of("exercises"))} exercises solved`].join(" · ");
     const damage = [isect_way, isect_answers].map(kept => kept.told).filter(Boolean);
     isect_way.told = isect_answers.told = "";
     if (damage.length) told.textContent = damage.join(" "), told.classList.add("damage");

@@ -202,7 +202,11 @@ try {
 
   // The picture: it is there from the beginning, and where the lessons are compiled, its rings move it once all else is done.
   await browser.look({ width: 390, height: 844 });
-  await open("index.html");
+  await browser.open("about:blank");
+  let asked = Infinity, loaded = 0;
+  browser.listeners.push((method, { request, timestamp }) => method === "Network.requestWillBeSent" && request.url.endsWith("isect.js") && Boolean(asked = timestamp));
+  browser.listeners.push((method, { timestamp }) => method === "Page.loadEventFired" && Boolean(loaded = timestamp));
+  await browser.open(pathToFileURL(join(folder, "index.html")).href);
   const place = `JSON.stringify([".begin", ".hero figure", "ol.lessons li"].map(one => Math.round(document.querySelector(one).getBoundingClientRect().top)))`;
   const places = await ask(place), verdict = `document.querySelector(".hero .outcome").textContent.trim()`, static_verdict = await ask(verdict);
   check(static_verdict !== "", "the picture has no verdict");
@@ -212,6 +216,7 @@ try {
   if (is_live) {
     const state = await ask(`new Promise(done => { const look = () => document.querySelector(".hero").dataset.state ? done(document.querySelector(".hero").dataset.state) : setTimeout(look, 20); look(); })`);
     check(state === "ready", `the picture is ${state}`);
+    check(loaded > 0 && asked > loaded && asked < Infinity, "the lessons are asked for before the page has come");
     check(await ask(verdict) === static_verdict, `its verdict becomes “${await ask(verdict)}”, and was “${static_verdict}”`);
     check(await ask(place) === places, `the page jumps from ${places} to ${await ask(place)}`);
     const grips = await ask(`[...document.querySelectorAll(".hero .ring")].map(ring => { const box = ring.getBoundingClientRect();
