@@ -46,7 +46,8 @@ const isect_way = {
   station_of(ask) { return ask.closest(".walk") ? ask.dataset.station ?? ask.id.replace(/\/question$/, "") : ""; },
   /// Answers a question as it was answered before, if it was.
   restore(ask) {
-    const [lesson, question] = (ask.dataset.asked ?? "").split(" "), given = this.read().lessons[lesson]?.given[this.station_of(ask)];
+    const [lesson, question] = (ask.dataset.asked ?? "").split(" "), station = this.station_of(ask);
+    const given = station && this.read().lessons[lesson]?.given[station];
     if (!given || given.asked !== question) return;
     const form = ask.querySelector(".typed");
     this.restoring = true;
@@ -150,17 +151,18 @@ function isect_merge_record(mine, theirs) {
     parent.postMessage({ isect: 1, event, ...(lesson && { lesson }), ...told, ...progress }, "*");
   }
   const on = (name, action) => document.addEventListener("isect:" + name, event => action(event.detail));
-  let before = null, ended = false;
+  let before = null, moved = false, ended = false;
   on("step", now => {
     if (!lesson) return;
     const passed = before && before.asked && before.setting === now.setting && now.at > before.at ? before.asked.split(" ")[1] : "";
     const answered = passed && passed in (isect_answers.read().lessons[lesson] ?? {});
+    moved ||= before !== null && (before.at !== now.at || before.setting !== now.setting);
     isect_way.change_lesson(lesson, (own, way) => {
       if (now.step * own.of >= own.seen * now.of) own.seen = now.step, own.of = now.of;
       if (passed && !answered && !own.skipped.includes(passed)) own.skipped.push(passed);
       own.finished ||= now.end;
       // Who opens a lesson anew has not left the place where they were.
-      const opens = !before && now.at === 0 && way.last?.lesson === lesson;
+      const opens = !moved && now.at === 0 && way.last?.lesson === lesson;
       const here = now.asked ? `${now.setting}/${now.step + 1}/question` : `${now.setting}/${now.step}`;
       const place = now.setting ? here : way.last?.lesson === lesson ? way.last.place : "";
       if (!opens) way.last = { lesson, place };

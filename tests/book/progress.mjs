@@ -105,6 +105,8 @@ try {
   let first = await ask(first_page);
   check(first.facts.includes("1 of 2 right") && first.facts.includes("step "), `its card says “${first.facts}”`);
   check(first.begin.startsWith("Go on with") && first.href === page + (typed ?? choice).hash, `it goes on to ${first.href}`);
+  await open(page), await open("index.html");
+  check((await ask(first_page)).href === first.href, "a lesson that is opened anew loses the place where its reader was");
   await open(...first.href.split(/(?=#)/));
   check((await look()).hash === (typed ?? choice).hash, "its link leads elsewhere");
   await browser.press("End");
