@@ -15,13 +15,14 @@ std::string link(const viz::Lesson* lesson, const char* relation, const char* ar
                      html_text(lesson->title), arrow_after);
 }
 
-/// `element`: "header" or "footer"; `name` tells the two apart.
-std::string course_links(const Page& page, const char* element, const char* name) {
+/// `element`: "header" or "footer"; `name` tells the two apart; `more`: a link besides.
+std::string course_links(const Page& page, const char* element, const char* name, const char* more = "") {
   const Neighbours& n = page.neighbours;
   if (n.alone || page.is_contents) return {};
   return fmt::format(
-      "<{0}>\n<nav class=\"course\" aria-label=\"{1}\">\n{2}<a href=\"index.html\">Contents</a>\n{3}</nav>\n</{0}>\n",
-      element, name, link(n.before, "prev", "<span aria-hidden=\"true\">← </span>", ""),
+      "<{0}>\n<nav class=\"course\" aria-label=\"{1}\">\n{2}<a href=\"index.html\">Contents</a>\n{3}{4}</nav>\n"
+      "</{0}>\n",
+      element, name, link(n.before, "prev", "<span aria-hidden=\"true\">← </span>", ""), more,
       link(n.after, "next", "", "<span aria-hidden=\"true\"> →</span>"));
 }
 
@@ -71,9 +72,10 @@ std::string html(const Page& page, const Looks& looks) {
   const std::string script =
       page.neighbours.alone ? fmt::format("{}<script>\n{}</script>\n", inside, looks.script)
                             : "<script src=\"book.js\" onerror=\"document.documentElement.className = ''\"></script>\n";
-  const std::string body = fmt::format(
-      "<a class=\"skip\" href=\"#main\">Skip to the text</a>\n{}<main id=\"main\">\n{}</main>\n{}{}",
-      course_links(page, "header", "Course"), page.body, course_links(page, "footer", "Course, again"), script);
+  const std::string body =
+      fmt::format("<a class=\"skip\" href=\"#main\">Skip to the text</a>\n{}<main id=\"main\">\n{}</main>\n{}{}",
+                  course_links(page, "header", "Course"), page.body,
+                  course_links(page, "footer", "Course, again", "<a href=\"glossary.html\">Terms</a>\n"), script);
   return html_page(page.title, head, body, attributes_of_body(page, lives));
 }
 
