@@ -206,8 +206,8 @@ try {
   await browser.look({ width: 390, height: 844 });
   await browser.open("about:blank");
   let asked = Infinity, loaded = 0;
-  browser.listeners.push((method, { request, timestamp }) => method === "Network.requestWillBeSent" && request.url.endsWith("isect.js") && Boolean(asked = timestamp));
-  browser.listeners.push((method, { timestamp }) => method === "Page.loadEventFired" && Boolean(loaded = timestamp));
+  browser.listeners.push((method, { request, timestamp } = {}) => method === "Network.requestWillBeSent" && request.url.endsWith("isect.js") && Boolean(asked = timestamp));
+  browser.listeners.push((method, { timestamp } = {}) => method === "Page.loadEventFired" && Boolean(loaded = timestamp));
   await browser.open(pathToFileURL(join(folder, "index.html")).href);
   const place = `JSON.stringify([".begin", ".hero figure", "ol.lessons li"].map(one => Math.round(document.querySelector(one).getBoundingClientRect().top)))`;
   const places = await ask(place), verdict = `document.querySelector(".hero .outcome").textContent.trim()`, static_verdict = await ask(verdict);
