@@ -16,28 +16,29 @@
   const dark = matchMedia("(prefers-color-scheme: dark)"), held = { timer: 0 };
   let request = null, frame = null;
 
-  function load(name) {
-    return new Promise((resolve, reject) => {
+  /// Resolves with a function from request to answer.
+  async function unpacked(name) {
+    await new Promise((resolve, reject) => {
       const script = document.createElement("script");
       script.onload = resolve, script.onerror = reject, script.src = name;
       document.head.append(script);
     });
-  }
-  async function begin() {
-    await load(hero.dataset.code);
     const text = atob(isect_module.packed), packed = new Uint8Array(text.length);
     isect_module.packed = "";
     for (let i = 0; i < packed.length; ++i) packed[i] = text.charCodeAt(i);
-    const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-    const code = await isect_module({ wasmBinary: await new Response(unpacked).arrayBuffer() });
-    request = asked => JSON.parse(code.ccall("isect_answer", "string", ["string"], [JSON.stringify(asked)]));
+    const bytes = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    const code = await isect_module({ wasmBinary: await new Response(bytes).arrayBuffer() });
+    return asked => JSON.parse(code.ccall("isect_answer", "string", ["string"], [JSON.stringify(asked)]));
+  }
+  async function begin() {
+    request = await (typeof isect_code === "undefined" ? unpacked : name => isect_code.ready(name))(hero.dataset.code);
     request({ do: "look", dark: dark.matches });
-    if (!open()) return;
+    if (!open()) throw new Error("the picture does not open");
     hint.querySelector("span").textContent = "Drag what has a ring: the verdict follows.";
-    figure.append(over), figure.removeAttribute("tabindex"), hero.classList.add("ready");
+    figure.append(over), figure.removeAttribute("tabindex");
     outcome.setAttribute("role", "status");
     dark.addEventListener("change", () => show(request({ do: "look", dark: dark.matches })));
-    addEventListener("resize", () => show_grips());
+    addEventListener("resize", show_grips);
     show_grips();
   }
   function open() {
