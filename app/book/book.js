@@ -168,7 +168,8 @@
     if (live) return;
     mark_link(walk.id);
     show_controls(told(article, list));
-    isect_tell("step", { setting: walk.id, at, asks: isect_is_open(article) });
+    isect_tell("step", { setting: walk.id, at, asks: isect_is_open(article), asked: article.dataset.asked ?? "", end: at === end,
+      step: list.slice(0, at + 1).filter(a => a.classList.contains("step")).length, of: settings.counts(walk).steps });
     if (!keep_address) keep("#" + article.id);
     if (playing && (at === end || isect_is_open(article))) toggle_play();
   }

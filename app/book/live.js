@@ -88,7 +88,7 @@ function isect_live(book) {
     now = frame;
     live.at = frame.at, live.count = frame.count;
     section.classList.toggle("changed", changed), section.classList.toggle("over", frame.at === frame.count - 1);
-    article.dataset.asked = frame.asked;
+    article.dataset.asked = frame.asked, article.dataset.station = changed ? "" : `${place.preset}/${frame.step + 1}`;
     article.classList.toggle("ask", frame.asks), article.classList.toggle("step", !frame.asks);
     if (fresh) article.classList.remove("told");
     const name = place["preset title"], own = is_scene ? name + ", changed" : `Changed from “${name}”`;
@@ -119,7 +119,8 @@ function isect_live(book) {
     if (!changed) book.follow(place.preset, frame.at);
     keep_address(address);
     const station = { setting: changed ? "" : place.preset, at: frame.at, asks: frame.asks }, told = JSON.stringify(station);
-    if (heard !== told) heard = told, isect_tell("step", station);
+    if (heard !== told) heard = told, isect_tell("step", { ...station, asked: frame.asked, end: frame.at === frame.count - 1,
+      step: frame.step + Number(!frame.asks), of: frame.steps });
     if (book.playing() && (frame.at === frame.count - 1 || frame.asks)) book.stop();
   }
   /// A change may end the walk earlier or later: the bar's numbers jump, and this says why.

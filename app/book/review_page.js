@@ -45,6 +45,7 @@
     drawn.forEach(ask => ask.classList.remove("shown"));
     bar.remove();
     isect_answers.change(kept => kept.reviews[number] = { right: right(), of: drawn.length });
+    isect_tell("review", { review: number, right: right(), of: drawn.length });
     const card = made("section", "", "result"), list = document.createElement("ul");
     card.append(made("h2", `${right()} of ${drawn.length} right`));
     drawn.forEach((ask, i) => {

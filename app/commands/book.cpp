@@ -227,7 +227,7 @@ int whole(const Program& program, const BookOptions& options) {
     progress.done(course[i]->id);
   }
   if (has_scenes) add(book::scene_page(colours));
-  add(book::contents_page(firsts, lessons::course(), has_scenes, colours));
+  add(book::contents_page(firsts, lessons::course(), {lives, has_scenes}, colours));
   add(book::glossary_page(lessons::course(), course));
   shelf.add("book.css", first_line("book.css") + "\n" + style(colours));
   letters.add(lesson_letters);

@@ -110,6 +110,13 @@ void check_reviews(const std::filesystem::path& site) {
 
 /// A module of WebAssembly that holds nothing.
 const std::string empty_wasm("\0asm\1\0\0\0", 8);
+/// The card of a lesson says where it leads, what the lesson builds on and how long it takes.
+void check_card(const std::string& card, const isect::viz::Lesson& lesson) {
+  CHECK_THAT(card, Contains("<a href=\"" + lesson.id + ".html\">") && Contains("<p class=\"facts\">About "));
+  CHECK_THAT(card, Contains("data-exercises=\"" + std::to_string(lesson.closing->exercises.size()) + "\""));
+  for (const std::string& before : lesson.after) CHECK_THAT(card, Contains("<a href=\"" + before + ".html\">"));
+  CHECK(count(card, "<a href=") == 1 + static_cast<int>(lesson.after.size()));
+}
 
 TEST_CASE("a book has a page for each lesson, with every preset and every step", "[book]") {
   const Shell shell;
@@ -134,8 +141,12 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
     CHECK(faults(text) == "");
     check_light(text);
     CHECK_THAT(text, Contains("<!DOCTYPE html>\n<html lang=\"en\">") && !Contains("**") && !Contains("http"));
+    CHECK(count(text, "<meta name=\"description\"") == 1);
+    CHECK(count(text, "<meta property=\"og:title\"") == 1);
+    CHECK(count(text, "<link rel=\"icon\" href=\"data:image/svg+xml;base64,") == 1);
     for (const std::string& target : quoted(text, "href=\""))
-      if (!target.starts_with("#")) CHECK(std::filesystem::exists(site / target.substr(0, target.find('#'))));
+      if (!target.starts_with("#") && !target.starts_with("data:"))
+        CHECK(std::filesystem::exists(site / target.substr(0, target.find('#'))));
   }
   CHECK(bytes < 600'000 * lessons.size() + 350'000 * reviews);  // a page is read on a phone, too
   CHECK_THAT(contents(site / "convex-polygon.html"),
@@ -156,10 +167,20 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
   std::size_t last = 0;
   const std::string index = contents(site / "index.html");
   CHECK_THAT(index, Contains("href=\"scene.html\""));
+  const isect::viz::Lesson& first = *lessons.front();
+  CHECK_THAT(index, Contains("<a class=\"begin\" href=\"" + first.id + ".html\">Begin with “"));
+  CHECK_THAT(index, Contains("<div class=\"hero\" data-shows=\"ray-sphere\" data-preset=\"two-roots\"") &&
+                        Contains(" data-code=\"isect.js\">\n<figure") &&
+                        Contains("<p class=\"facts\">" + std::to_string(lessons.size()) + " lessons in order, about "));
+  const std::size_t verdict = index.find("<div class=\"outcome\">");
+  CHECK(index.find("<p class=\"verdict yes\">", verdict) < index.find("</div>", verdict));
+  CHECK_THAT(contents(site / "glossary.html"), Contains("<dt id=\"term-back-face\">back face</dt>"));
+  CHECK_THAT(index, Contains("\"term-back-face\""));
   for (const isect::viz::Lesson* lesson : lessons) {
     INFO(lesson->id);
-    const std::size_t at = index.find("href=\"" + lesson->id + ".html\"");
+    const std::size_t at = index.find("<li data-of=\"" + lesson->id + "\"");
     REQUIRE(at != index.npos);
+    check_card(index.substr(at, index.find("</li>", at) - at), *lesson);
     CHECK(at > last);  // in the order of the course
     last = at;
     const std::string page = contents(site / (lesson->id + ".html"));
@@ -239,6 +260,14 @@ TEST_CASE("a question stands before its step, and its picture does not tell what
   CHECK_THAT(question, Contains("aria-label=\"Drawn: ") && !Contains("ray enters"));
 }
 
+TEST_CASE("without compiled lessons the picture of the first page stays as it is drawn", "[book]") {
+  const Shell shell;
+  REQUIRE(shell("isect book").status == 0);
+  const std::string index = contents(shell.work() / "book/index.html");
+  CHECK_THAT(index, Contains("<div class=\"hero\"") && !Contains("data-code") && !Contains("href=\"scene.html\""));
+  CHECK_THAT(contents(shell.work() / "book/points.html"), Contains("<body data-lesson=\"points\">"));
+}
+
 TEST_CASE("one lesson in one file needs nothing beside it, and is the same each time", "[book]") {
   const Shell shell;
   const Ran r = shell("isect book points --single --out one");
@@ -248,8 +277,8 @@ TEST_CASE("one lesson in one file needs nothing beside it, and is the same each 
   const std::string page = contents(shell.work() / "one/points.html");
   CHECK(faults(page) == "");
   CHECK_THAT(page, Contains("@font-face") && Contains("SIL OPEN FONT LICENSE") && Contains("addEventListener") &&
-                       Contains("var isect_terms = [[\"AABB\",\"Axis-aligned bounding box:") && !Contains("<link") &&
-                       !Contains(" src=\"") && !Contains(".html\""));
+                       Contains("var isect_terms = [[\"AABB\",\"Axis-aligned bounding box:") &&
+                       !Contains("<link rel=\"stylesheet") && !Contains(" src=\"") && !Contains(".html\""));
   REQUIRE(shell("isect book points --single --out one").status == 0);
   CHECK(contents(shell.work() / "one/points.html") == page);
   REQUIRE(shell("ray-sphere book --out two").status == 0);

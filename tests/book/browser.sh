@@ -18,6 +18,7 @@ if [ -n "$live" ]; then
   node "$here/light.mjs" "$scratch/site"
   node "$here/scene.mjs" "$scratch/site" "$isect"
   node "$here/sizes.mjs" "$scratch/site"
+  node "$here/progress.mjs" "$scratch/site"
   node "$here/habits.mjs" "$scratch/site" "$isect"
   node "$here/hands.mjs" "$scratch/site" "$isect"
   exec node "$here/live.mjs" "$scratch/site" "$isect"
@@ -25,4 +26,5 @@ fi
 "$isect" book --out "$scratch/site" >/dev/null
 node "$here/light.mjs" "$scratch/site"
 node "$here/sizes.mjs" "$scratch/site"
+node "$here/progress.mjs" "$scratch/site"
 exec node "$here/pages.mjs" "$scratch/site"
