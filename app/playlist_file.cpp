@@ -12,6 +12,7 @@
 #include "app/scene/source.h"
 #include "app/shell/named_file.h"
 #include "app/shell/option_values.h"
+#include "app/shell/terminal.h"
 #include "viz/chart/case_map.h"
 #include "viz/formats/files.h"
 
@@ -88,6 +89,7 @@ class StopReader {
     if (known != scenes_.end()) return *known->second;
     try {
       const std::string text = read_named_file(path), folder = std::filesystem::path(path).parent_path().string();
+      const SaidLater busy = deciding(path);
       const viz::Lesson* const made = scene::naming_scene(path, [&] { return &scene::kept_lesson_of(text, folder); });
       return *scenes_.emplace(path, made).first->second;
     } catch (const viz::BadInput& e) {
@@ -190,6 +192,7 @@ viz::Playlist playlist_in(const Program& program, const std::string& path, const
 }  // namespace
 
 bool is_playlist(const std::string& text) {
+  if (text.find("\"stops\"") == text.npos) return false;  // a large scene is not taken apart for this
   const scene::Spans spans(text);
   return spans.at("/stops") && !spans.at("/objects") && !spans.at("/lesson");
 }

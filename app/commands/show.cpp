@@ -142,11 +142,10 @@ int show(const Program& program, const Selection& asked) {
 void add_show(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("show", "the window, at that place");
   const auto asked = std::make_shared<Selection>();
-  add_lesson(
-      sub, program, *asked, Takes::one,
-      fmt::format("a lesson's id; or a figure made by isect (.{}),\nto open it where it was made; or the file of "
-                  "a playlist, to go\nthrough its stops",
-                  fmt::join(viz::format_names(), ", .")));
+  add_lesson(sub, program, *asked, Takes::one,
+             fmt::format("a lesson's id; or a figure made by isect (.{}),\nto open it where it was made; or a "
+                         "playlist's file, to\ngo through its stops",
+                         fmt::join(viz::format_names(), ", .")));
   add_preset(sub, *asked, Takes::one,
              "a preset, or a file with one (its step and camera are\nhonoured); the first if not given");
   add_step(
@@ -163,9 +162,10 @@ void add_show(CLI::App& app, Program& program) {
                             "      {\"lesson\": \"ray-sphere\", \"preset\": \"tangent\", \"steps\": \"3-6\"},\n"
                             "      {\"preset\": \"mine.json\", \"note\": \"Where does it end?\"},\n"
                             "      {\"scene\": \"crates.json\"} ] }\n"
-                            "A stop is also what Ctrl+C copies in the window. N, the arrows and Page Down go on, ask\n"
-                            "each step's question first, and lead to the next stop; Page Up goes back; J lists all\n"
-                            "stops. Files are named relative to the playlist. The window opens where it was left.");
+                            "A stop is also what Ctrl+C copies in the window. Files are named relative to\n"
+                            "the playlist. N, the right arrow and Page Down go on, ask each step's question\n"
+                            "first, and lead to the next stop; Page Up goes back; J lists all stops. The\n"
+                            "window opens a playlist where it was left.");
   sub.callback([&program, asked] { program.chosen = [&program, asked] { return show(program, *asked); }; });
 }
 

@@ -1,8 +1,8 @@
 // Drives the window at random, in this process and off-screen: drive [--minutes M] [--round N] [--out DIR]. Keys with
 // and without Ctrl and Shift, clicks, drags of handles and of anything else, the wheel, typed and pasted junk, other
 // sizes, long waits: over all lessons and the scenes of examples/, a few more scenes, and each as a walk of the lessons
-// that take it. A round is a window of its own, on a lesson and a preset drawn at random; one of four draws all it
-// shows.
+// that take it, and a playlist. A round is a window of its own, on a lesson and a preset drawn at random; one of four
+// draws all it shows.
 //
 // Nothing may be thrown, and no frame may keep a reader waiting. A failure is reported with its round and its last
 // actions; the next round goes on, and the program ends with 1. Where it crashes, DIR/actions.txt has them (DIR:
@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "app/playlist_file.h"
 #include "app/scene/lesson.h"
 #include "lessons/course.h"
 #include "lessons/lessons.h"
@@ -114,6 +115,11 @@ class Drive {
     for (const auto& entry : std::filesystem::directory_iterator(ISECT_EXAMPLE_SCENES))
       if (entry.path().extension() == ".json") add(read_file(entry.path().string()), ISECT_EXAMPLE_SCENES);
     for (const char* text : walked) add(text, ISECT_EXAMPLE_SCENES);
+    hour_ =
+        program::read_playlist({"isect", lessons::all_lessons()}, ISECT_EXAMPLE_SCENES "/playlists/ray-and-ball.json");
+    Stop gone;
+    gone.name = "gone.json", gone.fault = "stop 3, line 9: scene: gone.json: No such file or directory";
+    hour_.stops.insert(hour_.stops.begin() + 2, gone);
   }
 
   std::size_t stops() const { return stops_.size(); }
@@ -140,8 +146,14 @@ class Drive {
     if (!lesson.made_from.empty()) {
       all.push_back(&lesson);
       options.save_scene = [&](const Parameters& p) { program::scene::keep(lesson, ISECT_EXAMPLE_SCENES, p); };
+    } else if (chance(0.3)) {
+      options.playlist = hour_;
+      settings.hours = {{hour_.file, below(hour_.stops.size()), -1}};
+      for (const Stop& stop : hour_.stops)
+        if (stop.lesson && !stop.lesson->made_from.empty()) all.push_back(stop.lesson);
     }
-    tell(fmt::format("round {}, ISECT_SEED={}: {} {}", number, seed_, lesson.id, state.preset));
+    tell(fmt::format("round {}, ISECT_SEED={}: {} {}{}", number, seed_, lesson.id, state.preset,
+                     options.playlist.stops.empty() ? "" : ", a playlist instead"));
     try {
       timed([&] { window_.emplace(all, 1280.0f, 800.0f, state, settings, options); });
       for (int i = 0; i < actions_a_round; ++i) timed([&] { act(); });
@@ -346,6 +358,7 @@ class Drive {
   std::string out_;
   std::uint64_t seed_;
   std::vector<const Lesson*> stops_;
+  Playlist hour_;
   std::mt19937_64 random_;
   std::optional<WindowDriver> window_;
   std::ofstream log_;

@@ -95,3 +95,36 @@ kept '"method": "(quadratic|half-b)' "the method was changed"
 kept '"finished": true' "the lesson counts as read"
 [ "$(grep -c 'ray-sphere' "$state")" -ge 2 ] || { echo "FAILED: no answers were kept"; exit 1; }
 echo "ok: a whole lesson by keyboard alone"
+
+# A playlist by a presenter's two buttons, in a lecture and outside; then once more from where it was left.
+cat >"$folder/hour.json" <<'END'
+{"stops": [{"lesson": "intervals", "preset": "touching", "steps": "1-2"},
+           {"scene": "gone.json"},
+           {"lesson": "sphere-sphere", "preset": "touching", "steps": "4-5"}]}
+END
+start show hour.json
+expect '^1 of 3: Interval and interval, .*step 1 of' "a playlist opens at its first stop"
+grep -q 'hour.json: stop 2, line 2: scene: ' "$folder/isect.log" || { echo "FAILED: stop 2 is not told"; exit 1; }
+press Tab Next; sleep 0.3
+picture 14-playlist-question
+press Next
+expect '^1 of 3: .*step 2 of' "Page Down asks, and goes on"
+press Next
+expect '^2 of 3: ' "a stop that can't be opened has its turn"
+picture 15-stop-that-is-gone
+press Next
+expect '^3 of 3: Sphere and sphere, .*step 3 of' "and is gone past, to the question of the next stop's first step"
+picture 16-playlist-asks
+press Tab n
+expect '^3 of 3: .*step 4 of' "N goes on outside a lecture, too"
+press j; sleep 0.4
+picture 17-stops
+press Escape Prior
+expect '^2 of 3: ' "Page Up goes back"
+leave
+kept '"stop": 2' "where the playlist was left is kept"
+start show hour.json
+expect '^2 of 3: ' "the playlist opens where it was left"
+press Prior
+expect '^1 of 3: Interval and interval, .*step 2 of' "Page Up leads to the end of the stop before"
+leave

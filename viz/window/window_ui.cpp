@@ -320,10 +320,11 @@ void WindowUi::draw(unsigned framebuffer) {
 
 std::string WindowUi::title() const {
   const Player& p = impl_->player;
+  const std::optional<Hour>& hour = impl_->session.hour;
+  if (shows_fault(impl_->session)) return hour->told() + ": a stop that can't be opened – isect";
   std::string preset_title = "changed";
   for (const Preset& preset : p.lesson().presets)
     if (preset.id == p.played().preset_id()) preset_title = plain(p.told_title(preset));
-  const std::optional<Hour>& hour = impl_->session.hour;
   return (hour ? hour->told() + ": " : "") + plain(p.lesson().title) + ", " + preset_title + ", step " +
          std::to_string(p.index() + 1) + " of " + std::to_string(p.count()) + " – isect";
 }
