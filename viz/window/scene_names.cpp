@@ -43,9 +43,8 @@ std::string name_of(const Player& player, const Handle& h) {
 bool is_named(const Player& player, const Handle& h) {
   const std::vector<Handle>& all = player.scene().handles;
   const bool own = !player.lesson().made_from.empty();
-  const std::size_t handles =  // those of faces and of whole objects have no names
-      own ? static_cast<std::size_t>(std::ranges::count_if(all, [](const Handle& one) { return one.one_of.empty(); }))
-          : all.size();
+  const auto could_be_named = [&](const Handle& one) { return !own || one.one_of.empty(); };
+  const auto handles = static_cast<std::size_t>(std::ranges::count_if(all, could_be_named));
   const bool part = own && name_of(player, h).find('.') != std::string::npos;
   return h.one_of.empty() && handles <= most_named_handles && (!part || handles <= few_handles);
 }
