@@ -41,6 +41,21 @@ std::vector<viz::Parameter> parameters_of(const File& file) {
   return all;
 }
 
+/// Returns the object's own numbers.
+viz::Parameters numbers_of(const File& file, const Object& o) {
+  viz::Parameters all;
+  for (const std::string& field : o.fields) all.insert(*file.parameters.find(o.name + "." + field));
+  return all;
+}
+
+/// Whether these numbers are as they were read, which is fine: of many objects a drag moves one.
+bool has_all(const viz::Parameters& p, const viz::Parameters& before) {
+  return std::ranges::all_of(before, [&](const auto& one) {
+    const auto now = p.find(one.first);
+    return now != p.end() && now->second == one.second;
+  });
+}
+
 std::vector<viz::Condition> conditions_of(const File& file) {
   std::vector<viz::Condition> all;
   for (const Object& o : file.objects)
@@ -52,8 +67,8 @@ std::vector<viz::Condition> conditions_of(const File& file) {
       }
   const auto add = [&](const Object& o, const ShapeRule& rule) {
     if (const std::string name = o.name + "." + rule.field; file.parameters.contains(name))
-      all.push_back({name, rule.allowed, [o, rule, flat = file.flat](const viz::Parameters& p) {
-                       return rule.holds({p, flat}, o);
+      all.push_back({name, rule.allowed, [o, rule, read = numbers_of(file, o), flat = file.flat](const auto& p) {
+                       return has_all(p, read) || rule.holds({p, flat}, o);
                      }});
   };
   for (const Object& o : file.objects) {
