@@ -49,10 +49,13 @@ TEST_CASE("every corner and every point that a lesson draws can be dragged with 
   CHECK_FALSE(window.has("handle v" + std::to_string(count)));
 }
 
-TEST_CASE("every box of collision is dragged, and each side of clipping's box", "[window]") {
-  WindowDriver boxes(lessons::all_lessons(), 1280, 800, place_at("collision", "brute-force"));
-  for (const std::string name : {"p1", "p2", "p3", "p4", "p5"}) {
-    INFO(name);
+TEST_CASE("every box of collision and of a hierarchy is dragged with the pointer", "[window]") {
+  const auto [lesson, preset, count] = GENERATE(table<const char*, const char*, int>(
+      {{"collision", "brute-force", 6}, {"hierarchy", "build", 12}, {"hierarchy", "pairs", 12}}));
+  WindowDriver boxes(lessons::all_lessons(), 1280, 800, place_at(lesson, preset));
+  for (int k = 1; k < count; ++k) {
+    const std::string name = "p" + std::to_string(k);
+    INFO(lesson << " " << name);
     CHECK_FALSE(boxes.player().parameters().contains(name));
     const Vec3 before = handle(boxes.player(), name).at;
     boxes.drag("handle " + name, 9, -6);
@@ -60,7 +63,9 @@ TEST_CASE("every box of collision is dragged, and each side of clipping's box", 
     CHECK((handle(boxes.player(), name).at - before).norm() > 0.01);
     boxes.frames(60);
   }
+}
 
+TEST_CASE("each side of clipping's box is dragged, and the whole box", "[window]") {
   WindowDriver box(lessons::all_lessons(), 1280, 800, place_at("clipping", "both-ends-cut"));
   const auto corner = [&](const char* name) { return std::get<Vec3>(box.player().parameters().at(name)); };
   box.drag("handle b_min.x", 20, 0);
