@@ -159,7 +159,7 @@ Setting clamped(const Parameter& p, const Handle& handle, const Vec3& to, const 
 void drag_others(const Lesson& lesson, Parameters& moved, const Handle& handle, const Vec3& before, const Vec3& now) {
   for (const std::string& name : handle.with) {
     const Parameter& p = parameter(lesson, name);
-    Setting& value = moved.at(name);
+    Setting& value = moved.try_emplace(name, p.initial).first->second;
     if (double* d = std::get_if<double>(&value))
       *d = std::clamp(-now.dot(handle.anchor), p.lo, p.hi);
     else if (Vec3* v = std::get_if<Vec3>(&value))

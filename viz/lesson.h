@@ -299,8 +299,8 @@ bool counts(const Parameter&, const Parameters&);
 std::string told_where(const Parameter&);
 /// Throws BadInput unless every parameter is present, of the right type, finite and in range, and keeps the conditions.
 void validate(const Lesson&, const Parameters&);
-/// Moves the handle's parameter to `p`, clamped to its range. If a condition forbids that, nothing moves, and the
-/// condition is returned; else null.
+/// Moves the handle's parameter to `p`, clamped to its range, and those that move with it. If a condition forbids that,
+/// nothing moves, and the condition is returned; else null.
 const Condition* drag(const Lesson&, Parameters&, const Handle&, const Vec3& p);
 /// Sets a parameter. Another choice of objects starts anew: moves of the old objects are forgotten.
 void choose(const Lesson&, Parameters&, const std::string& name, const Setting&);

@@ -40,8 +40,8 @@ void add_points(Grips& g) {
   std::vector<std::string> fields;
   for (const std::string& field : g.o.fields)
     if (field != "at") fields.push_back(field);
-  const bool moved = g.s.has(g.o, "at");
-  const Vec3 way = moved ? g.at("at") : Vec3::Zero();
+  const bool given = g.s.has(g.o, "at"), moved = given || g.o.is_fixed();
+  const Vec3 way = given ? g.at("at") : Vec3::Zero();
   for (const std::string& field : fields) {
     const Vec3 p = g.s.point(g.o, field);
     if (moved)

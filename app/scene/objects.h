@@ -52,6 +52,8 @@ struct Object {
   std::vector<std::string> fields = {};  ///< those in the file, without the object's name
   std::vector<int> rings = {};           ///< for objects made of points: how many each outline has
   Fixed fixed = {};
+  /// Whether its points stay as they are, and what is dragged is "at", which a file need not have.
+  bool is_fixed() const { return !fixed.points.empty(); }
   std::string note = {};  ///< what its file may mean differently than it is read, as plain sentences
 };
 /// Whether it is a ray, a line or a segment.

@@ -179,18 +179,7 @@ class ObjectReader {
     if (mesh && !json.contains("file")) o.fixed.triangles = triangles(json, path, rings.front().size());
     if (o.type == Type::polygon && !source_.flat() && o.note.empty()) o.note = off_plane_note(rings.front());
     keep(rings, o);
-    read_at(json, path, o);
-  }
-
-  /// Reads how far all points are moved. Points that are not written into this file have such a number in any case: it
-  /// is dragged, and they stay.
-  void read_at(const Json& json, const Path& path, Object& o) {
-    if (json.contains("at")) {
-      parameter(o, "at") = source_.vector(json["at"], below(path, "at"));
-    } else if (spec(o.type).with_at && (!o.fixed.points.empty() || json.contains("file"))) {
-      parameter(o, "at") = viz::Vec3::Zero();
-      out_.json.back()["at"] = source_.flat() ? Json{0, 0} : Json{0, 0, 0};  // a figure's own text has its points
-    }
+    if (json.contains("at")) parameter(o, "at") = source_.vector(json["at"], below(path, "at"));
   }
 
   /// Returns nothing for corners that are coplanar to six digits.

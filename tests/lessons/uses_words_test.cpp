@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <isect/orient.h>
+#include "lessons/clipping/picture.h"
 #include "lessons/collision/telling.h"
 #include "lessons/culling/picture.h"
 #include "lessons/lessons.h"
@@ -39,10 +40,8 @@ void over_settings(const Lesson& l, int how_many, const Look& look) {
   for (int i = 0; i < how_many; ++i) look(tests::random_setting(l, random));
 }
 
-const Aabb<double, 2> box = {{-2, -1.25}, {2, 1.25}};
-
 /// Decides by separating axes: x, y and the segment's normal.
-bool meets_box(const Point<double, 2>& p, const Point<double, 2>& q) {
+bool meets_box(const Aabb<double, 2>& box, const Point<double, 2>& p, const Point<double, 2>& q) {
   for (int i = 0; i < 2; ++i)
     if (std::max(p[i], q[i]) < box.lo[i] || std::min(p[i], q[i]) > box.hi[i]) return false;
   int least = 1, greatest = -1;
@@ -59,12 +58,13 @@ TEST_CASE("a part is kept where segment or polygon and box share a point, and no
   int kept = 0, trivial = 0, corners = 0, polygons = 0;
   over_settings(lesson("clipping"), tests::cases(1000, 10000), [&](const Parameters& p) {
     const Walk walk = lesson("clipping").walk(p);
+    const Aabb<double, 2> box = lessons::clipping_lesson::box_of(p);
     const Step& last = walk.steps[outcome(walk)];
     CAPTURE(last.verdict.text, last.caption, at(p, "p").transpose(), at(p, "q").transpose(), at(p, "r").transpose(),
             at(p, "s").transpose());
     CHECK(holds(last.verdict.text, "nothing is kept") == (last.verdict.kind == Verdict::Kind::no));
     if (text_of(p, "shape") != "polygon") {
-      const bool meet = meets_box(at(p, "p"), at(p, "q"));
+      const bool meet = meets_box(box, at(p, "p"), at(p, "q"));
       CHECK((last.verdict.kind != Verdict::Kind::no) == meet);
       if (text_of(p, "shape") == "slabs") return;
       kept += meet;
@@ -84,7 +84,7 @@ TEST_CASE("a part is kept where segment or polygon and box share a point, and no
     bool meet = false, odd = false;
     for (int i = 0; i < 4; ++i) {
       const Point<double, 2> a = at(p, names[i]), b = at(p, names[(i + 1) % 4]);
-      meet = meet || meets_box(a, b);
+      meet = meet || meets_box(box, a, b);
       if ((a.y() <= box.lo.y()) != (b.y() <= box.lo.y()))  // the edge passes the height of the box's corner
         odd = odd != ((orient2d(a, b, box.lo) > 0) == (b.y() > a.y()));
     }
@@ -97,7 +97,7 @@ TEST_CASE("a part is kept where segment or polygon and box share a point, and no
 TEST_CASE("pairs of boxes are counted as two loops count them", "[collision lesson]") {
   over_settings(lesson("collision"), tests::cases(300, 3000), [&](const Parameters& p) {
     if (text_of(p, "method") == "motion") return;
-    const auto boxes = lessons::collision_lesson::few(vector(p, "p"));
+    const auto boxes = lessons::collision_lesson::few(p);
     int found = 0;
     for (std::size_t i = 0; i < boxes.size(); ++i)
       for (std::size_t j = i + 1; j < boxes.size(); ++j)

@@ -110,7 +110,7 @@ TEST_CASE("a scene is drawn at its time by its own lesson, and a step begins at 
   CHECK(place(p) == 0);
 }
 
-TEST_CASE("time runs until its end, and then from the begin; steps do not play meanwhile", "[scene_time]") {
+TEST_CASE("time runs until its end, and then from the begin, and steps do not play meanwhile", "[scene_time]") {
   Player p = player();
   p.toggle_play();
   p.toggle_time();

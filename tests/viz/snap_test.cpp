@@ -153,7 +153,7 @@ TEST_CASE("a drag ends where a key brings another lesson", "[window]") {
   for (const bool snapping : {false, true}) {
     const Lesson& lesson = window.player().lesson();
     REQUIRE_FALSE(window.player().scene().handles.empty());
-    const Rect r = window.rect("handle " + window.player().scene().handles.front().parameter);
+    const Rect r = window.rect("handle " + window.player().scene().handles.front().id());
     window.move(r.middle_x(), r.middle_y());
     window.button(true);
     window.modifiers(false, snapping);

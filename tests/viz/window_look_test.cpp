@@ -314,7 +314,7 @@ TEST_CASE("no handle covers a name, at any size", "[window][layout]") {
             CHECK((label.box.right < r.left - scene.left + 8 || label.box.bottom < r.top - scene.top + 4));
         }
         for (const Handle& h : window.player().scene().handles) {
-          const Rect grip = window.rect("handle " + h.parameter);
+          const Rect grip = window.rect("handle " + h.id());
           for (const PlacedLabel& label : window.ui.labels()) {
             ++names;
             const double x = grip.middle_x() - scene.left, y = grip.middle_y() - scene.top;

@@ -23,7 +23,7 @@ constexpr Row left_keys[] = {
     {"A, B, C …", "answer the question"},
     {"1, 3/4, bca, Enter", "type the answer"},
     {"Y", "ask it with other numbers"},
-    {"J", "the stops of a playlist"},
+    {"I", "the stops of a playlist"},
     {"[ and ]", "lesson before / after"},
     {"Ctrl+O", "all lessons, saved presets"},
     {"G", "terms"},

@@ -189,7 +189,7 @@ void command(WindowSession& s, char c) {
     case 'n':
       if (!pages_go_on(s) && !leads_on(s)) return pass_questions(player, s.settings, s.toast);
       return go_on(s);
-    case 'j':
+    case 'i':
       s.requests.sheet = Sheet::stops;
       return;
     case 'b':
