@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <string_view>
 #include <utility>
@@ -100,9 +101,45 @@ const Condition* broken(const Lesson& lesson, const Parameters& parameters) {
   return found == lesson.conditions.end() ? nullptr : &*found;
 }
 
-/// Returns the parameter's value when its handle is dragged to `to`, clamped to the parameter's range.
-Setting clamped(const Parameter& p, const Handle& handle, const Vec3& to) {
+Vec3 in_range(const Parameter& p, const Vec3& v) { return v.cwiseMax(p.lo).cwiseMin(p.hi); }
+
+/// Returns v after the shortest turn that brings `from` into the direction of `to`, in the plane if they lie there.
+Vec3 turned(const Vec3& v, const Vec3& from, const Vec3& to) {
+  const Vec3 a = from.stableNormalized(), b = to.stableNormalized(), axis = a.cross(b);
+  const double cosine = a.dot(b);
+  if (1 + cosine > 1e-9) return cosine * v + axis.cross(v) + axis.dot(v) / (1 + cosine) * axis;
+  const Vec3 half = a.z() == 0 && b.z() == 0 ? Vec3::UnitZ() : a.unitOrthogonal();  // the axis of half a turn
+  return 2 * half.dot(v) * half - v;
+}
+
+/// Returns the parameter's value when its handle is dragged to `to`, clamped to the parameter's range. `now`: its
+/// value.
+Setting clamped(const Parameter& p, const Handle& handle, const Vec3& to, const Setting& now) {
   const Vec3 arm = to - handle.anchor;
+  if (handle.kind == Handle::Kind::on_line) {
+    const double x = std::clamp(std::clamp(arm.dot(handle.direction), handle.lo, handle.hi), p.lo, p.hi);
+    if (std::holds_alternative<double>(now)) return x;
+    Vec3 v = std::get<Vec3>(now);
+    v[handle.axis] = x;
+    return v;
+  }
+  if (handle.kind == Handle::Kind::angle) {
+    constexpr double degrees = 180 / std::numbers::pi;
+    const double angle = std::atan2(arm.dot(handle.across), arm.dot(handle.direction));
+    return std::clamp(handle.scale * degrees * angle, p.lo, p.hi);
+  }
+  if (handle.kind == Handle::Kind::turn) {
+    const Vec3 way = arm.stableNormalized();
+    return way.isZero(0.5) ? now : Setting(in_range(p, std::get<Vec3>(now).stableNorm() * way));
+  }
+  if (handle.kind == Handle::Kind::shift) {
+    // What is not meant to move stays to the last bit; a handle that is not the latest leads to the same place.
+    const Vec3& v = std::get<Vec3>(now);
+    Vec3 before = handle.at - handle.anchor - v;
+    for (int i = 0; i < 3; ++i)
+      if (std::abs(before[i]) <= 1e-12 * (std::abs(handle.at[i]) + std::abs(v[i]))) before[i] = 0;
+    return in_range(p, v + (to - handle.at + before));
+  }
   if (handle.kind == Handle::Kind::length) return std::clamp(arm.norm(), p.lo, p.hi);
   if (handle.kind == Handle::Kind::along) return std::clamp(arm.dot(handle.direction), p.lo, p.hi);
   Vec3 moved = handle.kind == Handle::Kind::point ? to : arm / handle.scale;
@@ -115,7 +152,25 @@ Setting clamped(const Parameter& p, const Handle& handle, const Vec3& to) {
     const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), au = arm.dot(u), av = arm.dot(v), det = uu * vv - uv * uv;
     moved = Vec3(au * vv - av * uv, av * uu - au * uv, 0) / det;
   }
-  return Vec3(moved.cwiseMax(p.lo).cwiseMin(p.hi));
+  return in_range(p, moved);
+}
+
+/// Moves the other parameters of a handle whose own one has moved.
+void drag_others(const Lesson& lesson, Parameters& moved, const Handle& handle, const Vec3& before, const Vec3& now) {
+  for (const std::string& name : handle.with) {
+    const Parameter& p = parameter(lesson, name);
+    Setting& value = moved.try_emplace(name, p.initial).first->second;
+    if (double* d = std::get_if<double>(&value))
+      *d = std::clamp(-now.dot(handle.anchor), p.lo, p.hi);
+    else if (Vec3* v = std::get_if<Vec3>(&value))
+      *v = in_range(p, handle.kind == Handle::Kind::turn ? turned(*v, before, now) : Vec3(*v + (now - before)));
+  }
+}
+
+bool is_finite(const Setting& setting) {
+  if (const double* x = std::get_if<double>(&setting)) return std::isfinite(*x);
+  const Vec3* v = std::get_if<Vec3>(&setting);
+  return !v || v->allFinite();
 }
 
 }  // namespace
@@ -168,6 +223,10 @@ bool has_axis(const Walk& walk) {
   return std::ranges::any_of(walk.steps, [](const Step& step) { return step.scene.axis.has_value(); });
 }
 
+bool has_time(const Walk& walk) {
+  return std::ranges::any_of(walk.steps, [](const Step& step) { return step.scene.time != nullptr; });
+}
+
 const Preset& preset(const Lesson& lesson, const std::string& id) {
   const auto found = std::ranges::find(lesson.presets, id, &Preset::id);
   if (found != lesson.presets.end()) return *found;
@@ -210,7 +269,13 @@ const Condition* drag(const Lesson& lesson, Parameters& parameters, const Handle
   if (!p.allFinite()) return nullptr;
   const Parameter& knob = parameter(lesson, handle.parameter);
   Parameters moved = parameters;
-  moved.insert_or_assign(knob.name, clamped(knob, handle, p));
+  const auto known = parameters.find(knob.name);
+  const Setting before = known == parameters.end() ? knob.initial : known->second;
+  const Setting now = clamped(knob, handle, p, before);
+  moved.insert_or_assign(knob.name, now);
+  if (!handle.with.empty()) drag_others(lesson, moved, handle, std::get<Vec3>(before), std::get<Vec3>(now));
+  const auto finite = [&](const std::string& name) { return is_finite(moved.at(name)); };
+  if (!finite(knob.name) || !std::ranges::all_of(handle.with, finite)) return nullptr;
   const Condition* forbids = broken(lesson, moved);
   if (!forbids) parameters = std::move(moved);
   return forbids;

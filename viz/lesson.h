@@ -284,6 +284,8 @@ struct BadInput : std::runtime_error {
 Camera opening(const Lesson&);
 /// Whether some step has a t-axis: then all steps leave room for it, so that the scene stays in place.
 bool has_axis(const Walk&);
+/// Whether shapes move in some step: then all steps leave room for the time below the scene.
+bool has_time(const Walk&);
 const Preset& preset(const Lesson&, const std::string& id);  ///< throws BadInput with the nearest name
 /// Sets one parameter from text ("1.5", "1,2,3", "haines"). Throws BadInput; `to` is unchanged then. The lesson's
 /// conditions are left to `validate`, as they may hold only when all parameters are set.
@@ -297,8 +299,8 @@ bool counts(const Parameter&, const Parameters&);
 std::string told_where(const Parameter&);
 /// Throws BadInput unless every parameter is present, of the right type, finite and in range, and keeps the conditions.
 void validate(const Lesson&, const Parameters&);
-/// Moves the handle's parameter to `p`, clamped to its range. If a condition forbids that, nothing moves, and the
-/// condition is returned; else null.
+/// Moves the handle's parameter to `p`, clamped to its range, and those that move with it. If a condition forbids that,
+/// nothing moves, and the condition is returned; else null.
 const Condition* drag(const Lesson&, Parameters&, const Handle&, const Vec3& p);
 /// Sets a parameter. Another choice of objects starts anew: moves of the old objects are forgotten.
 void choose(const Lesson&, Parameters&, const std::string& name, const Setting&);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -176,17 +177,30 @@ struct Handle {
     length,    ///< parameter = |p - anchor|
     along,     ///< parameter = (p - anchor) . direction
     on_plane,  ///< parameter = p, which stays on the plane through it that `direction` and `across` span
-    plane      ///< parameter = (a, b, 0), the point of the plane anchor + a direction + b across that is nearest to p
+    plane,     ///< parameter = (a, b, 0), the point of the plane anchor + a direction + b across that is nearest to p
+    on_line,   ///< (p - anchor) . direction, from `lo` to `hi`, is the parameter, or coordinate `axis` of a vector
+    shift,     ///< parameter = p - anchor, and the vectors of `with` move as far
+    /// The parameter, a vector, turns until it points from the anchor to p, and those of `with` turn as it does. A
+    /// number of `with` is d of the plane n . x + d = 0 whose normal n the parameter is: the plane stays on the anchor.
+    turn,
+    angle  ///< parameter = scale times the angle from `direction` towards `across` to p - anchor, in degrees
   };
   std::string parameter;  ///< the parameter it changes
   Kind kind = Kind::point;
   Vec3 at;  ///< where it stands
   Vec3 anchor = Vec3::Zero();
   Role role = Role::first;
-  Vec3 direction = Vec3::UnitX();  ///< for `along` and both planes
-  std::string one_of = {};         ///< its name if there are many alike: "a corner"
-  Vec3 across = Vec3::UnitY();     ///< for both planes: not along `direction`
-  double scale = 1;                ///< for `vector`: how large the parameter is drawn
+  Vec3 direction = Vec3::UnitX();      ///< for `along`, `on_line`, `angle` and both planes
+  std::string one_of = {};             ///< its name if there are many alike: "a corner"
+  Vec3 across = Vec3::UnitY();         ///< for both planes: not along `direction`; for `angle`: at a right angle to it
+  double scale = 1;                    ///< for `vector`: how large the parameter is drawn; for `angle`
+  std::vector<std::string> with = {};  ///< for `shift` and `turn`: the parameters that move, too
+  int axis = 0;                        ///< for `on_line`
+  double lo = -1e300, hi = 1e300;      ///< for `on_line`: it stops there
+  std::string name = {};               ///< what it is known by where several change one parameter: "A.lo.x"
+
+  /// Returns what tells it from all other handles of its kind in a scene.
+  const std::string& id() const { return name.empty() ? parameter : name; }
 };
 
 /// The ray's own t-axis under its picture, with the same marks in one dimension. Positions are values of t.
@@ -208,6 +222,17 @@ struct Scene {
   std::vector<Handle> handles;
   std::optional<Axis> axis;
   std::shared_ptr<const Chart> chart = {};  ///< drawn in place of the items, flat, whatever the camera
+
+  struct Time;
+  std::shared_ptr<const Time> time = {};  ///< of a scene whose shapes move; null: nothing does
+};
+
+/// The time in which the shapes of a scene move. The scene itself is a still; viz/player/scene_time.h lets time run.
+struct Scene::Time {
+  double lo = 0, hi = 1;                   ///< the motion's begin and end
+  double now = 0;                          ///< what the still shows, within these
+  std::optional<double> contact = {};      ///< first contact, as the core found it; none: not known at this step
+  std::function<Scene(double t)> at = {};  ///< the lesson's own drawing at a time from lo to hi; it has no time itself
 };
 
 }  // namespace isect::viz

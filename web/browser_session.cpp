@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/book/picture_size.h"
 #include "viz/compose/paper.h"
@@ -11,6 +12,7 @@
 #include "viz/player/camera_moves.h"
 #include "viz/player/dragging.h"
 #include "viz/player/lights.h"
+#include "viz/player/scene_time.h"
 #include "viz/snapshot/snapshot.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/tex.h"
@@ -44,8 +46,8 @@ void read_named(const std::string& name, const Read& read) {
 
 }  // namespace
 
-BrowserSession::BrowserSession(std::vector<const viz::Lesson*> lessons, ReadScene read_scene)
-    : lessons_(std::move(lessons)), read_scene_(std::move(read_scene)) {
+BrowserSession::BrowserSession(std::vector<const viz::Lesson*> lessons, ReadScene read_scene, TakeFile take_file)
+    : lessons_(std::move(lessons)), read_scene_(std::move(read_scene)), take_file_(std::move(take_file)) {
   const auto on = [&](const char* name, Json (BrowserSession::*member)(const Json&)) {
     asked_[name] = [this, member](const Json& request) { return (this->*member)(request); };
   };
@@ -60,6 +62,7 @@ BrowserSession::BrowserSession(std::vector<const viz::Lesson*> lessons, ReadScen
   on("turn", &BrowserSession::turn);
   on("zoom", &BrowserSession::zoom);
   on("frame all", &BrowserSession::frame_all);
+  on("time", &BrowserSession::time);
   on("undo", &BrowserSession::undo);
   on("redo", &BrowserSession::redo);
   on("look", &BrowserSession::look);
@@ -67,6 +70,7 @@ BrowserSession::BrowserSession(std::vector<const viz::Lesson*> lessons, ReadScen
   on("light", &BrowserSession::light);
   on("copy", &BrowserSession::copy);
   on("whole", &BrowserSession::whole);
+  on("file", &BrowserSession::file);
 }
 
 std::string BrowserSession::answer(const std::string& text) {
@@ -99,10 +103,22 @@ void BrowserSession::stand_at(const Station& at) {
   if (at.asks) player_->next();
 }
 
+/// Returns the first of a scene's answers, behind the step that shows its objects; `the_same`: the one that the reader
+/// stands at, as long as it is asked for.
+Station BrowserSession::answer_in(const viz::Walk& walk, bool the_same) const {
+  if (the_same && player_ && scene_) {
+    const std::string& here = player_->walk().steps[station().step].slug;
+    for (std::size_t i = 1; i < walk.steps.size(); ++i)
+      if (walk.steps[i].slug == here) return {static_cast<int>(i), false};
+  }
+  const std::vector<Station> all = program::book::stations(walk);
+  return all[std::min<std::size_t>(1, all.size() - 1)];
+}
+
 // What can be asked for.
 
 /// {"lesson", "preset", "step", "asks", "changes": [[name, text]], "camera"}: all but the first may be absent. Or
-/// {"scene"}, the text of a scene file, in place of the first.
+/// {"scene"}, the text of a scene file, in place of the first, and then "step" may also be "answer" or "same answer".
 Json BrowserSession::open(const Json& request) {
   std::optional<Scene> scene;
   if (request.contains("scene")) {
@@ -127,8 +143,11 @@ Json BrowserSession::open(const Json& request) {
   viz::Player fresh = again ? *player_ : viz::Player(scene ? std::vector{&lesson} : lessons_, state, true);
   if (again) fresh.go(state);  // what was done before can be undone
   const std::vector<Station> all = program::book::stations(fresh.walk());
-  const double number = request.value("step", 0.0);  // an address may hold any
-  const Station wanted = {static_cast<int>(std::clamp(number, -1.0, 1e6)), request.value("asks", false)};
+  const Json step = request.contains("step") ? request.at("step") : Json(0.0);
+  const double number = step.is_string() ? 0.0 : step.get<double>();  // an address may hold any
+  const Station wanted = step.is_string()
+                             ? answer_in(fresh.walk(), step.get<std::string>() == "same answer")
+                             : Station{static_cast<int>(std::clamp(number, -1.0, 1e6)), request.value("asks", false)};
   const bool known = std::ranges::find(all, wanted) != all.end();
   player_ = std::move(fresh);
   scene_ = std::move(scene);
@@ -224,16 +243,32 @@ Json BrowserSession::turn(const Json& request) {
   return frame(Drawn::in_motion);
 }
 
-/// {"factor"}: above 1 closer
+/// {"factor", "moving"}: above 1 closer; whether more is to come
 Json BrowserSession::zoom(const Json& request) {
   const Vec2 middle = figure_.view.corner() + Vec2(figure_.view.width(), figure_.view.height()) / 2;
   viz::zoom(player(), figure_.view, middle, std::clamp(request.at("factor").get<double>(), 0.2, 5.0));
-  return frame(Drawn::at_rest);
+  return frame(request.value("moving", false) ? Drawn::in_motion : Drawn::at_rest);
 }
 
 Json BrowserSession::frame_all(const Json&) {
   viz::frame_all(player());
   return frame(Drawn::at_rest);
+}
+
+/// {"share"}: of the motion, from 0 to 1, first contact where it is next to that; or {"seconds"} of play; or {"still"},
+/// where nothing is to move by itself: the next one.
+Json BrowserSession::time(const Json& request) {
+  const viz::Scene::Time* const motion = player().time();
+  if (!motion) throw BadInput("nothing moves in this step");
+  const double length = motion->hi - motion->lo;
+  if (request.contains("seconds"))
+    player_->set_time(
+        viz::time_after(*motion, player_->now(), std::clamp(request.at("seconds").get<double>(), 0.0, 1.0)));
+  else if (request.contains("still"))
+    player_->set_time(viz::next_still(*motion, player_->now()));
+  else
+    player_->set_time(viz::time_near(*motion, motion->lo + request.at("share").get<double>() * length, 0.004 * length));
+  return frame(Drawn::in_motion);
 }
 
 Json BrowserSession::undo(const Json&) {
@@ -312,6 +347,17 @@ Json BrowserSession::whole(const Json&) {
   player_ = kept, size_ = size;
   stand_at(before);
   return {{"html", html}};
+}
+
+/// {"name", "base64", "begins", "ends"}: a part of a file, in order. What ends it is answered with {"scene"}: a text
+/// that names the file.
+Json BrowserSession::file(const Json& request) {
+  if (!take_file_) throw BadInput("files are opened on the page of scenes");
+  if (request.value("begins", false)) coming_.clear();
+  coming_ += bytes_of(request.at("base64").get<std::string>());
+  if (!request.value("ends", false)) return Json::object();
+  const std::string bytes = std::exchange(coming_, {});
+  return {{"scene", take_file_(request.at("name").get<std::string>(), bytes)}};
 }
 
 }  // namespace isect::web

@@ -24,13 +24,16 @@ struct Scene {
 };
 /// Throws viz::BadInput.
 using ReadScene = std::function<Scene(const std::string& text)>;
+/// Keeps a mesh, points or a polygon under its file's name, which scenes may name from then on, and returns a scene's
+/// text that does. Throws viz::BadInput, which names the file and its line.
+using TakeFile = std::function<std::string(const std::string& name, const std::string& bytes)>;
 
 class BrowserSession {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// `read_scene`: empty where readers can open no scenes of their own.
-  explicit BrowserSession(std::vector<const viz::Lesson*>, ReadScene read_scene = {});
+  /// `read_scene` and `take_file`: empty where readers can open no scenes of their own.
+  explicit BrowserSession(std::vector<const viz::Lesson*>, ReadScene read_scene = {}, TakeFile take_file = {});
 
   /// `request`: an object whose "do" names what is asked for, such as {"do": "go", "at": 3}. The first is "open". A
   /// request that can't be met changes nothing and is answered, in plain words, with {"wrong": "..."}.
@@ -55,6 +58,7 @@ class BrowserSession {
   Json turn(const Json&);
   Json zoom(const Json&);
   Json frame_all(const Json&);
+  Json time(const Json&);
   Json undo(const Json&);
   Json redo(const Json&);
   Json look(const Json&);
@@ -62,16 +66,19 @@ class BrowserSession {
   Json light(const Json&);
   Json copy(const Json&);
   Json whole(const Json&);
+  Json file(const Json&);
 
   viz::Player& player();
   program::book::WalkSection section(program::book::WalkSection::Picture) const;
   program::book::Station station() const;
   void stand_at(const program::book::Station&);
+  program::book::Station answer_in(const viz::Walk&, bool the_same) const;
   viz::Handle handle_named(const std::string& name) const;
   /// All that the page shows, after a change.
   Json frame(Drawn, const viz::Moved& = {});
   viz::Figure composed(Drawn);
   Json handles() const;
+  Json time_shown() const;
   Json values() const;
   Json idle() const;
   Json place() const;
@@ -82,6 +89,8 @@ class BrowserSession {
 
   std::vector<const viz::Lesson*> lessons_;
   ReadScene read_scene_;
+  TakeFile take_file_;
+  std::string coming_;  ///< the bytes of a file of which more is to come
   std::map<std::string, std::function<Json(const Json&)>> asked_;
   std::optional<viz::Player> player_;
   std::optional<Scene> scene_;  ///< the scene that the player is in, if any

@@ -9,8 +9,7 @@ namespace isect::viz {
 namespace {
 
 [[noreturn]] std::string refuse(const std::string& path) {
-  throw FileError(
-      fmt::format("{}: a page reads no other files; write its points or triangles into the scene itself", path));
+  throw FileError(fmt::format("{}: this page does not have it; drop the file on the page, or open it", path));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "viz/formats/page_svg.h"
 #include "viz/formats/svg_path.h"
 #include "viz/player/lights.h"
+#include "viz/player/scene_time.h"
 #include "viz/text/names.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/alt_text.h"
@@ -36,7 +37,7 @@ constexpr double map_width = 264, map_height = 190;
 /// The width of strokes that light up, as a share of the window's.
 constexpr double thinner = 0.45;
 
-std::string name_of(const viz::Handle& h) { return fmt::format("{}/{}", h.parameter, static_cast<int>(h.kind)); }
+std::string name_of(const viz::Handle& h) { return fmt::format("{}/{}", h.id(), static_cast<int>(h.kind)); }
 
 std::string svg_of(const viz::LitStroke& s) {
   const std::string width = fmt::format("stroke-width=\"{}\"", viz::svg_number(thinner * s.width));
@@ -55,6 +56,29 @@ std::string svg_of(const viz::TextBox& b) {
 
 bool meet(const std::vector<std::string>& a, const std::vector<std::string>& b) {
   return std::ranges::any_of(a, [&](const std::string& name) { return std::ranges::find(b, name) != b.end(); });
+}
+
+bool has_handles(const viz::Walk& walk) {
+  return std::ranges::any_of(walk.steps, [](const viz::Step& step) { return !step.scene.handles.empty(); });
+}
+
+/// What a choice is called: a method by its title, as in the window.
+std::string title_of_choice(const viz::Player& player, const viz::Parameter& p, const std::string& choice) {
+  for (const viz::Method& m : player.played().methods())
+    if (p.name == player.lesson().group_by && m.choice == choice) return viz::plain(m.title);
+  return choice;
+}
+
+/// Whether a setting is of the objects that an exercise speaks of: a choice that it does not ask for stays as given.
+bool keeps_objects(const viz::Lesson& lesson, const viz::Exercise& e, const viz::Parameters& setting) {
+  if (e.preset.empty()) return true;
+  const viz::Parameters& given = viz::preset(lesson, e.preset).parameters;
+  return std::ranges::all_of(lesson.parameters, [&](const viz::Parameter& p) {
+    const bool asked = std::ranges::count(e.by, p.name, &std::pair<std::string, std::string>::first) > 0;
+    if (p.choices.empty() || p.name == lesson.group_by || asked) return true;
+    const auto was = given.find(p.name), is = setting.find(p.name);
+    return was == given.end() || is == setting.end() || was->second == is->second;
+  });
 }
 
 /// A walk of this one step, whose page is laid out as the whole walk's.
@@ -125,6 +149,10 @@ Json BrowserSession::frame(Drawn how, const viz::Moved& moved) {
                 {"refused", p.shown().refused},
                 {"untaken", p.shown().untaken},
                 {"handles", handles()},
+                {"moves", viz::has_time(p.walk())},
+                {"time", time_shown()},
+                {"has handles", has_handles(p.walk())},
+                {"chart", bool(p.scene().chart)},
                 {"values", values()},
                 {"idle", idle()},
                 {"place", place()},
@@ -147,11 +175,11 @@ Json BrowserSession::handles() const {
   for (const viz::Handle& h : player_->scene().handles) {
     const viz::Projected at = figure_.view.project(h.at);
     if (!(at.depth > 0)) continue;
-    std::string label = h.one_of, value;
+    std::string label = viz::plain(h.one_of), value;
     for (const viz::Parameter& p : player_->lesson().parameters) {
       if (p.name != h.parameter) continue;
       if (label.empty()) label = viz::plain(p.label.empty() ? p.name : p.label);
-      if (player_->parameters().contains(p.name))
+      if (h.with.empty() && player_->parameters().contains(p.name))
         value = program::in_words(player_->parameters().at(p.name), player_->lesson().flat);
     }
     all.push_back({{"name", name_of(h)},
@@ -161,6 +189,18 @@ Json BrowserSession::handles() const {
                    {"y", at.at.y()}});
   }
   return all;
+}
+
+/// Where the scene stands in its motion, as shares of it, and in words; null where nothing moves. `chosen`: it is not
+/// the step's own picture.
+Json BrowserSession::time_shown() const {
+  const viz::Scene::Time* const motion = player_->time();
+  if (!motion) return nullptr;
+  const auto share = [&](double t) { return (t - motion->lo) / (motion->hi - motion->lo); };
+  return {{"now", share(player_->now())},
+          {"contact", motion->contact ? Json(share(*motion->contact)) : Json()},
+          {"chosen", player_->time_is_chosen()},
+          {"words", html_text(viz::time_words(*motion, player_->now()))}};
 }
 
 Json BrowserSession::values() const {
@@ -201,11 +241,14 @@ Json BrowserSession::parameters() const {
     const char* kind = std::holds_alternative<double>(p.initial) ? "number"
                        : std::holds_alternative<Vec3>(p.initial) ? "point"
                                                                  : "choice";
+    Json titles = Json::array();
+    for (const std::string& choice : p.choices) titles.push_back(title_of_choice(*player_, p, choice));
     Json one = {{"name", p.name},
                 {"label", html_text(p.label.empty() ? p.name : p.label)},
                 {"help", p.help},
                 {"kind", kind},
                 {"choices", p.choices}};
+    one["titles"] = std::move(titles);
     if (!p.where.empty()) one["where"] = viz::told_where(p);
     if (kind == std::string("number")) one["from"] = std::max(p.lo, p.drag_lo), one["to"] = std::min(p.hi, p.drag_hi);
     all.push_back(one);
@@ -245,7 +288,8 @@ Json BrowserSession::solved() const {
   Json all = Json::array();
   if (const viz::Closing* closing = player_->lesson().closing)
     for (std::size_t i = 0; i < closing->exercises.size(); ++i)
-      if (const viz::Exercise& e = closing->exercises[i]; e.found && e.found(player_->parameters()))
+      if (const viz::Exercise& e = closing->exercises[i];
+          e.found && keeps_objects(player_->lesson(), e, player_->parameters()) && e.found(player_->parameters()))
         all.push_back({{"exercise", i}, {"told", viz::plain(viz::found_text(e, player_->parameters()))}});
   return all;
 }

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -66,6 +68,24 @@ viz::Camera camera_from(const std::string& text, const viz::Lesson& lesson) {
   camera.azimuth = n[0], camera.elevation = std::clamp(n[1], -1.5707963, 1.5707963), camera.half_height = n[2];
   camera.target = {n[3], n[4], n[5]}, camera.perspective = n[6] != 0 && !lesson.flat;
   return camera;
+}
+
+std::string bytes_of(const std::string& base64) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::array<int, 256> worth = {};
+  worth.fill(-1);
+  for (std::size_t i = 0; i < letters.size(); ++i) worth[static_cast<unsigned char>(letters[i])] = static_cast<int>(i);
+  std::string bytes;
+  bytes.reserve(base64.size() / 4 * 3 + 3);
+  unsigned held = 0;  // of the last letters, those bits that make no byte yet, below others that have made one
+  int count = 0;
+  for (const char letter : base64.substr(0, base64.find('='))) {
+    const int six = worth[static_cast<unsigned char>(letter)];
+    if (six < 0) throw BadInput("this is no base64");
+    held = held << 6 | static_cast<unsigned>(six), count += 6;
+    if (count >= 8) count -= 8, bytes += static_cast<char>(held >> count & 0xFFu);
+  }
+  return bytes;
 }
 
 }  // namespace isect::web

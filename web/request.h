@@ -1,5 +1,5 @@
 #pragma once
-// What a page's requests and links say: places, values as they were typed, cameras.
+// What a page's requests and links say: places, values as they were typed, cameras, bytes of files.
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -20,5 +20,8 @@ void set_typed(const viz::Lesson&, viz::Parameters& to, const std::string& name,
 std::string camera_text(const viz::Camera&);
 /// Throws viz::BadInput.
 viz::Camera camera_from(const std::string& text, const viz::Lesson&);
+
+/// Returns the bytes that a text in base64 stands for. Throws viz::BadInput.
+std::string bytes_of(const std::string& base64);
 
 }  // namespace isect::web

@@ -7,7 +7,8 @@
 
 /// The answer is good until the next call.
 extern "C" EMSCRIPTEN_KEEPALIVE const char* isect_answer(const char* request) {
-  static isect::web::BrowserSession session(isect::lessons::all_lessons(), isect::web::read_scene);
+  static isect::web::BrowserSession session(isect::lessons::all_lessons(), isect::web::read_scene,
+                                            isect::web::take_file);
   static std::string answer;
   return (answer = session.answer(request)).c_str();
 }

@@ -158,6 +158,7 @@ ISECT_RANGES_CALL(stable_partition)
   }
 ISECT_RANGES_ORDER(sort)
 ISECT_RANGES_ORDER(stable_sort)
+ISECT_RANGES_ORDER(is_sorted)
 ISECT_RANGES_ORDER(min_element)
 ISECT_RANGES_ORDER(max_element)
 #undef ISECT_RANGES_ORDER

@@ -1,15 +1,21 @@
 "use strict";
-// Steps through the walks of a page. All that is shown stands in the page; nothing is fetched. Where the lessons' own code
-// is beside the page, live.js takes over what is shown.
+// Steps through the walks of a page. All that is shown stands in the page, as elements or as text (waiting.js); nothing is
+// fetched. Where the lessons' own code is beside the page, live.js takes over what is shown.
 (() => {
   const root = document.documentElement;
-  const walks = [...document.querySelectorAll(".walk")];
-  if (walks.length === 0) return;
-  const articles = walk => [...walk.querySelectorAll(".steps > article")];
+  if (!document.querySelector(".walk")) return;
+  if (!root.classList.contains("scripted")) return isect_show_all();
+  const settings = isect_settings((section, fresh) => {
+    fresh.filter(article => article.matches(".ask")).forEach(prepare);
+    isect_tell("made", { setting: section.id });
+  });
+  const { ids, articles } = settings;
   const links = [...document.querySelectorAll("nav.settings a")];
   const seconds_a_step = 1.6;
-  let walk = walks[0], at = 0, playing = 0;
-  let live = null;  // what live.js has made of the page
+  const opens_at = Number(document.getElementById("walks").dataset.opensAt ?? 0);  // a scene, at its first answer
+  let walk = settings.section(ids[0], false), at = 0, playing = 0;
+  let live = null;      // what live.js has made of the page
+  let place_of = null;  // where that stands in the page's own walks
 
   const icons = {
     first: "M3 2h2v12H3zM14.5 3.5L13 2 7 8l6 6 1.5-1.5L10 8z", back: "M11.5 3.5L10 2 4 8l6 6 1.5-1.5L7 8z", play: "M4 2l10 6-10 6z",
@@ -41,7 +47,7 @@
   slider.addEventListener("input", () => stand(Number(slider.value) - 1));
   const place = document.createElement("p");
   place.className = "place", place.setAttribute("aria-live", "polite");
-  bar.append(first, back, play, next, last, slider, all, place);
+  bar.append(first, back, play, next, last, slider, all, isect_key_button(), place);
   document.getElementById("walks").append(bar);
 
   // What a lesson is about, and its settings, each in a line: the picture begins on the first screen.
@@ -72,7 +78,7 @@
     methods.addEventListener("change", () => {
       const now = links.find(link => link.hash === "#" + opened), others = links_of(lists[methods.selectedIndex]);
       const to = others.find(link => now && link.textContent === now.textContent) ?? others[0];
-      open_walk(walks.find(w => "#" + w.id === to.hash));
+      open_walk(to.hash.slice(1));
     });
     document.querySelector("nav.settings").prepend(methods);
   }
@@ -81,19 +87,19 @@
   const title_of = article => [...article.querySelector("h3").childNodes].slice(1).map(n => n.textContent).join("").trim();
   /// Where the reader is. A title may be the answer, so it waits.
   function told(article, list) {
-    const steps = list.filter(a => a.classList.contains("step")), before = steps.indexOf(article);
+    const before = list.filter(a => a.classList.contains("step")).indexOf(article);
     if (before < 0) return article.querySelector("h3").textContent;
-    return `Step ${before + 1} of ${steps.length}: ${title_of(article)}`;
+    return `Step ${before + 1} of ${settings.counts(walk).steps}: ${title_of(article)}`;
   }
 
-  const count = () => live ? live.count : articles(walk).length;
+  const count = () => live ? live.count : settings.counts(walk).stations;
   const position = () => live ? live.at : at;
   function stand(to) {
-    if (live) live.go(Math.max(0, Math.min(to, count() - 1))); else go(walk, to);
+    if (live) live.go(Math.max(0, Math.min(to, count() - 1))); else go(walk.id, to);
     show_picture();
   }
-  function open_walk(to) {
-    if (live) live.load(to.id); else go(to, 0);
+  function open_walk(id) {
+    if (live) live.load(id); else go(id, opens_at);
     show_picture();
   }
 
@@ -145,13 +151,16 @@
   }
 
   /// Shows one article: the address, the code and the controls follow.
-  function go(to, position, keep_address) {
-    const list = articles(to);
-    walk = to, at = Math.max(0, Math.min(list.length - 1, position));
-    walks.forEach(w => w.classList.toggle("shown", w === walk));
+  function go(id, position, keep_address) {
+    walk.classList.remove("shown");
+    walk = settings.section(id, position > 0);
+    const list = articles(walk), end = settings.counts(walk).stations - 1;
+    at = Math.max(0, Math.min(end, position));
+    walk.classList.add("shown");
     list.forEach((article, i) => article.classList.toggle("shown", i === at));
     const article = list[at];
-    walk.classList.toggle("over", at === list.length - 1);
+    walk.classList.toggle("over", at === end);
+    if (!live) root.classList.toggle("moves", walk.classList.contains("moves"));
     const numbers = name => (article.dataset[name] ?? "").split(" ").filter(Boolean).map(Number);
     light_code(walk, {
       line: numbers("line")[0] ?? -1, said: article.dataset.said ?? "", refused: numbers("refused"), untaken: numbers("untaken")
@@ -159,9 +168,10 @@
     if (live) return;
     mark_link(walk.id);
     show_controls(told(article, list));
-    isect_tell("step", { setting: walk.id, at, asks: isect_is_open(article) });
+    isect_tell("step", { setting: walk.id, at, asks: isect_is_open(article), asked: article.dataset.asked ?? "", end: at === end,
+      step: list.slice(0, at + 1).filter(a => a.classList.contains("step")).length, of: settings.counts(walk).steps });
     if (!keep_address) keep("#" + article.id);
-    if (playing && (at === list.length - 1 || isect_is_open(article))) toggle_play();
+    if (playing && (at === end || isect_is_open(article))) toggle_play();
   }
   function step(by) { stand(position() + by); }
   function toggle_play() {
@@ -172,8 +182,14 @@
     }
     name_button(play, playing ? "pause" : "play");
   }
+  /// The page's own walks stand at the same place, for paper and for reading.
+  function follow_live() {
+    if (live && place_of) go(place_of.id, place_of.at, true);
+  }
+  addEventListener("beforeprint", () => (follow_live(), settings.section(walk.id)));
   /// All presets and steps one below the other, or one step at a time.
   function read(whole) {
+    if (whole) settings.all(), follow_live();
     root.classList.toggle("reading", whole);
     all.setAttribute("aria-pressed", String(whole));
     mark(), show_picture();
@@ -185,22 +201,23 @@
     mark();
     show_reply(ask);
   }, ask => (mark(), show_answers(ask)));
-  /// All that tells a question from the same one in another setting.
+  /// All that tells a question from the same one in another setting; a choice's letter is none of it.
   function numbers_of(ask) {
     const right = [...ask.querySelectorAll(".choices li")].findIndex(choice => "right" in choice.dataset);
-    return [...ask.querySelectorAll(".words > p:not(.reply), .choices li, .values td")].map(e => e.textContent).join("|") + right;
+    const text = part => part.textContent.slice(part.querySelector(".letter") ? 2 : 0);
+    return [...ask.querySelectorAll(".words > p:not(.reply), .choices li, .values td")].map(text).join("|") + right;
   }
   /// Offers the same question with other numbers, in the next setting that asks it so and where it is still open.
   function offer_other(ask) {
-    const from = walks.indexOf(walk), all = [...walks.slice(from + 1), ...walks.slice(0, from)], own = numbers_of(ask);
-    const other = all.map(w => articles(w).find(a => a.dataset.asked && a.dataset.asked === ask.dataset.asked))
-      .find(a => a && isect_is_open(a) && numbers_of(a) !== own);
-    if (!other) return;
-    const again = button("Again, with other numbers", () => {
-      open_walk(other.closest(".walk"));
-      stand(articles(walk).indexOf(other));
-    });
-    again.className = "other", ask.querySelector("details").after(again);
+    const asked = ask.dataset.asked, own = numbers_of(ask), from = ids.indexOf(opened);
+    if (!asked) return;
+    for (const id of [...ids.slice(from + 1), ...ids.slice(0, Math.max(0, from))]) {
+      const other = settings.find(id, `[data-asked="${CSS.escape(asked)}"]`, asked);
+      if (!other || !isect_is_open(other) || numbers_of(other) === own) continue;
+      const again = button("Again, with other numbers", () => { location.hash = other.id; });
+      again.className = "other", ask.querySelector("details").after(again);
+      return;
+    }
   }
   document.querySelectorAll(".ask").forEach(prepare);
   measure();
@@ -218,7 +235,7 @@
   function decoded(text) {
     try { return decodeURIComponent(text); } catch { return text; }
   }
-  const names_a_walk = hash => walks.some(w => w.id === decoded(hash.slice(1).split(/[/?]/)[0]));
+  const setting_in = hash => decoded(hash.slice(1).split(/[/?]/)[0]), names_a_walk = hash => ids.includes(setting_in(hash));
   /// What this entry of the browser's history shows, also where its address names another part of the page.
   const address = () => names_a_walk(location.hash) ? location.hash : history.state?.shown ?? "";
   function keep(shown, push = false, url = shown) {
@@ -226,10 +243,11 @@
   }
   function from_address() {
     if (live) return live.from_address();
-    const asked = address(), id = decoded(asked.slice(1).split("?")[0]), found = id && document.getElementById(id);
-    const owner = found && found.closest(".walk");
-    if (!owner) return false;
-    go(owner, Math.max(0, articles(owner).indexOf(found)), true);
+    const asked = address(), id = decoded(asked.slice(1).split("?")[0]);
+    if (!names_a_walk(asked)) return false;
+    const owner = settings.section(setting_in(asked), !document.getElementById(id)), found = document.getElementById(id);
+    if (!found) return false;
+    go(owner.id, found === owner ? opens_at : Math.max(0, articles(owner).indexOf(found)), true);
     if (location.hash === "" || asked === location.hash) show_picture();
     return true;
   }
@@ -239,11 +257,11 @@
   }
   const keys = {
     ArrowRight: () => step(1), ArrowLeft: () => step(-1), Home: () => stand(0), End: () => stand(count() - 1),
-    " ": toggle_play, n: () => next_walk(1), p: () => next_walk(-1)
+    " ": toggle_play, n: () => next_walk(1), p: () => next_walk(-1), "?": isect_show_keys
   };
   /// Presets beyond the ninth have no number.
   function next_walk(by) {
-    const to = walks[walks.indexOf(walk) + by];
+    const to = ids[ids.indexOf(live && place_of ? place_of.id : walk.id) + by];
     if (to) open_walk(to);
   }
   addEventListener("keydown", event => {
@@ -253,7 +271,7 @@
     const done = key_for(shown(), event.key);
     if (done === "typed") return;
     if (done === "") {
-      if (/^[1-9]$/.test(event.key) && walks[event.key - 1]) open_walk(walks[event.key - 1]);
+      if (/^[1-9]$/.test(event.key) && ids[event.key - 1]) open_walk(ids[event.key - 1]);
       else if (keys[event.key]) keys[event.key]();
       else return;
     }
@@ -267,48 +285,35 @@
   });
   // A browser scrolls to what an address names, and with it the page around this one: until it has, it is asked for nothing.
   if (names_a_walk(location.hash)) keep(location.hash, false, location.pathname + location.search);
-  if (!from_address()) go(walk, 0, true);
+  if (!from_address()) go(walk.id, opens_at, true);
   function keep_first() {
     const here = "#" + (live ? live.place : articles(walk)[at].id);
     if (location.hash === "") keep(history.state?.shown ?? here);
   }
   if (document.readyState === "complete") keep_first(); else addEventListener("load", () => setTimeout(keep_first));
 
-  /// The lessons' own code: a script that holds a function from request to answer. Without it all stays as it is.
-  function load(script) {
-    return new Promise((resolve, reject) => {
-      const made = document.createElement("script"), inside = document.getElementById(script.slice(1));
-      made.onload = resolve, made.onerror = reject;
-      if (script.startsWith("#")) made.textContent = inside.textContent;
-      else made.src = script;
-      document.head.append(made);
-      if (script.startsWith("#")) resolve();
-    });
-  }
+  /// The lessons' own code (load.js). Without it all stays as it is.
   async function come_alive(script) {
-    await load(script);
-    const packed = Uint8Array.from(atob(isect_module.packed), letter => letter.charCodeAt(0));
-    isect_module.packed = "";
-    const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-    const code = await isect_module({ wasmBinary: await new Response(unpacked).arrayBuffer() });
-    const answer = asked => code.ccall("isect_answer", "string", ["string"], [asked]);
+    const request = await isect_code.ready(script), find = settings.find;
     live = isect_live({
-      request: asked => JSON.parse(answer(JSON.stringify(asked))), walks, load, prepare, light_code, mark_link,
-      show_controls, show_picture, show_unfolded, title_of, decoded, address, keep, stop: () => playing && toggle_play(),
-      playing: () => playing !== 0,
-      /// Keeps the page's own walks at the same place, for paper and for reading.
-      follow: (id, to) => go(walks.find(w => w.id === id), to, true)
+      request, settings: ids, find, load: isect_code.script, prepare, light_code, mark_link, show_controls, show_picture,
+      show_unfolded, title_of, decoded, address, keep, stop: () => playing && toggle_play(), playing: () => playing !== 0,
+      follow(id, at) {
+        place_of = { id, at };
+        if (root.classList.contains("reading")) follow_live();
+      }
     });
-    if (live) live.begin(walk.id, at);
+    if (live) live.begin(articles(walk)[at].id);
     tell_live(live ? "ready" : "none");
   }
-  function tell_live(state) {
-    root.dataset.live = state, root.classList.toggle("can-live", state === "ready");
-    isect_tell("live", { state });
+  /// "loading", then "ready", or "none" where the lessons can't run.
+  function mark_live(state) {
+    root.dataset.live = state, root.classList.toggle("can-live", state !== "none");  // the room for what can be changed
   }
+  function tell_live(state) { mark_live(state), isect_tell("live", { state }); }
   const script = document.body.dataset.live;
-  if (script && window.WebAssembly && window.DecompressionStream) {
-    root.classList.add("can-live");  // the room for what can be changed is kept from the beginning
-    come_alive(script).catch(() => { live = null, tell_live("none"); });
+  if (script) {
+    mark_live("loading");
+    (window.WebAssembly ? come_alive(script) : Promise.reject()).catch(() => { live = null, tell_live("none"); });
   }
 })();

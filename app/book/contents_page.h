@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/book/cover.h"
 #include "app/book/page_shell.h"
 #include "app/shell/options.h"
 #include "viz/course.h"
@@ -11,10 +12,10 @@
 
 namespace isect::program::book {
 
-/// `openings`: the first preset of each lesson, walked; its outcome is the picture of the lesson. `with_scene`: whether
-/// there is the page for users' own scenes; `links`: paragraphs that link to playlists.
-Page contents_page(const std::vector<Excerpt>& openings, const viz::Course&, bool with_scene, const std::string& links,
-                   viz::PageColours&);
+/// `openings`: the first preset of each lesson, walked; its outcome is the picture of the lesson.
+/// `playlists`: links to them, as items of a list.
+Page contents_page(const std::vector<Excerpt>& openings, const viz::Course&, const Compiled&,
+                   const std::string& playlists, viz::PageColours&);
 Page glossary_page(const viz::Course&, const std::vector<const viz::Lesson*>&);
 
 }  // namespace isect::program::book

@@ -131,9 +131,11 @@ std::string walk_section(const Excerpt& e, const viz::Preset& as, bool first, vi
   const auto picture = [&](const Station& at) { return at.asks ? pictures.asked(at.step) : pictures.of(at.step); };
   const bool known = e.walk.method.empty() || e.walk.method == as.title;
   const std::string method = known ? "" : fmt::format(" <small>{}</small>", html_text(e.walk.method));
-  return fmt::format("<section class=\"walk{}\" id=\"{}\">\n<h2>{}{}</h2>\n{}{}</section>\n", first ? " shown" : "",
-                     as.id, html_text(as.title), method,
-                     WalkSection({*e.lesson, e.parameters, e.walk}, as.id, picture).html(first), end);
+  const std::string section =
+      fmt::format("<section class=\"walk{}{}\" id=\"{}\">\n<h2>{}{}</h2>\n{}{}</section>\n", first ? " shown" : "",
+                  viz::has_time(e.walk) ? " moves" : "", as.id, html_text(as.title), method,
+                  WalkSection({*e.lesson, e.parameters, e.walk}, as.id, picture).html(first), end);
+  return first ? section : waiting(fmt::format("data-setting=\"{}\"", as.id), section);
 }
 
 Page lesson_page(const viz::Lesson& lesson, const std::vector<Excerpt>& presets,

@@ -10,7 +10,7 @@
 
 namespace isect::program::book {
 
-/// Returns a walked setting, under the id and the title of `as`; `end`: what stands below it.
+/// Returns a walked setting, under the id and the title of `as`; `end`: what stands below it. All but the `first` wait.
 std::string walk_section(const Excerpt&, const viz::Preset& as, bool first, viz::PagePictures&,
                          const std::string& end = {});
 

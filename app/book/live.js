@@ -22,7 +22,7 @@ function isect_live(book) {
   const heading = element("h2"), given = element("div", { class: "given-holder" });
   const algorithm = element("div", { class: "algorithm-holder" }), opinions = element("div", { class: "opinions-holder" });
   const above = element("div", { class: "above" }), below = element("div", { class: "below" });
-  const lights = element("g", { class: "lights" }), grips = element("g");
+  const lights = element("g", { class: "lights" }), grips = element("g", { role: "group", "aria-label": "Handles" });
   const over = element("svg", { class: "over" }, lights, grips);
   const holder = element("div", { class: "holder" }, over);
   const stage = element("figure", { class: "stage" }, holder);
@@ -32,6 +32,7 @@ function isect_live(book) {
   const map = element("figure", { class: "map", hidden: "" }, map_holder, map_told);
   const message = element("p", { class: "message", role: "status" });
   const outcome = element("div", { class: "outcome", role: "status" });  // of a setting of the reader's own, at every step
+  const task = element("p", { class: "task", role: "status" });          // the exercise that was begun, or is solved
   const wants_map = pressed("Map of cases", () => look({ map: wants_map.getAttribute("aria-pressed") !== "true" }));
   const undo = pressed("Undo", () => act({ do: "undo" })), redo = pressed("Redo", () => act({ do: "redo" }));
   const snap = pressed("Snap", () => snap.setAttribute("aria-pressed", String(!snaps())));
@@ -39,44 +40,47 @@ function isect_live(book) {
   const frame_all = pressed("Whole scene", () => act({ do: "frame all" }));
   const form = element("form"), saved = element("textarea", { readonly: "", "aria-label": "Text to copy", hidden: "" });
   const values = element("details", { class: "changes" }, element("summary", {}, "Change the values"), form);
-  const scene = element("textarea", { "aria-label": "The scene as text", spellcheck: "false" });
-  const scene_told = element("p", { class: "help", role: "status" }), chosen = element("input", { type: "file", hidden: "" });
-  const own_scene = element("details", { class: "own-scene", open: "" }, element("summary", {}, "Change the scene"), scene, scene_told,
-    element("div", { class: "tools" }, pressed("Show this scene", show_scene), pressed("Open a file", () => chosen.click()),
-      pressed("Save the scene", () => save(new Blob([scene.value], { type: "application/json" }), example + ".json"))), chosen);
+  const lesson = document.body.dataset.lesson, is_scene = lesson === "scene";
+  const editor = is_scene ? isect_scene_text({ element, pressed, save, request: book.request, open: open_scene }) : null;
   const share = element("details", { class: "share" }, element("summary", {}, "Save or share"));
-  const tools = element("div", { class: "tools", role: "group", "aria-label": "Tools" }, wants_map, snap, undo, redo, frame_all);
-  const pictures = element("div", { class: "pictures" }, stage, map,
-    element("div", { class: "told-below" }, outcome, message));
+  const tools = element("div", { class: "tools", role: "group", "aria-label": "Tools" }, wants_map, snap, undo, redo, frame_all,
+    isect_key_button());
+  const time = isect_time(element, request => act(request, "keep"), () => book.stop());
+  const pictures = element("div", { class: "pictures" }, stage, map, time.bar,
+    element("div", { class: "told-below" }, task, outcome, message));
   const article = element("article", { class: "step shown" }, above, pictures, below);
-  const workshop = element("div", { class: "workshop" }, own_scene, values, share);
+  const workshop = element("div", { class: "workshop" }, values, share);
   const section = element("section", { class: "walk live shown", id: "live" }, heading, given,
-    element("div", { class: "steps" }, algorithm, article), tools, workshop, opinions);
+    element("div", { class: "steps" }, algorithm, article), tools, ...(editor ? [editor.element] : []), workshop, opinions);
 
-  const lesson = document.body.dataset.lesson;
-  const is_scene = lesson === "scene";
   let now = null;            // the last frame
   let heard = "";            // the station that was told last
+  let said = "";             // of the last change; what is pointed at is told in its place for as long
+  let rested = null;         // the setting that was drawn last to stay, and how many steps it has
+  let flat = false;          // the scene lies in a plane: it is shifted and not turned
   let example = "";          // the scene of the page that was opened last
+  const exercises = isect_exercises(task);
   const live = { count: 0, at: 0, article, go: at => act({ do: "go", at }), load, from_address, begin };
 
   // Asking the session, and showing what it answers.
   function act(request, address = "replace") {
     const reply = book.request(request);
-    if (reply.wrong) { message.textContent = reply.wrong; return null; }
+    if (reply.wrong) return tell(reply.wrong), null;
     if (request.example) example = request.example;
     if (reply.parameters) opened(reply);
-    if (reply.picture !== undefined) show(reply, address);
+    if (reply.picture !== undefined) show(reply, address, request.do === "drop" ? said : "");
     return reply;
   }
+  function tell(text) { said = message.textContent = text; }
   function opened(reply) {
     if (is_scene || form.children.length === 0) make_form(reply.parameters);
-    frame_all.hidden = reply.flat, own_scene.hidden = !is_scene;
+    frame_all.hidden = flat = reply.flat;
   }
-  function load(preset) { act(is_scene ? scene_request(preset) : { do: "load", preset }, "push"); }
+  function load(preset) { act(is_scene ? { ...scene_request(preset), step: "answer" } : { do: "load", preset }, "push"); }
   function look(wanted) { act({ do: "look", ...wanted }, "keep"); }
 
-  function show(frame, address) {
+  /// `kept`: what was said of the change that this ends.
+  function show(frame, address, kept = "") {
     const fresh = !now || now.step !== frame.step || now.asks !== frame.asks;
     const place = frame.place;
     if (is_scene) place_scene(frame);
@@ -84,12 +88,14 @@ function isect_live(book) {
     now = frame;
     live.at = frame.at, live.count = frame.count;
     section.classList.toggle("changed", changed), section.classList.toggle("over", frame.at === frame.count - 1);
-    article.dataset.asked = frame.asked;
+    article.dataset.asked = frame.asked, article.dataset.station = changed ? "" : `${place.preset}/${frame.step + 1}`;
     article.classList.toggle("ask", frame.asks), article.classList.toggle("step", !frame.asks);
     if (fresh) article.classList.remove("told");
     const name = place["preset title"], own = is_scene ? name + ", changed" : `Changed from “${name}”`;
     html(heading, (changed ? own : name) +
       (place.method && place.method !== place["preset title"] ? ` <small>${place.method}</small>` : ""));
+    time.show(frame);
+    exercises.show(changed ? frame.solved ?? [] : [], place.origin);
     draw(frame);
     html(given, frame.given), html(opinions, frame.opinions), html(above, frame.above);
     if (frame.algorithm !== undefined) html(algorithm, frame.algorithm);
@@ -98,20 +104,31 @@ function isect_live(book) {
       if (frame.asks) article.classList.remove("told"), book.prepare(article);
     }
     book.light_code(section, frame);
-    if (frame.solved) mark_solved(frame.solved);
+    if (frame.algorithm !== undefined) isect_mark_terms(article, frame.at, place.origin);
+    if (frame.solved) exercises.mark(changed ? frame.solved : []);
     show_values(frame.values, frame.idle);
     wants_map.hidden = !frame["has map"];
+    snap.hidden = !frame["has handles"] && !frame["has map"];
+    snap.classList.toggle("idle", frame.handles.length === 0 && !frame.map);
     undo.setAttribute("aria-disabled", !frame.undo), redo.setAttribute("aria-disabled", !frame.redo);
     html(outcome, changed ? frame.outcome : "");
-    message.textContent = frame.told || frame.refuses || "";
+    tell([frame.told || frame.refuses || kept, other_steps(frame, changed)].filter(Boolean).join(" "));
     book.mark_link(changed ? "" : place.origin);
     book.show_controls(frame.asks ? below.querySelector("h3").textContent
         : `Step ${frame.step + 1} of ${frame.steps}: ${book.title_of(above)}`);
     if (!changed) book.follow(place.preset, frame.at);
     keep_address(address);
     const station = { setting: changed ? "" : place.preset, at: frame.at, asks: frame.asks }, told = JSON.stringify(station);
-    if (heard !== told) heard = told, isect_tell("step", station);
+    if (heard !== told) heard = told, isect_tell("step", { ...station, asked: frame.asked, end: frame.at === frame.count - 1,
+      step: frame.step + Number(!frame.asks), of: frame.steps });
     if (book.playing() && (frame.at === frame.count - 1 || frame.asks)) book.stop();
+  }
+  /// A change may end the walk earlier or later: the bar's numbers jump, and this says why.
+  function other_steps({ algorithm, place, steps }, changed) {
+    if (algorithm === undefined) return "";  // still in motion
+    const before = rested && rested.origin === place.origin ? rested.steps : steps;
+    rested = { origin: place.origin, steps };
+    return changed && before !== steps ? `The walk has ${steps} steps now, and had ${before}.` : "";
   }
   /// The picture under the handles, which stay where they are: what is moved in a page loses the focus.
   function put_first(holder, over, picture) {
@@ -130,6 +147,7 @@ function isect_live(book) {
     over.setAttribute("viewBox", box);
     stage.style.setProperty("--least", frame.width > 330 ? `${Math.round(frame.width)}px` : "0");
     lights.replaceChildren();
+    name_picture(frame);
     show_grips(frame.handles, unit);
     const beside = frame.map && !frame.map.own;
     map.hidden = !beside, pictures.classList.toggle("with-map", Boolean(beside));
@@ -138,6 +156,14 @@ function isect_live(book) {
     put_first(map_holder, map_over, frame.map.svg);
     map_over.setAttribute("viewBox", `0 0 ${frame.map.width} ${frame.map.height}`);
     html(map_told, frame.map.here);
+  }
+
+  /// What the arrow keys do to the picture itself; nothing where it is a chart.
+  function name_picture({ map, chart }) {
+    const does = map?.own ? "Map of cases; the arrow keys move the setting" : chart ? ""
+        : `Picture; the arrow keys ${flat ? "shift" : "turn"} it, + and − zoom`;
+    over.setAttribute("role", does ? "application" : "group"), over.setAttribute("aria-label", does || "Picture");
+    if (does) over.setAttribute("tabindex", "0"); else over.removeAttribute("tabindex");
   }
 
   // Handles: what can be dragged, also by keys.
@@ -179,11 +205,13 @@ function isect_live(book) {
     ["pointerup", "pointercancel"].forEach(name => target.addEventListener(name, stop));
   }
   const drag = svg => event => act({ do: "drag", ...place_in(svg, event), snap: snaps(event) }, "keep");
-  /// What a pointer has moved keeps no focus: the arrow keys step again.
-  function drop() {
-    act({ do: "drop" }, "push");
-    if (document.activeElement && section.contains(document.activeElement.closest(".over"))) document.activeElement.blur();
+  /// Of a handle, the picture or the map: the arrow keys step again.
+  function leave() {
+    const on = document.activeElement;
+    if (on && section.contains(on.closest(".over"))) on.blur();
   }
+  /// What a pointer has moved keeps no focus.
+  function drop() { act({ do: "drop" }, "push"), leave(); }
   stage.addEventListener("pointerdown", event => {
     if (event.button !== 0) return;
     const grip = event.target.closest(".grip"), at = place_in(over, event);
@@ -192,16 +220,17 @@ function isect_live(book) {
       if (grip) light({ do: "light", handle: grip.dataset.handle });
       act({ do: "take", ...(grip ? { handle: grip.dataset.handle } : {}), ...at }, "keep");
       follow(stage, event, drag(over), drop);
-    } else if (event.pointerType === "mouse" && event.target.closest(".holder")) {
+    } else if (event.pointerType === "mouse" && !now.chart && event.target.closest(".holder")) {
       let from = null;
       follow(stage, event, moved => {
         if (!from && Math.hypot(moved.clientX - event.clientX, moved.clientY - event.clientY) < scene_drag) return;
         const to = place_in(over, moved);
         if (from) act({ do: "turn", x: to.x - from.x, y: to.y - from.y }, "keep");
         from = to;
-      }, () => from && act({ do: "drop" }, "replace"));
+      }, () => (from && act({ do: "drop" }, "replace"), leave()));
     }
   });
+  stage.addEventListener("click", event => event.detail > 0 && leave());
   stage.addEventListener("dblclick", event => event.target.closest(".grip") || act({ do: "frame all" }));
   map.addEventListener("pointerdown", event => {
     if (event.button !== 0 || !event.target.closest(".holder")) return;
@@ -210,20 +239,42 @@ function isect_live(book) {
     follow(map, event, drag(map_over), drop);
   });
   const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+  const closer = { "+": 1.15, "=": 1.15, "-": 1 / 1.15, "−": 1 / 1.15 };
+  const turn_by = 4;  // a press of an arrow key, in units of the picture
   let pushed = 0;
   section.addEventListener("keydown", event => {
-    if (event.ctrlKey && !event.altKey && (event.key === "z" || event.key === "y") && !event.target.matches("input")) {
-      event.preventDefault();
-      return void act({ do: event.key === "z" ? "undo" : "redo" }, "push");
-    }
-    const way = ways[event.key], grip = event.target.closest(".grip");
-    if (!way || event.ctrlKey || event.altKey || event.metaKey || !(grip || event.target === map_over)) return;
+    const on = event.target.closest(".over"), grip = event.target.closest(".grip"), way = ways[event.key];
+    if (!on || event.ctrlKey || event.altKey || event.metaKey) return;
+    const moves = grip || on === map_over || now.map?.own, factor = moves ? 0 : closer[event.key];
+    if (event.key !== "Escape" && !way && !factor) return;
     event.preventDefault(), event.stopPropagation();
-    act({ do: "push", ...(grip ? { handle: grip.dataset.handle } : {}), x: way[0], y: way[1], snap: snaps(event) }, "keep");
-    clearTimeout(pushed), pushed = setTimeout(() => rest(message.textContent), 400);
+    if (event.key === "Escape") return leave();
+    if (moves) act({ do: "push", ...(grip ? { handle: grip.dataset.handle } : {}), x: way[0], y: way[1], snap: snaps(event) }, "keep");
+    else if (way) act({ do: "turn", x: turn_by * way[0], y: turn_by * way[1] }, "keep");
+    else act({ do: "zoom", factor, moving: true }, "keep");
+    clearTimeout(pushed), pushed = setTimeout(() => rest(moves && on, grip?.dataset.handle), 400);
   });
-  /// What was moved by keys is drawn as it is to stay, once they rest.
-  function rest(told) { act({ do: "drop" }, "push"), message.textContent = told; }
+  /// What was moved by keys is drawn as it is to stay, once they rest, and told: in words for those who don't see it.
+  function rest(moved, name) {
+    act({ do: "drop" }, moved ? "push" : "replace");
+    if (!moved) return;
+    const is = name ? now.handles.find(handle => handle.name === name)?.label : now.map?.own ? "" : map_told.textContent;
+    tell([is, said].filter(Boolean).join("; "));
+  }
+  addEventListener("keydown", event => {
+    if (event.altKey || root.classList.contains("reading") || event.target.matches("input:not([type=range]), textarea")) return;
+    const key = event.key.toLowerCase(), with_ctrl = event.ctrlKey || event.metaKey;
+    if (with_ctrl && (key === "z" || key === "y")) act({ do: key === "z" && !event.shiftKey ? "undo" : "redo" }, "push");
+    else if (key === "m" && !with_ctrl && !event.target.matches("select")) take_first();
+    else return;
+    event.preventDefault();
+  });
+  function take_first() {
+    const first = grips.firstChild ?? (over.hasAttribute("tabindex") ? over : null);
+    if (first) first.focus(); else tell("Nothing can be moved at this step.");
+  }
+
+  isect_two_fingers({ stage, place: touch => place_in(over, touch), may_turn: () => now && !now.chart, act });
 
   // One name, one light.
   let lit = "";
@@ -234,7 +285,7 @@ function isect_live(book) {
     lit = names.join();
     lights.innerHTML = reply.marks;
     section.querySelectorAll("[data-name]").forEach(e => e.classList.toggle("lit", names.includes(e.dataset.name)));
-    message.textContent = reply.sum;
+    message.textContent = reply.sum || said;
   }
   let pointed = 0;
   stage.addEventListener("pointermove", event => {
@@ -251,14 +302,13 @@ function isect_live(book) {
     if (name) light({ do: "light", names: [name.dataset.name] });
     else if (!stage.contains(event.target) && lit) light(null);
   });
-  grips.addEventListener("focusin", event => {
+  section.addEventListener("focusin", event => {
     const grip = event.target.closest(".grip");
     if (grip) light({ do: "light", handle: grip.dataset.handle });
   });
   // A finger on a handle drags it and never the page: touch-action counts for the whole drawing only, which may be scrolled.
   grips.addEventListener("touchstart", event => event.preventDefault(), { passive: false });
 
-  // A scene's own text is open from the beginning, and moves nothing.
   [values, share].forEach(part => part.addEventListener("toggle", () => book.show_unfolded(part)));
 
   // The values, typed.
@@ -266,7 +316,7 @@ function isect_live(book) {
     form.replaceChildren(...parameters.map(p => {
       const id = "value-" + p.name, label = element("label", { for: id });
       label.innerHTML = p.label;
-      const field = p.kind === "choice" ? element("select", { id }, ...p.choices.map(c => element("option", {}, c)))
+      const field = p.kind === "choice" ? element("select", { id }, ...p.choices.map((c, i) => element("option", { value: c }, p.titles[i])))
           : element("input", { id, type: "text", autocomplete: "off", spellcheck: "false" });
       field.title = p.help, field.name = p.name;
       field.addEventListener("change", () => set(p.name, field.value, field));
@@ -301,42 +351,27 @@ function isect_live(book) {
       else if (name in all && field.matches("[type=text]") === false) field.value = all[name];
     }
   }
-  // A setting in which a program errs tells enough: its correction unfolds.
-  function mark_solved(all) {
-    [...document.querySelectorAll(".exercises > ol > li")].forEach((exercise, i) => {
-      const found = section.classList.contains("changed") && all.find(one => one.exercise === i);
-      let note = exercise.querySelector(".solved");
-      if (!found) return note && note.remove();
-      if (!note) {
-        exercise.append(note = element("p", { class: "solved" }));
-        isect_tell("solved", { exercise: i + 1 });
-        if (found.told) exercise.querySelector("details").open = true;
-      }
-      note.textContent = `✓ The setting above is one. ${found.told}`.trim();
-    });
-  }
-
   // A scene of one's own: its text is the state, with what was dragged written into it.
-  const text_of = id => document.getElementById(id).querySelector(".written pre").textContent;
+  const texts = new Map();
+  function text_of(id) {
+    if (!texts.has(id)) texts.set(id, book.find(id, ".written pre").textContent);
+    return texts.get(id);
+  }
   const scene_request = (id, text = text_of(id)) => ({ do: "open", example: id, scene: text });
   function place_scene(frame) {
     const kept = frame.scene !== undefined;
     if (!kept) frame.scene = now.scene;
     frame.place.origin = example;
     frame.place.preset = kept && frame.scene === text_of(example) ? example : "";
-    if (kept && scene !== document.activeElement) scene.value = frame.scene;
+    if (kept) editor.put(example, frame.scene);
   }
-  function show_scene() {
-    const shown = act({ ...scene_request(example, scene.value), step: now.step }, "push");
-    scene.setAttribute("aria-invalid", String(!shown));
-    scene_told.classList.toggle("refused", !shown);
-    scene_told.textContent = shown ? "" : message.textContent;
+  /// Returns what is wrong with a text.
+  function open_scene(written, step) {
+    if (act({ ...scene_request(example, written), step }, "push")) return book.show_picture(), "";
+    const wrong = message.textContent;
+    message.textContent = "";  // it is said beside the text
+    return wrong;
   }
-  scene.addEventListener("keydown", event => event.key === "Enter" && (event.ctrlKey || event.metaKey) && show_scene());
-  chosen.addEventListener("change", async () => {
-    if (chosen.files.length) scene.value = await chosen.files[0].text(), show_scene();
-    chosen.value = "";
-  });
 
   // The address holds the state.
   function address_of({ place, step, asks }) {
@@ -351,9 +386,9 @@ function isect_live(book) {
   }
   function request_from(hash) {
     const [path, query] = hash.slice(1).split("?"), [preset, step, question] = book.decoded(path).split("/");
-    if (!book.walks.some(w => w.id === preset)) return null;
+    if (!book.settings.includes(preset)) return null;
     const request = { ...(is_scene ? scene_request(preset) : { do: "open", lesson, preset, changes: [] }),
-      step: Math.max(0, Number(step || 1) - 1 || 0), asks: question === "question" };
+      step: is_scene && !step ? "answer" : Math.max(0, Number(step || 1) - 1 || 0), asks: question === "question" };
     for (const [name, text] of new URLSearchParams((query ?? "").replaceAll("+", "%2B")))
       if (name === "camera" || (is_scene && name === "scene")) request[name] = text;
       else if (!is_scene) request.changes.push([name, text]);
@@ -386,8 +421,8 @@ function isect_live(book) {
     link.click();
     setTimeout(() => URL.revokeObjectURL(address), 10000);
     // A browser tells no script that it has refused.
-    message.textContent = window === top ? `${name} is saved.`
-        : `${name} was given to the browser to save. Where the page around this one forbids that, open this one by itself.`;
+    tell(window === top ? `${name} is saved.`
+        : `${name} was given to the browser to save. Where the page around this one forbids that, open this one by itself.`);
   }
   async function save_svg() {
     const made = await figure();
@@ -403,15 +438,16 @@ function isect_live(book) {
   }
   async function copy(text, what) {
     saved.hidden = false, saved.value = text;
-    try { await navigator.clipboard.writeText(text); message.textContent = `${what} is copied.`; } catch {
+    try { await navigator.clipboard.writeText(text); tell(`${what} is copied.`); } catch {
       saved.select();
-      message.textContent = document.execCommand("copy") ? `${what} is copied.` : "Copy it from the field below.";
+      tell(document.execCommand("copy") ? `${what} is copied.` : "Copy it from the field below.");
     }
   }
   const escaped = text => text.replaceAll("&", "&amp;").replaceAll('"', "&quot;").replaceAll("<", "&lt;");
   const copied = name => () => copy(book.request({ do: "copy" })[name], { latex: "LaTeX", markdown: "Markdown", alt: "The alt text" }[name]);
+  const named_file = () => is_scene && /"file"\s*:/.test(now.scene);
   share.append(element("div", { class: "tools" }, pressed("Save SVG", save_svg), pressed("Save PNG", save_png),
-    pressed("Copy link", () => copy(location.href, "The link")),
+    pressed("Copy link", () => copy(location.href, named_file() ? "The link, without the file that it names," : "The link")),
     pressed("Copy LaTeX", copied("latex")), pressed("Copy Markdown", copied("markdown")),
     pressed("Copy alt text", copied("alt")),
     pressed("Copy iframe", () => copy(`<iframe src="${escaped(location.href)}" title="${escaped(document.title)}" width="100%" ` +
@@ -428,22 +464,26 @@ function isect_live(book) {
   });
   addEventListener("afterprint", () => section.querySelectorAll(".printed").forEach(e => e.remove()));
 
-  function begin(walk, at) {
+  /// `station`: the one on show, as an address names it.
+  function begin(station) {
     book.request({ do: "look", dark: dark.matches });
-    const station = book.walks.find(w => w.id === walk).querySelectorAll(".steps > article")[at];
     document.getElementById("walks").prepend(section);
+    const skip = element("a", { class: "skip", href: "#live" }, "Skip to what can be moved");
+    skip.addEventListener("click", event => (event.preventDefault(), take_first()));
+    document.querySelector(".skip")?.after(skip);
     root.classList.add("lively");
     const asked = request_from(book.address()), name = book.decoded(location.hash.slice(1).split(/[/?]/)[0]);
     const nowhere = name !== "" && !asked && !document.getElementById(name);
-    if (act(asked ?? request_from("#" + (station ? station.id : walk)), "keep")) {
+    if (act(asked ?? request_from("#" + station), "keep")) {
       resized();
       if (asked) book.show_picture();
-      if (nowhere) message.textContent = `This page has no setting “${name}”.`;
+      if (nowhere) tell(`This page has no setting “${name}”.`);
       return;
     }
     const wrong = message.textContent;  // a link that is no longer good
-    act(request_from("#" + walk), "keep");
-    message.textContent = wrong;
+    act(request_from("#" + station.split("/")[0]), "keep");
+    tell(wrong);
+    if (editor && asked && asked.scene !== text_of(asked.example)) editor.try_again(asked.scene, wrong);
   }
   snap.title = "Handles stop where the case changes; Shift does that, too";
   snap.setAttribute("aria-pressed", "false");

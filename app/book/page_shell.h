@@ -20,6 +20,10 @@ struct Neighbours {
 /// The files with the compiled lessons, beside the pages; the page of scenes has one of its own.
 inline constexpr const char* live_file = "isect.js";
 inline constexpr const char* live_scenes_file = "scenes.js";
+/// What such a script takes from beside it, as load.js names it: "isect.wasm", which a server sends, and for a page
+/// from disk the same as a script, "isect-packed.js".
+inline std::string wasm_of(const std::string& script) { return script.substr(0, script.size() - 3) + ".wasm"; }
+inline std::string packed_of(const std::string& script) { return script.substr(0, script.size() - 3) + "-packed.js"; }
 
 struct Page {
   std::string file;   ///< "ray-sphere.html"

@@ -86,7 +86,7 @@ std::vector<std::string> PlaylistPages::files() const {
 }
 
 std::string PlaylistPages::link() const {
-  return fmt::format("<p><a href=\"{}\">{}</a></p>\n", file(), html_text(list_.title));
+  return fmt::format("<li><a href=\"{}\">{}</a></li>\n", file(), html_text(list_.title));
 }
 
 Page PlaylistPages::page() const {
@@ -102,7 +102,8 @@ Page PlaylistPages::page() const {
   page.body = fmt::format(
       "<div class=\"opening\">\n<h1>{}</h1>\n<p class=\"summary\">{} stops. Each opens the steps in question; Page "
       "Down "
-      "and N go on from there, Page Up goes back.</p>\n</div>\n<p class=\"begin\" data-hour=\"{}\"><a href=\"{}\">Begin"
+      "and N go on from there, Page Up goes back.</p>\n</div>\n<p class=\"hour-begin\" data-hour=\"{}\"><a "
+      "href=\"{}\">Begin"
       "</a></p>\n<ol class=\"stops\">\n{}</ol>\n",
       html_text(list_.title), stops_.size(), name_, address(0), stops);
   return page;

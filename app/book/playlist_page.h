@@ -24,7 +24,7 @@ class PlaylistPages {
   std::string file() const { return "hour-" + name_ + ".html"; }
   std::string script_file() const { return "hour-" + name_ + ".js"; }
   std::vector<std::string> files() const;
-  /// Returns a link to it, as a paragraph.
+  /// Returns a link to it, as an item of a list.
   std::string link() const;
 
   Page page() const;

@@ -8,7 +8,9 @@
   const kept_as = "isect hour " + hour_name, root = document.documentElement;
   /// The address of a place from any page.
   const address_of = ({ page, stop, hash }) => `${page}?hour=${hour_name}&stop=${stop + 1}${hash}`;
-  const typing = event => event.target instanceof Element && event.target.closest("input, textarea, select, .grip");
+  /// Whether a key is meant for what has the focus: a field; what is dragged by arrows; a sheet over the page.
+  const taken = event => document.querySelector("dialog[open]") || (event.target instanceof Element &&
+    event.target.closest(event.key.startsWith("Arrow") ? "input, textarea, select, .over" : "input, textarea, select"));
   const with_others = event => event.ctrlKey || event.altKey || event.metaKey;
 
   /// The playlist's own page: begins, or goes on where this reader stopped.
@@ -22,7 +24,7 @@
       }
     } catch { /* nothing is kept, or nothing that can be read */ }
     addEventListener("keydown", event => {
-      if (!["n", "ArrowRight"].includes(event.key) || with_others(event) || typing(event)) return;
+      if (!["n", "ArrowRight"].includes(event.key) || with_others(event) || taken(event)) return;
       event.preventDefault(), first.click();
     });
     return;
@@ -96,7 +98,7 @@
     const ways = { PageDown: 1, ArrowRight: 1, n: 1, N: 1, PageUp: -1, ArrowLeft: -1, p: -1, P: -1 };
     addEventListener("keydown", event => {
       const way = ways[event.key];
-      if (!way || with_others(event) || typing(event) || root.classList.contains("reading")) return;
+      if (!way || with_others(event) || taken(event) || root.classList.contains("reading")) return;
       event.preventDefault(), event.stopImmediatePropagation(), step(way);
     }, true);
     if (away) show(); else go(at);

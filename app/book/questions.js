@@ -48,10 +48,12 @@ function isect_questions(told, changed = () => {}) {
     const list = ask.querySelector(".choices"), asked_for = list && Object.keys(isect_kinds).find(name => name in list.dataset);
     const kind = asked_for === "pointed" && !ask.closest(".walk") ? null : asked_for;  // there is no code to point at
     ask.classList.toggle("typing", Boolean(kind)), ask.classList.toggle("pointing", kind === "pointed");
-    if (!kind) return;
-    const asked = JSON.parse(list.dataset[kind]);
-    list.before(field_for(ask, asked.asks, isect_kinds[kind](asked)));
-    if (kind === "order") prepare_tiles(ask);
+    if (kind) {
+      const asked = JSON.parse(list.dataset[kind]);
+      list.before(field_for(ask, asked.asks, isect_kinds[kind](asked)));
+      if (kind === "order") prepare_tiles(ask);
+    }
+    isect_way.restore(ask);
   }
   function show_choices(ask) { ask.classList.remove("typing"), changed(ask); }
   /// `read`: one of isect_kinds.
@@ -64,7 +66,7 @@ function isect_questions(told, changed = () => {}) {
     hint.type = "button", hint.textContent = "Show the choices", hint.className = "show-choices";
     hint.addEventListener("click", () => show_choices(ask));
     help.className = "help", help.textContent = asks, help.setAttribute("role", "status");
-    form.className = "typed", form.append(label, give, hint, help);
+    form.className = "typed", form.dataset.asks = asks, form.append(label, give, hint, help);
     form.addEventListener("submit", event => {
       event.preventDefault();
       let given;
@@ -112,10 +114,12 @@ function isect_questions(told, changed = () => {}) {
       ask.querySelector(".choices").before(said);
     }
     ask.querySelector("details").open = true;
+    if (isect_way.restoring) return isect_way.offer_again(ask, changed);
+    const how = given ? { typed: ask.querySelector(".typed input").value } : { choice: chosen };
     isect_answers.keep(ask.dataset.asked, right);
     tell_damage(ask);
     told(right, ask);
-    isect_tell("answer", { asked: ask.dataset.asked ?? "", right });
+    isect_tell("answer", { asked: ask.dataset.asked ?? "", right, station: isect_way.station_of(ask), ...how });
   }
   /// A record that could not be read is told once, where the first answer after it is given.
   function tell_damage(ask) {

@@ -35,27 +35,39 @@ function isect_draw_review(prompts, record, seed, most = 8) {
   return drawn;
 }
 
+/// Checks of what was kept, or stands in a file: each returns its value, or throws an Error that says where it is wrong.
+const isect_checked = {
+  fail(why) { throw new Error(why); },
+  json(text, where) { try { return JSON.parse(text); } catch { return this.fail(`${where}: it is not JSON`); } },
+  object(value, where) {
+    return value && typeof value === "object" && !Array.isArray(value) ? value : this.fail(`${where}: there is no such object`);
+  },
+  count(from, name, where) {
+    return Number.isInteger(from[name]) && from[name] >= 0 && from[name] <= 1e9 ? from[name] : this.fail(`${where} ${name}: there is no such count`);
+  },
+  version(from, where) {
+    if (this.count(from, "version", where) !== 1) this.fail(`${where} version: ${from.version} is unknown; this page reads 1`);
+  },
+  yes_or_no(from, name, where) {
+    return typeof from[name] === "boolean" ? from[name] : this.fail(`${where} ${name}: it is neither true nor false`);
+  }
+};
+
 /// The record of no answers; and one that is read from text, or an Error that says what is wrong with it.
 function isect_no_answers() { return { version: 1, answers: 0, lessons: {}, reviews: {} }; }
 function isect_record_from(text) {
-  const fail = why => { throw new Error(why); };
-  const object = (value, where) => value && typeof value === "object" && !Array.isArray(value) ? value : fail(`${where}: there is no such object`);
-  const count = (from, name, where) => Number.isInteger(from[name]) && from[name] >= 0 && from[name] <= 1e9
-      ? from[name] : fail(`${where} ${name}: there is no such count`);
-  let record;
-  try { record = JSON.parse(text); } catch { fail("record: it is not JSON"); }
-  object(record, "record");
-  if (count(record, "version", "record") !== 1) fail(`record version: ${record.version} is unknown; this page reads 1`);
-  count(record, "answers", "record");
-  for (const [lesson, questions] of Object.entries(object(record.lessons, "record lessons")))
-    for (const [question, asked] of Object.entries(object(questions, `record ${lesson}`))) {
+  const is = isect_checked, record = is.object(is.json(text, "record"), "record");
+  is.version(record, "record");
+  is.count(record, "answers", "record");
+  for (const [lesson, questions] of Object.entries(is.object(record.lessons, "record lessons")))
+    for (const [question, asked] of Object.entries(is.object(questions, `record ${lesson}`))) {
       const where = `record ${lesson} ${question}`;
-      if (typeof object(asked, where).right !== "boolean") fail(`${where} right: it is neither true nor false`);
-      ["times", "wrong", "last"].forEach(name => count(asked, name, where));
+      is.yes_or_no(is.object(asked, where), "right", where);
+      ["times", "wrong", "last"].forEach(name => is.count(asked, name, where));
     }
-  for (const [number, result] of Object.entries(object(record.reviews, "record reviews"))) {
-    if (!/^\d{1,4}$/.test(number)) fail(`record reviews: “${number}” is no review's number`);
-    ["right", "of"].forEach(name => count(object(result, `record review ${number}`), name, `record review ${number}`));
+  for (const [number, result] of Object.entries(is.object(record.reviews, "record reviews"))) {
+    if (!/^\d{1,4}$/.test(number)) is.fail(`record reviews: “${number}” is no review's number`);
+    ["right", "of"].forEach(name => is.count(is.object(result, `record review ${number}`), name, `record review ${number}`));
   }
   return record;
 }
@@ -64,17 +76,21 @@ function isect_keep_answer(record, lesson, question, right) {
   asked.right = right, asked.times += 1, asked.wrong += right ? 0 : 1, asked.last = record.answers += 1;
 }
 
-/// The record that this browser keeps. A damaged one is set aside under a name of its own, and told.
+/// What this browser keeps: the record. What is damaged is set aside under a name of its own, and told. Where nothing can
+/// be kept, the page has it for as long as it is open.
 const isect_answers = {
-  place: "isect answers",
+  place: "isect answers", what: "answers", none: isect_no_answers, from: isect_record_from,
   told: "",
+  held: null,            // what could not be kept
+  text: null, kept: null,  // the text that was read last, and what it says
   read() {
     let text = null;
     try { text = localStorage.getItem(this.place); } catch { /* nothing is kept here */ }
-    if (text === null) return isect_no_answers();
-    try { return isect_record_from(text); } catch (damage) {
+    if (text === null || this.held) return this.held ?? this.none();
+    if (text === this.text) return this.kept;
+    try { return this.kept = this.from(text), this.text = text, this.kept; } catch (damage) {
       this.set_aside(text, damage.message);
-      return isect_no_answers();
+      return this.none();
     }
   },
   set_aside(text, why) {
@@ -82,13 +98,14 @@ const isect_answers = {
       let aside = `${this.place}, damaged`;
       for (let i = 2; localStorage.getItem(aside) !== null; ++i) aside = `${this.place}, damaged ${i}`;
       localStorage.setItem(aside, text), localStorage.removeItem(this.place);
-      this.told = `The answers that this browser kept can't be read (${why}), and start afresh. They are kept as “${aside}”.`;
-    } catch { this.told = `The answers that this browser kept can't be read: ${why}.`; }
+      this.told = `The ${this.what} that this browser kept can't be read (${why}), and start afresh. They are kept as “${aside}”.`;
+    } catch { this.told = `The ${this.what} that this browser kept can't be read: ${why}.`; }
   },
   change(action) {
     const record = this.read();
     action(record);
-    try { localStorage.setItem(this.place, JSON.stringify(record)); } catch { /* nowhere to keep it */ }
+    this.text = JSON.stringify(record), this.kept = record;
+    try { localStorage.setItem(this.place, this.text), this.held = null; } catch { this.held = record; }
   },
   /// `asked`: what a question's data-asked says: its lesson, a space, its name.
   keep(asked, right) {

@@ -4,7 +4,8 @@
 (() => {
   const review = document.querySelector(".review");
   if (!review) return;
-  const number = Number(review.dataset.review), asks = [...review.querySelectorAll(".ask")];
+  if (!document.documentElement.classList.contains("scripted")) return isect_show_all();
+  const number = Number(review.dataset.review), asks = [...review.querySelectorAll("noscript")], make = isect_waiting();
   const made = (name, text, type) => {
     const element = document.createElement(name);
     if (type) element.className = type;
@@ -26,12 +27,12 @@
     result = right, next.textContent = "Next";
     tell(right ? "Right." : "Not quite.");
   });
-  drawn.forEach(prepare);
   const shown = () => drawn[results.length];
   const right = () => results.filter(Boolean).length;
   function tell(words) { place.textContent = `${words} Question ${results.length + 1} of ${drawn.length}.`.trim(); }
   function show() {
-    asks.forEach(ask => ask.classList.toggle("shown", ask === shown()));
+    if (shown().matches("noscript")) drawn[results.length] = make(shown())[0], prepare(shown());
+    drawn.forEach(ask => ask.classList.toggle("shown", ask === shown()));
     result = null, next.textContent = "Skip";
     tell(results.length > 0 ? `${right()} of ${results.length} right so far.` : "");
     scrollTo({ top: 0, behavior: "instant" });
@@ -41,9 +42,10 @@
     if (shown()) show(); else end();
   }
   function end() {
-    asks.forEach(ask => ask.classList.remove("shown"));
+    drawn.forEach(ask => ask.classList.remove("shown"));
     bar.remove();
     isect_answers.change(kept => kept.reviews[number] = { right: right(), of: drawn.length });
+    isect_tell("review", { review: number, right: right(), of: drawn.length });
     const card = made("section", "", "result"), list = document.createElement("ul");
     card.append(made("h2", `${right()} of ${drawn.length} right`));
     drawn.forEach((ask, i) => {

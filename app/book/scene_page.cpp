@@ -33,10 +33,12 @@ Page scene_page(viz::PageColours& colours) {
       "scene",    live_scenes_file};
   page.body = fmt::format(
       "<div class=\"opening\">\n<h1>A scene of your own</h1>\n<p class=\"summary\">Objects with your own numbers, and "
-      "exact answers about them.</p>\n<div class=\"about\">\n<p>Begin with an example, drag what has a ring, or change "
-      "its text.</p>\n"
+      "exact answers about them. <span class=\"scene-state\" role=\"status\"></span></p>\n<div class=\"about\">\n"
+      "<p>Begin with an example. A mesh (.stl, .obj, .ply, .off), points (.csv, .xyz) or polygons (.geojson, .wkt) of "
+      "your own are dropped on the page, or opened below the picture; they stay on your machine.</p>\n"
       "<details><summary>How a scene is written</summary>\n<pre>{}</pre></details>\n</div>\n</div>\n{}"
-      "<nav class=\"settings\" aria-label=\"Examples\">\n<ul>\n{}</ul>\n</nav>\n<div id=\"walks\">\n{}</div>\n",
+      "<nav class=\"settings\" aria-label=\"Examples\">\n<ul>\n{}</ul>\n</nav>\n<div id=\"walks\" "
+      "data-opens-at=\"1\">\n{}</div>\n",
       viz::xml_escaped(scene::how_written()), pictures.shared(), links, walks);
   return page;
 }

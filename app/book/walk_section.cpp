@@ -47,10 +47,20 @@ std::string folded(const std::string& head, const std::string& prose) {
   return fmt::format("<details><summary>{}</summary>\n{}</details>\n", head, prose);
 }
 
+std::string waiting(const std::string& attributes, const std::string& elements) {
+  return fmt::format("<noscript {}>\n{}</noscript>\n", attributes, elements);
+}
+
 std::string WalkSection::html(bool first_is_shown) const {
-  std::string out = given() + "<div class=\"steps\">\n" + algorithm();
-  for (const Station& at : stations(walk_)) out += article(at, first_is_shown && at == Station{});
-  return out + "</div>\n" + opinions() + answers();
+  std::string rest;
+  const std::vector<Station> all = stations(walk_);
+  for (std::size_t i = 1; i < all.size(); ++i) rest += article(all[i], false);
+  if (first_is_shown && !rest.empty())
+    rest = waiting(fmt::format("data-stations=\"{}\" data-steps=\"{}\"", all.size(),
+                               std::ranges::count(all, false, &Station::asks)),
+                   rest);
+  return given() + "<div class=\"steps\">\n" + algorithm() + article(all.front(), first_is_shown) + rest + "</div>\n" +
+         opinions() + answers();
 }
 
 std::string WalkSection::text(const std::string& markup) const {

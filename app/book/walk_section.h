@@ -38,7 +38,7 @@ class WalkSection {
         picture_(std::move(picture)),
         names_(std::move(names)) {}
 
-  /// Returns the whole section; `first_is_shown`: its first step has the class "shown".
+  /// Returns the whole section; `first_is_shown`: its first station has the class "shown", and the others wait.
   std::string html(bool first_is_shown = false) const;
 
   std::string given() const;
@@ -83,6 +83,10 @@ class WalkSection {
   const Picture picture_;
   const std::set<std::string> names_;
 };
+
+/// Puts elements aside: a browser with scripts keeps them as text until waiting.js makes them, all others show them.
+/// They must hold no others that wait.
+std::string waiting(const std::string& attributes, const std::string& elements);
 
 /// Folds the answer to a question, or the solution of an exercise: it unfolds at a click; paper omits it.
 std::string folded(const std::string& head, const std::string& prose);

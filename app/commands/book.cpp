@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "app/book/contents_page.h"
 #include "app/book/fonts.h"
@@ -15,6 +17,7 @@
 #include "app/book/playlist_page.h"
 #include "app/book/review_page.h"
 #include "app/book/scene_page.h"
+#include "app/book/terms_script.h"
 #include "app/figures/digest.h"
 #include "app/figures/ownership.h"
 #include "app/pages/pages.h"
@@ -44,17 +47,27 @@ constexpr const char* letters_file = "letters.js";
 /// Characters that changed settings may show, in addition to those of all presets.
 const std::string lesson_letters = "0123456789.,+-−()=<>≤≥≠ e";
 
-/// Returns the words as a comment in that file's language; in HTML and CSS the file goes on behind it.
+/// How each file of WebAssembly begins.
+const std::string wasm_head("\0asm\1\0\0\0", 8);
+
+/// Returns the words as a comment in that file's language; in HTML, CSS and WebAssembly the file goes on behind it.
 std::string comment(const std::string& file, const std::string& words) {
+  if (file.ends_with(".wasm")) {  // a section of its own, which browsers pass over: 0, its size, a name, the words
+    const std::string section = "\5isect" + words;
+    return std::string(1, '\0') + static_cast<char>(section.size()) + section;  // of less than 128 bytes
+  }
   if (file.ends_with(".css")) return fmt::format("/* {} */", words);
   if (file.ends_with(".js")) return fmt::format("// {}", words);
   return fmt::format("<!-- {} -->", words);
 }
-std::string first_line(const std::string& file) { return comment(file, book::mark(file)); }
+std::string first_line(const std::string& file) {
+  return (file.ends_with(".wasm") ? wasm_head : std::string()) + comment(file, book::mark(file));
+}
 
 /// Returns the last line, which shows that nobody has edited what stands above.
 std::string last_line(const std::string& file, const std::string& text) {
-  return "\n" + comment(file, "Digest of all above: " + digest(text)) + "\n";
+  const std::string line = comment(file, "Digest of all above: " + digest(text));
+  return file.ends_with(".wasm") ? line : "\n" + line + "\n";
 }
 /// Whether somebody has edited a page; one from before there were such lines counts as not edited.
 bool is_edited(const std::string& file, const std::string& page) {
@@ -130,14 +143,36 @@ std::string style(const viz::PageColours& colours) {
       colours.variables(false), colours.variables(true), book::style_text(), colours.rules());
 }
 
-/// Returns what makes pages live: their script, then the compiled lessons. Empty if none was given. Throws
-/// viz::FileError, or viz::BadInput if the file is something else.
-std::string live_code(const std::string& file) {
+/// What makes pages live.
+struct LiveCode {
+  std::string script;  ///< empty if none was given
+  std::string packed;  ///< the compiled lessons as a script
+  std::string wasm;    ///< the same as they are; empty if they were not beside the file
+};
+
+/// Throws viz::FileError, or viz::BadInput if the file, or the WebAssembly beside it, is something else.
+LiveCode live_code(const std::string& file) {
   if (file.empty()) return {};
   const std::string code = viz::read_regular_file(file);
-  if (code.find("isect_module.packed") == code.npos)
+  const std::size_t packed = code.find("isect_module.packed = ");
+  if (packed == code.npos)
     throw viz::BadInput(fmt::format("live: {} is not what web/ is compiled to; ./run book makes it", file));
-  return book::live_script_text() + code;
+  LiveCode live = {book::live_script_text() + code.substr(0, packed), code.substr(packed), {}};
+  const fs::path wasm = fs::path(file).replace_extension(".wasm");
+  if (std::error_code absent; !fs::is_regular_file(wasm, absent)) return live;
+  live.wasm = viz::read_regular_file(wasm.string());
+  if (!live.wasm.starts_with(wasm_head))
+    throw viz::BadInput(fmt::format("live: {} is no WebAssembly; ./run book makes it", wasm.string()));
+  return live;
+}
+
+/// Returns the files of it, with their contents behind the first line.
+std::vector<std::pair<std::string, std::string>> files_of(const LiveCode& live, const std::string& script) {
+  if (live.script.empty()) return {};
+  std::vector<std::pair<std::string, std::string>> all = {{script, "\n" + live.script},
+                                                          {book::packed_of(script), "\n" + live.packed}};
+  if (!live.wasm.empty()) all.emplace_back(book::wasm_of(script), live.wasm.substr(wasm_head.size()));
+  return all;
 }
 
 /// Throws viz::BadInput, also if two would have the same page, and viz::FileError.
@@ -156,22 +191,28 @@ std::vector<book::PlaylistPages> playlists_of(const Program& program, const std:
 int single(const Program& program, const BookOptions& options) {
   const viz::Lesson& lesson = program.only ? *program.only : viz::lesson_named(program.lessons, options.lesson);
   const std::string file = book::file_of(lesson);
-  const std::string live = live_code(options.live);
+  const LiveCode live = live_code(options.live);
   Shelf shelf(options.out, program, {file});
   need_environment(program);
   viz::PageColours colours;
   const book::Page page =
       book::lesson_page(lesson, all_presets(program, lesson), program.lessons, {nullptr, nullptr, true}, colours);
-  shelf.add(file, first_line(file) + book::html(page, {book::fonts_text(page.body + lesson_letters), style(colours),
-                                                       book::script_text(), live}));
+  const std::string terms = book::terms_script(lessons::course(), program.lessons, true);
+  shelf.add(file,
+            first_line(file) + book::html(page, {book::fonts_text(page.body + terms + lesson_letters), style(colours),
+                                                 book::script_text() + terms, live.script + live.packed}));
   return done;
 }
 
 int whole(const Program& program, const BookOptions& options) {
   std::vector<std::string> files = {"index.html", "glossary.html", "book.css", "book.js", "fonts.css"};
-  const std::string live = live_code(options.live), live_scenes = live_code(options.live_scenes);
-  if (!live.empty()) files.insert(files.end(), {book::live_file, letters_file});
-  if (!live_scenes.empty()) files.insert(files.end(), {book::live_scenes_file, book::scene_file});
+  const LiveCode live = live_code(options.live), live_scenes = live_code(options.live_scenes);
+  const bool lives = !live.script.empty(), has_scenes = !live_scenes.script.empty();
+  auto code = files_of(live, book::live_file), code_of_scenes = files_of(live_scenes, book::live_scenes_file);
+  code.insert(code.end(), code_of_scenes.begin(), code_of_scenes.end());
+  for (const auto& [file, text] : code) files.push_back(file);
+  if (lives) files.push_back(letters_file);
+  if (has_scenes) files.push_back(book::scene_file);
   for (const viz::Lesson* lesson : program.lessons) files.push_back(book::file_of(*lesson));
   for (int i = 1; i <= viz::review_count(program.lessons); ++i) files.push_back(book::review_file(i));
   const std::vector<book::PlaylistPages> playlists = playlists_of(program, options.playlists);
@@ -186,10 +227,12 @@ int whole(const Program& program, const BookOptions& options) {
   book::Letters letters;
   const auto add = [&](const book::Page& page) {
     letters.add(page.body);
-    shelf.add(page.file, first_line(page.file) +
-                             book::html(page, {{}, {}, {}, page.file == book::scene_file ? live_scenes : live}));
+    shelf.add(page.file,
+              first_line(page.file) +
+                  book::html(page, {{}, {}, {}, (page.file == book::scene_file ? live_scenes : live).script}));
   };
-  shelf.add("book.js", first_line("book.js") + "\n" + book::script_text());
+  shelf.add("book.js", first_line("book.js") + "\n" + book::script_text() +
+                           book::terms_script(lessons::course(), program.lessons, false));
   Progress progress(course.size());
   std::optional<book::ReviewPage> review;
   for (std::size_t i = 0; i < course.size(); ++i) {
@@ -205,7 +248,7 @@ int whole(const Program& program, const BookOptions& options) {
     firsts.push_back(std::move(presets.front()));
     progress.done(course[i]->id);
   }
-  if (!live_scenes.empty()) add(book::scene_page(colours));
+  if (has_scenes) add(book::scene_page(colours));
   std::string links;
   for (const book::PlaylistPages& playlist : playlists) {
     links += playlist.link();
@@ -213,18 +256,16 @@ int whole(const Program& program, const BookOptions& options) {
     for (const book::Page& page : playlist.own_pages(colours)) add(page);
     shelf.add(playlist.script_file(), first_line(playlist.script_file()) + "\n" + playlist.script());
   }
-  add(book::contents_page(firsts, lessons::course(), !live_scenes.empty(), links, colours));
+  add(book::contents_page(firsts, lessons::course(), {lives, has_scenes}, links, colours));
   add(book::glossary_page(lessons::course(), course));
   shelf.add("book.css", first_line("book.css") + "\n" + style(colours));
   letters.add(lesson_letters);
   const std::string fonts = letters.fonts();
   shelf.add("fonts.css", first_line("fonts.css") + "\n" + fonts);
-  if (!live_scenes.empty()) shelf.add(book::live_scenes_file, first_line(book::live_scenes_file) + "\n" + live_scenes);
-  if (!live.empty()) {
-    shelf.add(book::live_file, first_line(book::live_file) + "\n" + live);
+  for (const auto& [file, text] : code) shelf.add(file, first_line(file) + text);
+  if (lives)
     shelf.add(letters_file,
               first_line(letters_file) + "\nvar isect_letters = " + nlohmann::ordered_json(fonts).dump() + ";\n");
-  }
   shelf.remove_stale();
   return done;
 }

@@ -1,4 +1,4 @@
-// How the objects of a scene are drawn, and which of their points can be dragged.
+// How the objects of a scene are drawn.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -124,28 +124,6 @@ std::vector<viz::Item> drawn(const NamedValues& s, const Object& o, const Room& 
         },
         item);
   return std::move(drawing.items);
-}
-
-std::vector<viz::Handle> handles(const NamedValues& s, const Object& o, Role role) {
-  std::vector<viz::Handle> all;
-  const auto add = [&](const std::string& field, viz::Handle::Kind kind, const Vec3& at, const Vec3& anchor) {
-    all.push_back({o.name + "." + field, kind, at, anchor, role});
-  };
-  const TypeSpec& type = spec(o.type);
-  for (const FieldSpec& f : type.fields) {
-    if (f.means == Means::place) add(f.name, viz::Handle::Kind::point, s.point(o, f.name), Vec3::Zero());
-    for (const auto& [field, from] : type.vectors)
-      if (f.name == field)
-        add(field, viz::Handle::Kind::vector, s.point(o, from) + s.point(o, field), s.point(o, from));
-    if (f.means == Means::radius) {
-      const auto [from, aside] = type.radius_at(s, o);
-      add(f.name, viz::Handle::Kind::length, from + s.number(o, f.name) * aside, from);
-    }
-  }
-  if (!o.fixed.points.empty()) return all;
-  int vertex = 0;
-  for (const Vec3& p : s.points(o)) add(std::to_string(++vertex), viz::Handle::Kind::point, p, Vec3::Zero());
-  return all;
 }
 
 }  // namespace isect::program::scene

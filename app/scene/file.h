@@ -5,7 +5,8 @@
 //   { "title": "A ray past a box",                                   // optional, like all but "objects"
 //     "objects": [ {"ray": "r", "origin": [-4, 0, 1], "dir": [1, 0, 0]},
 //                  {"box": "A", "lo": [-1, -1, -1], "hi": [1, 1, 1]},
-//                  {"mesh": "M", "file": "bunny.ply"} ],             // beside this file
+//                  {"mesh": "M", "file": "bunny.ply",                // beside this file
+//                   "at": [0, 1, 0]} ],                              // moves it; so for polygon, hull and cloud
 //     "ask": [ ["r", "A"],                                           // or "all pairs"
 //              {"first hit": "r"},                                   // among all objects
 //              {"fit": "M", "volume": "sphere"},                     // or box, obb, kdop, hull; all if not given

@@ -48,10 +48,12 @@ std::string with_article(Type t) {
 bool runs_along_a_line(Type t) { return t == Type::ray || t == Type::line || t == Type::segment; }
 
 std::vector<Vec3> NamedValues::points(const Object& o) const {
-  if (!o.fixed.points.empty()) return o.fixed.points;
-  std::vector<Vec3> all;
-  for (const int size : o.rings)
-    for (int i = 0; i < size; ++i) all.push_back(point(o, std::to_string(all.size() + 1)));
+  std::vector<Vec3> all = o.fixed.points;
+  if (all.empty())
+    for (const int size : o.rings)
+      for (int i = 0; i < size; ++i) all.push_back(point(o, std::to_string(all.size() + 1)));
+  if (const Vec3 way = has(o, "at") ? point(o, "at") : Vec3::Zero(); !way.isZero(0))
+    for (Vec3& p : all) p += way;
   return all;
 }
 

@@ -52,6 +52,8 @@ struct Object {
   std::vector<std::string> fields = {};  ///< those in the file, without the object's name
   std::vector<int> rings = {};           ///< for objects made of points: how many each outline has
   Fixed fixed = {};
+  /// Whether its points stay as they are, and what is dragged is "at", which a file need not have.
+  bool is_fixed() const { return !fixed.points.empty(); }
   std::string note = {};  ///< what its file may mean differently than it is read, as plain sentences
 };
 /// Whether it is a ray, a line or a segment.
@@ -69,7 +71,8 @@ struct NamedValues {
   viz::Vec3 point(const Object&, const std::string& field) const;
   double number(const Object&, const std::string& field) const;
   bool has(const Object&, const std::string& field) const;
-  /// Return the points or outlines of an object made of points (cloud, mesh, polygon, ...).
+  /// Return the points or outlines of an object made of points (cloud, mesh, polygon, ...), moved by its "at", if any:
+  /// rounded to doubles, for which all is decided.
   std::vector<viz::Vec3> points(const Object&) const;
   std::vector<std::vector<viz::Vec3>> rings(const Object&) const;
   /// Returns the corners of its finite part: an end of a ray, opposite ends of a box.
@@ -89,8 +92,10 @@ Room room(const NamedValues&, const std::vector<Object>&);
 
 /// Returns the object and its name. Throws viz::BadInput if its numbers are no shape for the core.
 std::vector<viz::Item> drawn(const NamedValues&, const Object&, const Room&, viz::Role);
-/// Returns the points that can be dragged.
-std::vector<viz::Handle> handles(const NamedValues&, const Object&, viz::Role);
+/// Which of its handles an object has: in a crowded picture those that move it and its points, else one for each
+/// number.
+enum class HandlesOf { points, all };
+std::vector<viz::Handle> handles(const NamedValues&, const Object&, const Room&, viz::Role, HandlesOf = HandlesOf::all);
 /// Returns its name as markup: "r1" as bold r with index 1.
 std::string shown_name(const std::string& name);
 

@@ -36,10 +36,12 @@ class PairAnswers {
 
  private:
   bool same(const Object& o, const viz::Parameters& parameters) const {
-    return std::ranges::all_of(o.fields, [&](const std::string& field) {
+    const auto stays = [&](const std::string& field) {
       const auto was = numbers_.find(o.name + "." + field), is = parameters.find(o.name + "." + field);
-      return was != numbers_.end() && is != parameters.end() && was->second == is->second;
-    });
+      if (was == numbers_.end() || is == parameters.end()) return was == numbers_.end() && is == parameters.end();
+      return was->second == is->second;
+    };
+    return std::ranges::all_of(o.fields, stays) && stays("at");
   }
 
   viz::Parameters numbers_;

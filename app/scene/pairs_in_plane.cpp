@@ -39,7 +39,7 @@ std::vector<viz::Vec3> all_corners(const Shaped& x) {
   if (x.type() != Type::mesh) return x.points();
   std::vector<viz::Vec3> all;  // those of its triangles
   for (const std::array<int, 3>& triangle : x.object.fixed.triangles)
-    for (const int i : triangle) all.push_back(x.object.fixed.points[static_cast<std::size_t>(i)]);
+    for (const int i : triangle) all.push_back(x.points()[static_cast<std::size_t>(i)]);
   return all;
 }
 

@@ -239,7 +239,7 @@ Answered answered(const Context& c, const HierarchyAsked& asked) {
   const bool of_mesh = asked.objects.size() == 1;
   std::vector<Aabb<double, 3>> all;
   std::vector<std::string> names;
-  if (of_mesh) all = boxes(mesh_of(c.object(asked.objects[0])));
+  if (of_mesh) all = boxes(mesh_of(c.numbers, c.object(asked.objects[0])));
   for (const std::size_t i : asked.objects) {
     if (!of_mesh) all.push_back(box_around(c.numbers, c.object(i)));
     names.push_back(c.object(i).name);

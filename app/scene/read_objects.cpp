@@ -150,18 +150,19 @@ class ObjectReader {
   }
 
   /// Reads "points": a list of points, or "file"; for a polygon with holes "rings": a list of such lists; for a mesh
-  /// "triangles".
+  /// "triangles". "at" moves all of them.
   void points(const Json& json, const Path& path, Object& o) {
     const bool mesh = o.type == Type::mesh, outline = o.type == Type::triangle || o.type == Type::polygon;
     std::vector<std::string> allowed = {spec(o.type).name, "points"};
     if (o.type == Type::polygon) allowed.push_back("rings");
     if (o.type != Type::triangle) allowed.push_back("file");
     if (mesh) allowed.push_back("triangles");
+    if (spec(o.type).with_at) allowed.push_back("at");
     source_.only(json, path, allowed);
     const int given = json.contains("points") + json.contains("rings") + json.contains("file");
     if (given != 1) {
       allowed.erase(allowed.begin());
-      std::erase(allowed, "triangles");
+      std::erase_if(allowed, [](const std::string& field) { return field == "triangles" || field == "at"; });
       source_.refuse(path,
                      given == 0 ? "\"points\" is missing" : fmt::format("give one of: {}", fmt::join(allowed, ", ")));
     }
@@ -178,6 +179,7 @@ class ObjectReader {
     if (mesh && !json.contains("file")) o.fixed.triangles = triangles(json, path, rings.front().size());
     if (o.type == Type::polygon && !source_.flat() && o.note.empty()) o.note = off_plane_note(rings.front());
     keep(rings, o);
+    if (json.contains("at")) parameter(o, "at") = source_.vector(json["at"], below(path, "at"));
   }
 
   /// Returns nothing for corners that are coplanar to six digits.

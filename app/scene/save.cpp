@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/scene/spans.h"
+#include "app/scene/types.h"
 #include "viz/formats/files.h"
 
 namespace isect::program::scene {
@@ -26,6 +27,18 @@ std::vector<std::string> places(const Object& o, const std::string& field) {
   return all;
 }
 
+/// Returns where "at" is added to an object that has none yet: behind its name. Null: there is no such object.
+const Spans::Span* end_of_name(const Spans& spans, const Object& o, std::size_t i) {
+  const Spans::Span* name = spans.at(fmt::format("/objects/{}/{}", i, spec(o.type).name));
+  return name ? name : spans.at(fmt::format("/objects/{}/{}", i, other_name(spec(o.type))));
+}
+
+/// Returns a number of the setting. Points that nothing moves are moved by 0.
+viz::Setting value(const viz::Parameters& parameters, const std::string& name) {
+  const auto found = parameters.find(name);
+  return found == parameters.end() ? viz::Setting(viz::Vec3(0, 0, 0)) : found->second;
+}
+
 std::string written(const viz::Setting& setting, bool flat) {
   if (const double* x = std::get_if<double>(&setting)) return viz::to_text(*x);
   const auto& p = std::get<viz::Vec3>(setting);
@@ -37,17 +50,26 @@ std::string written(const viz::Setting& setting, bool flat) {
 std::string with_numbers(const std::string& text, const File& file, const viz::Parameters& parameters) {
   const Spans spans(text);
   std::map<std::size_t, std::pair<std::size_t, std::string>, std::greater<>> changes;  // the last one first
-  for (std::size_t i = 0; i < file.objects.size(); ++i)
-    for (const std::string& field : file.objects[i].fields) {
-      const std::string name = file.objects[i].name + "." + field;
-      if (parameters.at(name) == file.parameters.at(name)) continue;
+  for (std::size_t i = 0; i < file.objects.size(); ++i) {
+    const Object& o = file.objects[i];
+    std::vector<std::string> fields = o.fields;
+    if (o.is_fixed() && std::ranges::find(fields, "at") == fields.end()) fields.push_back("at");
+    for (const std::string& field : fields) {
+      const std::string name = o.name + "." + field;
+      const viz::Setting now = value(parameters, name);
+      if (now == value(file.parameters, name)) continue;
       const Spans::Span* span = nullptr;
-      for (const std::string& place : places(file.objects[i], field))
+      for (const std::string& place : places(o, field))
         if (!span) span = spans.at(fmt::format("/objects/{}{}", i, place));
-      if (!span)
+      const Spans::Span* const own = field == "at" && !span ? end_of_name(spans, o, i) : nullptr;
+      if (own)
+        changes[own->end] = {own->end, ", \"at\": " + written(now, file.flat)};
+      else if (span)
+        changes[span->begin] = {span->end, written(now, file.flat)};
+      else
         throw viz::BadInput(fmt::format("{}: it stands in a file of its own, which isect does not change", name));
-      changes[span->begin] = {span->end, written(parameters.at(name), file.flat)};
     }
+  }
   std::string out = text;
   for (const auto& [begin, change] : changes) out.replace(begin, change.first - begin, change.second);
   return out;

@@ -18,6 +18,8 @@ using viz::Role;
 
 /// Above this many objects, a step about some shows only these, and the step about all shows them without names.
 constexpr std::size_t most_in_all_pictures = 200;
+/// Above this many objects, only those that a step is about, if they are no more, have a handle for each number.
+constexpr std::size_t most_with_all_handles = 3;
 
 /// Points, clouds and what runs along a line come first.
 Role usual_role(Type t) {
@@ -74,6 +76,7 @@ std::vector<Role> roles_of_all(const File& file) {
 
 viz::Scene scene_picture(const Context& context, const std::vector<Role>& roles, const std::vector<std::size_t>& lit) {
   viz::Scene scene;
+  const bool few = context.file.objects.size() <= most_with_all_handles;
   for (std::size_t i = 0; i < context.file.objects.size(); ++i) {
     const Object& o = context.object(i);
     const auto at = std::ranges::find(lit, i);
@@ -84,7 +87,9 @@ viz::Scene scene_picture(const Context& context, const std::vector<Role>& roles,
     }
     if (lit.size() == 2 && at != lit.end()) role = at == lit.begin() ? Role::first : Role::second;
     std::ranges::move(drawn(context.numbers, o, context.room, role), std::back_inserter(scene.items));
-    std::ranges::move(handles(context.numbers, o, role), std::back_inserter(scene.handles));
+    const HandlesOf which =
+        few || (at != lit.end() && lit.size() <= most_with_all_handles) ? HandlesOf::all : HandlesOf::points;
+    std::ranges::move(handles(context.numbers, o, context.room, role, which), std::back_inserter(scene.handles));
   }
   const bool too_many = context.file.objects.size() > most_in_all_pictures;
   if (too_many && lit.empty())

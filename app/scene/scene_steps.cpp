@@ -191,7 +191,8 @@ class Walker {
       const bool ray = asked.with_ray && all.size() == asked.many.size();
       who += fmt::format("{}{} is {}", all.size() == 1 ? "" : ", ", context_.name(i),
                          ray ? "the ray" : std::to_string(all.size() - 1));
-      std::ranges::move(scene::handles(context_.numbers, *all.back(), Role::second), std::back_inserter(handles));
+      std::ranges::move(scene::handles(context_.numbers, *all.back(), context_.room, Role::second, HandlesOf::points),
+                        std::back_inserter(handles));
     }
     viz::Walk walk = naming_question(asked, [&] { return scene::walk(way, context_.numbers, all); });
     const bool first = to.pseudocode.empty();
@@ -213,9 +214,9 @@ class Walker {
   }
 
   std::vector<viz::Handle> handles_of(const Object& a, const Object& b) const {
-    std::vector<viz::Handle> all = handles(context_.numbers, a, Role::first);
+    std::vector<viz::Handle> all = handles(context_.numbers, a, context_.room, Role::first);
     if (&a == &b) return all;
-    std::ranges::move(handles(context_.numbers, b, Role::second), std::back_inserter(all));
+    std::ranges::move(handles(context_.numbers, b, context_.room, Role::second), std::back_inserter(all));
     return all;
   }
 

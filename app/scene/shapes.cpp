@@ -71,7 +71,7 @@ Frustum<double> frustum_of(const NamedValues& s, const Object& o) {
 
 Hull3<double> hull_of(const NamedValues& s, const Object& o) { return convex_hull(s.points(o)); }
 
-TriangleMesh<double> mesh_of(const Object& o) { return {o.fixed.points, o.fixed.triangles}; }
+TriangleMesh<double> mesh_of(const NamedValues& s, const Object& o) { return {s.points(o), o.fixed.triangles}; }
 
 Triangle<double, 3> triangle_of(const NamedValues& s, const Object& o) {
   const std::vector<Vec3> p = s.rings(o).front();
@@ -254,7 +254,7 @@ const std::vector<Vec3>& Shaped::points() const {
 }
 const Shaped::Mesh& Shaped::mesh() const {
   return kept(&Made::mesh, [&] {
-    const TriangleMesh<double> mesh = mesh_of(object);
+    const TriangleMesh<double> mesh = mesh_of(numbers, object);
     const std::vector<Aabb<double, 3>> around = isect::boxes(mesh);
     return Mesh{mesh, around, build_bvh(around), point_mesh::closed(mesh)};
   });

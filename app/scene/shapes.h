@@ -57,7 +57,7 @@ Kdop<double, N> kdop_of(const NamedValues& s, const Object& o) {
 /// Returns a frustum of rounded planes: statements about it are exact for these.
 Frustum<double> frustum_of(const NamedValues&, const Object&);
 Hull3<double> hull_of(const NamedValues&, const Object&);
-TriangleMesh<double> mesh_of(const Object&);
+TriangleMesh<double> mesh_of(const NamedValues&, const Object&);
 Triangle<double, 3> triangle_of(const NamedValues&, const Object&);
 /// Returns a capsule; a ball is one whose ends coincide.
 Capsule<double, 3> capsule_in_space(const NamedValues&, const Object&);

@@ -28,6 +28,7 @@ struct ShapeRule {
   bool (*holds)(const NamedValues&, const Object&);
 };
 struct Drawing;
+struct Grips;
 
 /// A type of objects. The rows are in app/scene/types/.
 struct TypeSpec {
@@ -48,6 +49,13 @@ struct TypeSpec {
   std::vector<std::pair<std::string, std::string>> vectors = {};
   /// Returns where its radius begins, and in which direction, of length 1, it is dragged.
   std::pair<viz::Vec3, viz::Vec3> (*radius_at)(const NamedValues&, const Object&) = nullptr;
+  /// The places that are dragged together. Objects made of points are moved as a whole, too.
+  std::vector<std::string> whole = {};
+  /// Adds the handles that no field tells of: of faces, of a frame that turns. Null: there are none.
+  void (*grips)(Grips&) = nullptr;
+  bool with_at = false;  ///< whether objects made of points may have a field "at", by which all of them are moved
+  /// What its numbers together need to have corners. A drag stops there; a file's error is told by what draws it.
+  std::vector<ShapeRule> drawable = {};
 };
 const std::vector<TypeSpec>& types();
 const TypeSpec& spec(Type);

@@ -18,7 +18,7 @@ Segment<double, 2> segment_of(const Parameters& p) {
 
 int branch(const Parameters& p) {
   const Segment<double, 2> s = segment_of(p);
-  const Box box = box_of_lesson();
+  const Box box = box_of(p);
   const int at_p = clip_segment::outcode(s.p, box), at_q = clip_segment::outcode(s.q, box);
   if ((at_p | at_q) == 0) return whole;
   if ((at_p & at_q) != 0) return beyond;

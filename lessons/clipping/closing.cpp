@@ -12,7 +12,7 @@ namespace {
 /// No part is kept, and no side alone can tell.
 bool passes_a_corner(const Parameters& p) {
   const Segment<double, 2> s = {std::get<Vec3>(p.at("p")).head<2>(), std::get<Vec3>(p.at("q")).head<2>()};
-  const Box box = box_of_lesson();
+  const Box box = box_of(p);
   const int both = clip_segment::outcode(s.p, box) & clip_segment::outcode(s.q, box);
   return both == 0 && !isect::clip(s, box);
 }

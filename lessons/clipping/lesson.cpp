@@ -70,11 +70,26 @@ Parameter vertex(const char* name, const char* help, int index) {
   return vector(name, std::string("**") + name + "**", help, flat(polygons[0].points[index]));
 }
 
+/// A corner of the box, absent until it is moved.
+Parameter corner(const char* name, const char* label, const char* help, const Point<double, 2>& initial) {
+  Parameter p = vector(name, label, help, flat(initial));
+  p.optional = true;
+  return p;
+}
+
+/// Requires that the box has an area, where the setting has this corner: it is to blame.
+Condition with_area(const std::string& name, const char* allowed) {
+  return {name, allowed, [name](const Parameters& values) {
+            const Box box = box_of(values);
+            return !values.contains(name) || (box.lo.array() < box.hi.array()).all();
+          }};
+}
+
 bool is(const Parameters& values, const char* shape) { return std::get<std::string>(values.at("shape")) == shape; }
 
 Walk walk(const Parameters& values) {
   const auto at = [&](const char* name) { return flat_point(values, name); };
-  const Box box = box_of_lesson();
+  const Box box = box_of(values);
   if (is(values, "segment")) return clip_a_segment({at("p"), at("q")}, box);
   if (is(values, "slabs"))
     return clip_by_reciprocals({at("p"), at("q")}, box, std::get<std::string>(values.at("first")) == "range");
@@ -85,7 +100,7 @@ Walk walk(const Parameters& values) {
 std::vector<Opinion> opinions(const Parameters& values) {
   if (is(values, "polygon")) return {};
   const Segment<double, 2> s = {flat_point(values, "p"), flat_point(values, "q")};
-  const Box box = box_of_lesson();
+  const Box box = box_of(values);
   const auto says = [](const auto& kept) { return kept ? "a part is kept" : "nothing is kept"; };
   Opinions all(says(clip(s, box)));
   all.add("Liang and Barsky", says(clip_segment::liang_barsky(s, box)));
@@ -115,7 +130,13 @@ const Lesson& lesson() {
                      vertex("p", "First end or vertex, in world units; its third coordinate is not used.", 0),
                      vertex("q", "Second end or vertex, in world units.", 1),
                      where("shape", {"polygon"}, vertex("r", "Third vertex of the polygon; a segment has none.", 2)),
-                     where("shape", {"polygon"}, vertex("s", "Fourth vertex of the polygon; a segment has none.", 3))},
+                     where("shape", {"polygon"}, vertex("s", "Fourth vertex of the polygon; a segment has none.", 3)),
+                     corner("b_min", "**b**_{min}", "The lower left corner of the box, where it was moved.",
+                            box_of_lesson().lo),
+                     corner("b_max", "**b**_{max}", "The upper right corner of the box, where it was moved.",
+                            box_of_lesson().hi)},
+      .conditions = {with_area("b_max", "a corner to the right of the box’s other one, and above it"),
+                     with_area("b_min", "a corner to the left of the box’s other one, and below it")},
       .group_by = "shape",
       .presets = presets(),
       .camera = {.azimuth = 0, .elevation = 0},

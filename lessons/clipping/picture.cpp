@@ -4,6 +4,38 @@ namespace isect::lessons::clipping_lesson {
 
 using namespace viz;
 
+Box box_of(const Parameters& values) {
+  Box box = box_of_lesson();
+  if (const auto lo = values.find("b_min"); lo != values.end()) box.lo = std::get<Vec3>(lo->second).head<2>();
+  if (const auto hi = values.find("b_max"); hi != values.end()) box.hi = std::get<Vec3>(hi->second).head<2>();
+  return box;
+}
+
+void add_grips(const Box& box, Scene& scene) {
+  const Vec3 lo = flat(box.lo), hi = flat(box.hi), middle = lo / 2 + hi / 2;
+  for (const Side side : {Side{0, false}, Side{0, true}, Side{1, false}, Side{1, true}}) {
+    const std::string corner = side.upper ? "b_max" : "b_min";
+    Vec3 at = middle;
+    at[side.axis] = (side.upper ? hi : lo)[side.axis];
+    scene.handles.push_back({.parameter = corner,
+                             .kind = Handle::Kind::on_line,
+                             .at = at,
+                             .role = Role::second,
+                             .direction = Vec3::Unit(side.axis),
+                             .one_of = "a side of the box",
+                             .axis = side.axis,
+                             .name = corner + (side.axis == 0 ? ".x" : ".y")});
+  }
+  scene.handles.push_back({.parameter = "b_min",
+                           .kind = Handle::Kind::shift,
+                           .at = middle,
+                           .anchor = middle - lo,
+                           .role = Role::second,
+                           .one_of = "the box",
+                           .with = {"b_max"},
+                           .name = "box"});
+}
+
 bool runs_along_a_side(const Segment<double, 2>& s, const Box& box) {
   for (int i = 0; i < 2; ++i)
     if (s.p[i] == s.q[i] && (s.p[i] == box.lo[i] || s.p[i] == box.hi[i])) return true;

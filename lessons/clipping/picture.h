@@ -9,6 +9,10 @@ namespace isect::lessons::clipping_lesson {
 
 using Box = Aabb<double, 2>;
 inline Box box_of_lesson() { return {{-2, -1.25}, {2, 1.25}}; }
+/// The box of a setting: the lesson's, unless b_min or b_max have moved its corners.
+Box box_of(const viz::Parameters&);
+/// Adds a handle to each side, and one that moves the whole box.
+void add_grips(const Box&, viz::Scene&);
 /// Whether the segment lies on the line of one of the box's sides.
 bool runs_along_a_side(const Segment<double, 2>&, const Box&);
 const viz::CaseMap& cases();  ///< of a segment

@@ -38,6 +38,7 @@ Scene picture(const Rest& k, const Cut* cut) {
     scene.items.emplace_back(Label{flat(k.original[i]), fmt::format("**{}**", names[i]), Role::first});
     scene.handles.push_back({names[i], Handle::Kind::point, flat(k.original[i]), Vec3::Zero(), Role::first});
   }
+  add_grips(k.box, scene);
   return scene;
 }
 

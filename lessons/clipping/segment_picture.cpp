@@ -54,6 +54,7 @@ Scene picture(const Narrowing& k, const Side* side, const double* crossing) {
     scene.items.emplace_back(Label{flat(point), fmt::format("**{}**", name), Role::first});
     scene.handles.push_back({name, Handle::Kind::point, flat(point), Vec3::Zero(), Role::first});
   }
+  add_grips(k.box, scene);
   scene.axis = axis(k, crossing);
   return scene;
 }

@@ -12,7 +12,7 @@ namespace {
 /// Box 0 overlaps no other box.
 bool box_0_alone(const Parameters& p) {
   bool alone = true;
-  all_pairs::brute_force(few(std::get<Vec3>(p.at("p"))), [&](int i, int j) { alone = alone && i != 0 && j != 0; });
+  all_pairs::brute_force(few(p), [&](int i, int j) { alone = alone && i != 0 && j != 0; });
   return alone;
 }
 

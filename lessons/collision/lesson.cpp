@@ -7,6 +7,7 @@
 #include "lessons/collision/telling.h"
 #include "lessons/course.h"
 #include "lessons/shared/parameters.h"
+#include "lessons/shared/vertices.h"
 
 namespace isect::lessons::collision_lesson {
 namespace {
@@ -15,11 +16,27 @@ using namespace viz;
 
 Walk walk(const Parameters& values) {
   const std::string& method = std::get<std::string>(values.at("method"));
-  const Boxes boxes = few(std::get<Vec3>(values.at("p")));
-  if (method == "brute-force") return double_loop(boxes);
-  if (method == "sweep") return sweep(boxes);
-  if (method == "hierarchy") return hierarchy(boxes);
+  const Boxes boxes = few(values);
+  const Frame frame = is_moved(values) ? frame_of(boxes) : Frame();
+  if (method == "brute-force") return double_loop(boxes, frame);
+  if (method == "sweep") return sweep(boxes, frame);
+  if (method == "hierarchy") return hierarchy(boxes, frame);
   return tunnelling(std::get<Vec3>(values.at("p")), std::get<double>(values.at("speed")));
+}
+
+std::vector<Parameter> parameters(const Vec3& p) {
+  std::vector<Parameter> all = {
+      choice("method", "method", "How pairs are found, or one moving box.",
+             {"brute-force", "sweep", "hierarchy", "motion"}),
+      vector("p", "**p**", "The centre of box 0 or of the moving box; its third coordinate is not used.", p),
+      where("method", {"motion"},
+            {"speed", "speed", "Speed of the moving box, in world units per second.", 4.0, 0, 1e6, 0, 8})};
+  for (int k = 1; k < count_of_few; ++k) {
+    Parameter other = where("method", {"brute-force", "sweep", "hierarchy"}, movable("p", k, "box"));
+    other.help = fmt::format("The centre of box {}, where it was moved.", k);
+    all.push_back(other);
+  }
+  return all;
 }
 
 }  // namespace
@@ -43,13 +60,7 @@ const Lesson& lesson() {
         .title = "Collision",
         .rows = "N25",
         .summary = "Finding all pairs of overlapping boxes in three ways, and what discrete times miss.",
-        .parameters = {choice("method", "method", "How pairs are found, or one moving box.",
-                              {"brute-force", "sweep", "hierarchy", "motion"}),
-                       vector("p", "**p**",
-                              "The centre of box 0 or of the moving box; its third coordinate is not used.", near),
-                       where("method", {"motion"},
-                             {"speed", "speed", "Speed of the moving box, in world units per second.", 4.0, 0, 1e6, 0,
-                              8})},
+        .parameters = parameters(near),
         .group_by = "method",
         .presets = presets,
         .camera = {.azimuth = 0, .elevation = 0},

@@ -1,5 +1,7 @@
 #include "lessons/collision/picture.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,13 +11,26 @@ namespace isect::lessons::collision_lesson {
 
 using namespace viz;
 
-Boxes few(const Vec3& p) {
-  return {{{p.x() - 0.75, p.y() - 0.5}, {p.x() + 0.75, p.y() + 0.5}},
-          {{-1.75, -0.25}, {-0.5, 1.25}},
-          {{-0.25, -1.75}, {1.25, -0.5}},
-          {{0.5, 0.25}, {1.75, 1.5}},
-          {{1.5, -0.75}, {3, 0.5}},
-          {{2.25, -2}, {3.25, -1.25}}};
+Boxes few(const Parameters& values) {
+  const Vec3& p = std::get<Vec3>(values.at("p"));
+  Boxes boxes = {{{p.x() - 0.75, p.y() - 0.5}, {p.x() + 0.75, p.y() + 0.5}},
+                 {{-1.75, -0.25}, {-0.5, 1.25}},
+                 {{-0.25, -1.75}, {1.25, -0.5}},
+                 {{0.5, 0.25}, {1.75, 1.5}},
+                 {{1.5, -0.75}, {3, 0.5}},
+                 {{2.25, -2}, {3.25, -1.25}}};
+  for (std::size_t k = 1; k < boxes.size(); ++k)
+    if (const auto moved = values.find(fmt::format("p{}", k)); moved != values.end()) {
+      const Vec2 half = (boxes[k].hi - boxes[k].lo) / 2, at = std::get<Vec3>(moved->second).head<2>();
+      boxes[k] = {at - half, at + half};
+    }
+  return boxes;
+}
+
+bool is_moved(const Parameters& values) {
+  for (int k = 1; k < count_of_few; ++k)
+    if (values.contains(fmt::format("p{}", k))) return true;
+  return false;
 }
 
 Boxes many(int n) {
@@ -99,6 +114,12 @@ Scene picture(const Boxes& boxes, const Drawn& d, const Frame& frame) {
     scene.items.emplace_back(Heading{place_of_number(boxes, k, frame.unit), std::to_string(k),
                                      k == d.i ? Role::first : Role::second, 0.3 * frame.unit, false});
   scene.handles.push_back({"p", Handle::Kind::point, middle(boxes[0]), Vec3::Zero(), Role::second});
+  for (std::size_t k = 1; k < boxes.size(); ++k)
+    scene.handles.push_back({.parameter = fmt::format("p{}", k),
+                             .kind = Handle::Kind::point,
+                             .at = middle(boxes[k]),
+                             .role = Role::second,
+                             .one_of = "another box"});
   return scene;
 }
 

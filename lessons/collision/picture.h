@@ -9,8 +9,11 @@ namespace isect::lessons::collision_lesson {
 
 using Boxes = std::vector<Aabb<double, 2>>;
 
-/// Six boxes; the first is centred at `p`.
-Boxes few(const viz::Vec3& p);
+/// Six boxes of a setting: the first is centred at p, the others at p1, p2, … where it has these.
+Boxes few(const viz::Parameters&);
+inline constexpr int count_of_few = 6;
+/// Whether the setting has moved another box than the first.
+bool is_moved(const viz::Parameters&);
 /// n random boxes as dense as the few, the same on every machine.
 Boxes many(int n);
 

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <isect/interval_interval.h>
-#include <isect/many/motion.h>
 #include <isect/methods/motion.h>
+#include "lessons/collision/flight.h"
 
 namespace isect::lessons::collision_lesson {
 
@@ -12,33 +11,17 @@ using namespace viz;
 
 namespace {
 
-using Box = Aabb<double, 2>;
-constexpr double duration = 1.5;
 constexpr int times = 6;
-
-Region region(const Box& b, Role role) {
-  Region r;
-  r.rings = {corners(b)};
-  r.role = role;
-  return r;
-}
-
-Moving<Aabb, double, 2> bullet_at(const Vec3& p, double speed) {
-  return {{{p.x() - 0.25, p.y() - 0.25}, {p.x() + 0.25, p.y() + 0.25}}, {speed, 0}};
-}
-Moving<Aabb, double, 2> the_wall() { return {{{0.4, -1.75}, {0.6, 1.75}}, {0, 0}}; }
 
 /// Whether a box that moves along x passes the wall's end so closely that they share boundary points only.
 bool grazes(const Moving<Aabb, double, 2>& bullet, const Moving<Aabb, double, 2>& wall) {
   return relate(bullet.shape.along(1), wall.shape.along(1)) == Relation::touching;
 }
 
-class Flight {
+class Flight : FlightPicture {
  public:
   Flight(const Vec3& p, double speed)
-      : bullet_(bullet_at(p, speed)),
-        wall_(the_wall()),
-        truth_(contact(bullet_, wall_, duration)),
+      : FlightPicture(p, speed),
         script_({"Lecture note, rays and collision detection; Ericson, Real-Time Collision Detection (2005), section "
                  "5.5",
                  std::string(speed > 0 ? "A small box flies to the right; a thin wall stands in the middle. "
@@ -86,42 +69,6 @@ class Flight {
   }
 
  private:
-  Scene picture() const {
-    Scene scene;
-    scene.items.emplace_back(region(wall_.shape, Role::second));
-    if (!grown_) scene.items.emplace_back(Label{Vec3(wall_.shape.hi.x(), 1.5, 0), "wall", Role::second});
-    if (swept_)
-      scene.items.emplace_back(Chain{region(way(), Role::first).rings[0], true, Role::construction, Pen::construction});
-    for (const double t : seen_)
-      scene.items.emplace_back(Chain{region(place(t), Role::first).rings[0], true, Role::first, Pen::construction});
-    if (grown_) {
-      const Vector<double, 2> half = (bullet_.shape.hi - bullet_.shape.lo) / 2;
-      const Box grown = {wall_.shape.lo - half, wall_.shape.hi + half};
-      scene.items.emplace_back(Chain{region(grown, Role::second).rings[0], true, Role::second, Pen::construction});
-      scene.items.emplace_back(Arrow{middle(place(0)), middle(place(duration)), Role::first, Pen::solid});
-      if (truth_) {
-        scene.items.emplace_back(Dot{middle(place(truth_->lo)), Mark::disc, Role::hit});
-        scene.items.emplace_back(Label{middle(place(truth_->lo)), "*t*_{in}", Role::hit});
-        if (truth_->hi < duration) {
-          scene.items.emplace_back(Dot{middle(place(truth_->hi)), Mark::ring, Role::hit});
-          scene.items.emplace_back(Label{middle(place(truth_->hi)), "*t*_{out}", Role::hit});
-        }
-      }
-    }
-    if (at_ >= 0) {
-      scene.items.emplace_back(region(place(at_), Role::first));
-      scene.items.emplace_back(
-          Label{middle(place(at_)) + Vec3(0, 0.25, 0), fmt::format("*t* = {}", shown(at_)), Role::first});
-    }
-    scene.items.emplace_back(Dot{middle(place(0)), Mark::disc, Role::first});
-    scene.items.emplace_back(Label{middle(place(0)), "**p**", Role::first});
-    scene.handles.push_back({"p", Handle::Kind::point, middle(place(0)), Vec3::Zero(), Role::first});
-    return scene;
-  }
-
-  Box place(double t) const { return motion::moved(bullet_.shape, Vector<double, 2>(t * bullet_.velocity)); }
-  Box way() const { return swept_aabb(bullet_.shape, Vector<double, 2>(duration * bullet_.velocity)); }
-
   Step& add(const std::string& slug, const std::string& title, int line, const std::string& caption) {
     Step& step = script_.add(slug, title, line, caption);
     step.scene = picture();
@@ -137,7 +84,7 @@ class Flight {
         .decides = e.meet;
   }
 
-  std::string apart(const Box& box) const {
+  std::string apart(const Aabb<double, 2>& box) const {
     const double before = wall_.shape.lo.x() - box.hi.x(), after = box.lo.x() - wall_.shape.hi.x();
     return before > 0  ? "The box is still " + shown(before) + " before the wall."
            : after > 0 ? "The box is " + shown(after) + " beyond the wall."
@@ -212,16 +159,10 @@ class Flight {
                                 "The gap between box and wall, divided by the speed.");
   }
 
-  bool rests() const { return bullet_.velocity.x() == 0; }
-  static double width(const Box& b) { return b.hi.x() - b.lo.x(); }
+  static double width(const Aabb<double, 2>& b) { return b.hi.x() - b.lo.x(); }
   double reach() const { return width(bullet_.shape) + width(wall_.shape); }
 
-  Moving<Aabb, double, 2> bullet_, wall_;
-  std::optional<Interval<double>> truth_;
   Script script_;
-  std::vector<double> seen_;
-  double at_ = -1;
-  bool swept_ = false, grown_ = false;
 };
 
 }  // namespace

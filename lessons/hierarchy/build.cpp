@@ -62,6 +62,7 @@ class Building {
     }
     for (const Item& item : branches(tree_, drawn_)) scene.items.push_back(item);
     scene.handles = {{"p", Handle::Kind::point, middle(tree_.box(0)), Vec3::Zero(), Role::second}};
+    add_handles_of_others(tree_.boxes, scene);
     return step;
   }
 

@@ -5,6 +5,7 @@
 #include "lessons/course.h"
 #include "lessons/hierarchy/tree.h"
 #include "lessons/shared/parameters.h"
+#include "lessons/shared/vertices.h"
 
 namespace isect::lessons::hierarchy_lesson {
 namespace {
@@ -17,10 +18,11 @@ const Vec3 at_the_left = {-3.5, 1.25, 0};
 Walk walk(const Parameters& values) {
   const std::string& which = std::get<std::string>(values.at("walk"));
   const auto vector = [&](const char* name) { return std::get<Vec3>(values.at(name)); };
-  if (which == "pairs") return pairs(vector("p"), vector("q"));
   if (which == "growth") return growth();
   const Boxes boxes = boxes_of(values);
-  const TreePlace place = std::get<double>(values.at("size")) == 1 ? TreePlace() : place_beside(boxes);
+  if (which == "pairs") return pairs(boxes, vector("q"));
+  const bool usual = std::get<double>(values.at("size")) == 1 && !is_moved(values);
+  const TreePlace place = usual ? TreePlace() : place_beside(boxes);
   if (which == "build") return build(boxes, place);
   return ray(boxes, {vector("o").head<2>(), vector("d").head<2>()}, place);
 }
@@ -37,6 +39,27 @@ Preset large_preset() {
   return large;
 }
 
+std::vector<Parameter> parameters() {
+  std::vector<Parameter> all = {
+      choice("walk", "walk", "What is done with the hierarchy.", walks),
+      where("walk", {"build", "ray", "pairs"},
+            vector("p", "**p**", "Centre of box 0, in units; its third coordinate is not used.", at_the_left)),
+      where("walk", {"build", "ray"},
+            {"size", "box 0", "How many times its usual size box 0 is.", 1.0, 0, 100, 0.25, 8}),
+      where("walk", {"ray"},
+            vector("o", "**o**", "The origin of the ray, in units; its third coordinate is not used.", Vec3::Zero())),
+      where("walk", {"ray"},
+            vector("d", "**d**", "The direction of the ray, of any length but 0; its third coordinate is not used.",
+                   Vec3::UnitX())),
+      where("walk", {"pairs"}, vector("q", "**q**", "Centre of the second object, in units.", Vec3::Zero()))};
+  for (int k = 1; k < count_of_boxes; ++k) {
+    Parameter other = where("walk", {"build", "ray", "pairs"}, movable("p", k, "box"));
+    other.help = fmt::format("The centre of box {}, where it was moved.", k);
+    all.push_back(other);
+  }
+  return all;
+}
+
 }  // namespace
 
 const Lesson& lesson() {
@@ -45,20 +68,7 @@ const Lesson& lesson() {
       .title = "Bounding volume hierarchies",
       .rows = "N09",
       .summary = "Boxes in boxes: how a hierarchy is built, what it rules out, and how that grows.",
-      .parameters =
-          {choice("walk", "walk", "What is done with the hierarchy.", walks),
-           where("walk", {"build", "ray", "pairs"},
-                 vector("p", "**p**", "Centre of box 0, in units; its third coordinate is not used.", at_the_left)),
-           where("walk", {"build", "ray"},
-                 {"size", "box 0", "How many times its usual size box 0 is.", 1.0, 0, 100, 0.25, 8}),
-           where("walk", {"ray"},
-                 vector("o", "**o**", "The origin of the ray, in units; its third coordinate is not used.",
-                        Vec3::Zero())),
-           where(
-               "walk", {"ray"},
-               vector("d", "**d**", "The direction of the ray, of any length but 0; its third coordinate is not used.",
-                      Vec3::UnitX())),
-           where("walk", {"pairs"}, vector("q", "**q**", "Centre of the second object, in units.", Vec3::Zero()))},
+      .parameters = parameters(),
       .conditions = {not_zero("d", true)},
       .group_by = "walk",
       .presets = {preset_of("build", "build", "build"), preset_of("outlier", "one far off", "build", {0.5, -2.75, 0}),

@@ -91,6 +91,7 @@ class Shooting {
     scene.handles = {{"p", Handle::Kind::point, middle(tree_.box(0)), Vec3::Zero(), Role::second},
                      {"o", Handle::Kind::point, o, Vec3::Zero(), Role::first},
                      {"d", Handle::Kind::vector, o + d, o, Role::first}};
+    add_handles_of_others(tree_.boxes, scene);
     return scene;
   }
 

@@ -14,8 +14,13 @@ using Boxes = std::vector<Aabb<double, 2>>;
 
 Boxes scattered(const viz::Vec3& p, double size = 1);  ///< twelve; the middle of box 0 is p; `size` scales it alone
 Boxes cluster(const viz::Vec3& middle);                ///< six, for a second object
-/// The twelve of a setting.
+/// The twelve of a setting: box k is centred at the parameter pk where the setting has it.
 Boxes boxes_of(const viz::Parameters&);
+inline constexpr int count_of_boxes = 12;
+/// Whether the setting has moved another box than box 0.
+bool is_moved(const viz::Parameters&);
+/// Adds a handle for each box but box 0, at a corner: its number stands in its middle.
+void add_handles_of_others(const Boxes&, viz::Scene&);
 
 /// Leaves hold up to three boxes, as a node's test costs twice a box's here: small trees that are clear when drawn.
 inline constexpr BvhOptions options = {.largest_leaf = 3, .visit = 2};
@@ -78,8 +83,8 @@ viz::Walk build(const Boxes&);
 /// The walk to the closest hit of a ray.
 viz::Walk ray(const Boxes&, const Ray<double, 2>&, const TreePlace&);
 viz::Walk ray(const Boxes&, const Ray<double, 2>&);
-/// The walk to all pairs between the boxes and a second object's.
-viz::Walk pairs(const viz::Vec3& p, const viz::Vec3& q);
+/// The walk to all pairs between the boxes and those of a second object, whose middle is q.
+viz::Walk pairs(const Boxes&, const viz::Vec3& q);
 viz::Walk growth();
 
 /// The cost of a query in n boxes: node and box tests, as the mean of many rays, and for all pairs.

@@ -16,10 +16,9 @@ namespace {
 
 class Colliding {
  public:
-  Colliding(const Vec3& p, const Vec3& q)
-      : p_(p),
-        q_(q),
-        a_(scattered(p)),
+  Colliding(const Boxes& boxes, const Vec3& q)
+      : q_(q),
+        a_(boxes),
         b_(cluster(q)),
         script_({"Lecture note, bounding volume hierarchies; Gottschalk, Lin and Manocha, OBBTree (1996)",
                  fmt::format("{} boxes of one object and {} of another, with their trees.", a_.boxes.size(),
@@ -90,8 +89,9 @@ class Colliding {
       scene.items.push_back(Region{.rings = {corners(box)}, .role = Role::hit});
     for (const Item& item : branches(b_, drawn_b_, {2, 0.75}, {5, 1.75})) scene.items.push_back(item);
     for (const Item& item : branches(a_, drawn_a_, {2, -1.625}, {5, -0.125})) scene.items.push_back(item);
-    scene.handles = {{"p", Handle::Kind::point, p_, Vec3::Zero(), Role::second},
+    scene.handles = {{"p", Handle::Kind::point, middle(a_.box(0)), Vec3::Zero(), Role::second},
                      {"q", Handle::Kind::point, q_, Vec3::Zero(), Role::first}};
+    add_handles_of_others(a_.boxes, scene);
     return scene;
   }
 
@@ -158,7 +158,7 @@ class Colliding {
                     a_.boxes.size() * b_.boxes.size()));
   }
 
-  const Vec3 p_, q_;
+  const Vec3 q_;
   const Tree a_, b_;
   Script script_;
   Changes changes_;
@@ -171,6 +171,6 @@ class Colliding {
 
 }  // namespace
 
-Walk pairs(const Vec3& p, const Vec3& q) { return Colliding({p.x(), p.y(), 0}, {q.x(), q.y(), 0}).tell(); }
+Walk pairs(const Boxes& boxes, const Vec3& q) { return Colliding(boxes, {q.x(), q.y(), 0}).tell(); }
 
 }  // namespace isect::lessons::hierarchy_lesson

@@ -143,6 +143,7 @@ class BallsTeller : Teller {
     script_.value("*t*", t, {}, e.late ? Role::muted : Role::hit);
     if (t <= 1.1 * s_.duration)  // else it lies beyond the axis
       known_.ticks.push_back({t, e.late ? Mark::excluded : Mark::disc, e.late ? Role::construction : Role::hit, "*t*"});
+    known_.found = !e.late;
     const bool digits = s_.first && shown(t) != shown(*s_.first);
     add("root", "The smaller root", 11,
         (apart() && s_.signs.discriminant >= 0

@@ -109,6 +109,7 @@ class BoxesTeller : Teller {
       known_.rows = rows;
       return;
     }
+    known_.found = e.holds;
     Step& step = add("decision", "Is a time left?", 7, left_caption(e.holds));
     Script::decide(step,
                    {"begin > end", times.lo, times.hi, !e.holds, e.holds ? "some time is left" : "no time is left"});

@@ -1,6 +1,7 @@
 #include "lessons/moving_bodies/picture.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "lessons/shared/flat.h"
 
@@ -23,14 +24,16 @@ class Painter {
   }
 
   Scene paint() {
-    body(s_.a, s_.r_a, Role::first);
+    body(a_now(), s_.r_a, Role::first);
     if (k_.expanded) outline(s_.a, s_.r_a + s_.r_b, Role::first);
-    if (!k_.expanded) body(s_.b, s_.r_b, Role::second);
+    if (!k_.expanded) body(b_now(), s_.r_b, Role::second);
+    if (k_.now) begun();
     for (const double t : k_.at) outline(s_.b_at(t), s_.r_b, Role::second);
     if (k_.settled && s_.first) meeting();
     if (k_.gap) gap(*k_.gap);
     ways();
     centres();
+    if (k_.now) centres_now();
     if (k_.clock && s_.duration > 0) clock();
     if (!k_.clock && k_.from_a && s_.duration > 0 && s_.method != "boxes") axis();
     handles();
@@ -53,6 +56,23 @@ class Painter {
     if (!(r > 0)) return;
     if (s_.balls()) return add(Circle{.center = flat(c), .radius = r, .role = role, .pen = Pen::construction});
     add(Chain{corners(Setup::around(c, r)), true, role, Pen::construction});
+  }
+
+  /// Where the centres are; seen from a, that one stays.
+  Point<double, 2> a_now() const { return k_.now && !k_.from_a ? Point<double, 2>(s_.a + *k_.now * s_.v_a) : s_.a; }
+  Point<double, 2> b_now() const {
+    if (!k_.now) return s_.b;
+    return k_.from_a ? s_.b_at(*k_.now) : Point<double, 2>(s_.b + *k_.now * s_.v_b);
+  }
+  /// Outlines the bodies at the start, once they have left it; of a body that is drawn as a point, where it is now.
+  void begun() {
+    if (a_now() != s_.a) outline(s_.a, s_.r_a, Role::first);
+    if (k_.expanded) return outline(b_now(), s_.r_b, Role::second);
+    if (b_now() != s_.b) outline(s_.b, s_.r_b, Role::second);
+  }
+  void centres_now() {
+    if (a_now() != s_.a) add(Dot{flat(a_now()), Mark::disc, Role::first});
+    if (b_now() != s_.b) add(Dot{flat(b_now()), Mark::disc, Role::second});
   }
 
   /// Draws b at first contact, seen from a.
@@ -123,6 +143,9 @@ class Painter {
                .role = row.role,
                .open_from = row.times.lo<seen.lo, .open_to = row.times.hi> seen.hi});
     }
+    if (!k_.now) return;
+    const double now = x(*k_.now), beyond = 0.25 * unit_;
+    add(Line{{now, bottom - beyond, 0}, {now, top + beyond, 0}, Role::highlight, Pen::solid});
   }
 
   void axis() {
@@ -130,6 +153,7 @@ class Painter {
     axis.lo = -0.1 * s_.duration, axis.hi = 1.1 * s_.duration;
     axis.range_lo = 0, axis.range_hi = s_.duration;
     axis.ticks = k_.ticks;
+    if (k_.now) axis.ticks.push_back({*k_.now, Mark::uncounted, Role::highlight, ""});
     if (k_.shared) axis.shared = Vec2(k_.shared->lo, k_.shared->hi);
     scene_.axis = axis;
   }
@@ -162,6 +186,17 @@ class Painter {
 
 }  // namespace
 
-Scene picture(const Setup& s, const Known& known) { return Painter(s, known).paint(); }
+Scene picture(const Setup& s, const Known& known) {
+  Scene scene = Painter(s, known).paint();
+  if (!(s.duration > 0)) return scene;
+  const auto at = [s, known](double t) {
+    Known then = known;
+    then.now = t;
+    return Painter(s, then).paint();
+  };
+  const std::optional<double> contact = known.found || known.settled ? s.first : std::nullopt;
+  scene.time = std::make_shared<const Scene::Time>(Scene::Time{0, s.duration, 0, contact, at});
+  return scene;
+}
 
 }  // namespace isect::lessons::moving_bodies_lesson

@@ -65,7 +65,10 @@ struct Known {
   std::vector<viz::Axis::Tick> ticks = {};      ///< on the axis of time
   std::optional<Interval<double>> shared = {};  ///< on the axis of time: when they meet
   bool settled = false;
+  bool found = false;              ///< first contact is told
+  std::optional<double> now = {};  ///< the bodies are drawn as they are at this time; none: at the start
 };
+/// The scene, with the time in which its bodies move.
 viz::Scene picture(const Setup&, const Known&);
 
 /// Where the centre of b lies at t = 0, seen from a. (cases.cpp)

@@ -48,6 +48,34 @@ std::string faults(const std::string& page) {
   return out;
 }
 
+/// A page as a browser with scripts reads it: without what waits, which holds nothing else that waits.
+std::string at_first(const std::string& page) {
+  std::string out;
+  std::size_t from = 0;
+  for (std::size_t at = page.find("<noscript "); at != page.npos; at = page.find("<noscript ", from)) {
+    const std::size_t end = page.find("</noscript>", at);
+    REQUIRE(end != page.npos);
+    CHECK(page.find("<noscript", at + 1) > end);
+    out += page.substr(from, at - from);
+    from = page.find('\n', end);
+  }
+  return out + page.substr(from);
+}
+
+int elements(const std::string& page) {
+  int sum = 0;
+  for (std::size_t at = page.find('<'); at != page.npos; at = page.find('<', at + 1))
+    sum += page[at + 1] >= 'a' && page[at + 1] <= 'z';
+  return sum;
+}
+
+/// A page opens with few elements, and what these refer to is among them.
+void check_light(const std::string& page) {
+  const std::string first = at_first(page);
+  CHECK(elements(first) < 2500);  // scripts add some
+  for (const std::string& id : quoted(first, "<use href=\"#")) CHECK_THAT(first, Contains("<g id=\"" + id + "\">"));
+}
+
 /// Every fifth lesson is followed by a page that asks again what these lessons ask.
 void check_reviews(const std::filesystem::path& site) {
   const auto page = [&](const std::string& file) { return contents(site / file); };
@@ -68,6 +96,7 @@ void check_reviews(const std::filesystem::path& site) {
     const std::vector<std::string> names = quoted(review, "data-asked=\"");
     CHECK(std::set<std::string>(names.begin(), names.end()) == questions);
     CHECK(count(review, "<article class=\"ask\"") == asked);
+    CHECK(count(review, "<noscript data-asked=") == asked);
     CHECK(count(review, "<svg class=\"picture\"") == asked);
     CHECK(count(review, " data-right>") == asked);
     CHECK(count(review.substr(review.find("<div class=\"answers\">")), "<b>Question ") == asked);
@@ -79,15 +108,26 @@ void check_reviews(const std::filesystem::path& site) {
   }
 }
 
+/// A module of WebAssembly that holds nothing.
+const std::string empty_wasm("\0asm\1\0\0\0", 8);
+/// The card of a lesson says where it leads, what the lesson builds on and how long it takes.
+void check_card(const std::string& card, const isect::viz::Lesson& lesson) {
+  CHECK_THAT(card, Contains("<a href=\"" + lesson.id + ".html\">") && Contains("<p class=\"facts\">About "));
+  CHECK_THAT(card, Contains("data-exercises=\"" + std::to_string(lesson.closing->exercises.size()) + "\""));
+  for (const std::string& before : lesson.after) CHECK_THAT(card, Contains("<a href=\"" + before + ".html\">"));
+  CHECK(count(card, "<a href=") == 1 + static_cast<int>(lesson.after.size()));
+}
+
 TEST_CASE("a book has a page for each lesson, with every preset and every step", "[book]") {
   const Shell shell;
-  write(shell.work() / "live.js", "isect_module.packed = \"\";\n");
+  write(shell.work() / "live.js", "var isect_module;\nisect_module.packed = \"\";\n");
+  write(shell.work() / "live.wasm", empty_wasm);
   const Ran r = shell("isect book --live live.js --live-scenes live.js --out site");
   REQUIRE(r.status == 0);
   CHECK(r.err.empty());
   const std::filesystem::path site = shell.work() / "site";
   const auto& lessons = isect::lessons::all_lessons();
-  const std::size_t reviews = (lessons.size() + 4) / 5, files = lessons.size() + reviews + 9;
+  const std::size_t reviews = (lessons.size() + 4) / 5, files = lessons.size() + reviews + 13;
   CHECK(isect::test::files_in(site).size() == files);
   CHECK(count(r.out, "\n") == static_cast<int>(files));
 
@@ -99,9 +139,14 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
     CHECK_THAT(text.substr(0, text.find('\n')), Contains("Made by isect book: " + file + "."));
     if (!file.ends_with(".html")) continue;
     CHECK(faults(text) == "");
+    check_light(text);
     CHECK_THAT(text, Contains("<!DOCTYPE html>\n<html lang=\"en\">") && !Contains("**") && !Contains("http"));
+    CHECK(count(text, "<meta name=\"description\"") == 1);
+    CHECK(count(text, "<meta property=\"og:title\"") == 1);
+    CHECK(count(text, "<link rel=\"icon\" href=\"data:image/svg+xml;base64,") == 1);
     for (const std::string& target : quoted(text, "href=\""))
-      if (!target.starts_with("#")) CHECK(std::filesystem::exists(site / target.substr(0, target.find('#'))));
+      if (!target.starts_with("#") && !target.starts_with("data:"))
+        CHECK(std::filesystem::exists(site / target.substr(0, target.find('#'))));
   }
   CHECK(bytes < 600'000 * lessons.size() + 350'000 * reviews);  // a page is read on a phone, too
   CHECK_THAT(contents(site / "convex-polygon.html"),
@@ -111,20 +156,36 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
   CHECK_THAT(scenes, Contains("<body data-lesson=\"scene\" data-live=\"scenes.js\">") &&
                          Contains("<h2>Segments that cross, touch and share a stretch</h2>") &&
                          Contains("{&quot;box&quot;: &quot;A&quot;, &quot;lo&quot;: [0, 0], &quot;hi&quot;: [4, 3]}"));
+  CHECK_THAT(scenes, Contains("<div id=\"walks\" data-opens-at=\"1\">") && Contains("class=\"scene-state\""));
   CHECK(count(scenes, "<details class=\"written\">") == count(scenes, "<section class=\"walk"));
+
+  // Terms tell where they are explained; letters are no terms.
+  CHECK_THAT(contents(site / "book.js"),
+             Contains("[\"discriminant\",") && Contains("\"ray-sphere.html\"]") && !Contains("[\"m\","));
 
   check_reviews(site);
   std::size_t last = 0;
   const std::string index = contents(site / "index.html");
   CHECK_THAT(index, Contains("href=\"scene.html\""));
+  const isect::viz::Lesson& first = *lessons.front();
+  CHECK_THAT(index, Contains("<a class=\"begin\" href=\"" + first.id + ".html\">Begin with “"));
+  CHECK_THAT(index, Contains("<div class=\"hero\" data-shows=\"ray-sphere\" data-preset=\"two-roots\"") &&
+                        Contains(" data-code=\"isect.js\">\n<figure") &&
+                        Contains("<p class=\"facts\">" + std::to_string(lessons.size()) + " lessons in order, about "));
+  const std::size_t verdict = index.find("<div class=\"outcome\">");
+  CHECK(index.find("<p class=\"verdict yes\">", verdict) < index.find("</div>", verdict));
+  CHECK_THAT(contents(site / "glossary.html"), Contains("<dt id=\"term-back-face\">back face</dt>"));
+  CHECK_THAT(index, Contains("\"term-back-face\""));
   for (const isect::viz::Lesson* lesson : lessons) {
     INFO(lesson->id);
-    const std::size_t at = index.find("href=\"" + lesson->id + ".html\"");
+    const std::size_t at = index.find("<li data-of=\"" + lesson->id + "\"");
     REQUIRE(at != index.npos);
+    check_card(index.substr(at, index.find("</li>", at) - at), *lesson);
     CHECK(at > last);  // in the order of the course
     last = at;
     const std::string page = contents(site / (lesson->id + ".html"));
     int steps = 0, questions = 0, said = 0;
+    CHECK(count(page, "<noscript data-setting=\"") == static_cast<int>(lesson->presets.size()) - 1);
     for (const isect::viz::Preset& p : lesson->presets) {
       CHECK_THAT(page, Contains("id=\"" + p.id + "\"") && Contains("href=\"#" + p.id + "\""));
       const isect::viz::Walk walk = lesson->walk(p.parameters);
@@ -134,6 +195,9 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
         if (step.slug != isect::viz::closing_slug)
           said += isect::viz::taken(walk, static_cast<int>(&step - walk.steps.data())).has_value();
       }
+      if (&p == &lesson->presets.front())
+        CHECK_THAT(page, Contains("<noscript data-stations=\"" + std::to_string(steps + questions) +
+                                  "\" data-steps=\"" + std::to_string(steps) + "\">"));
     }
     CHECK(count(page, " data-said=\"") == said);
     CHECK(count(page, "<b class=\"said ") == said);  // without scripts, too
@@ -196,6 +260,14 @@ TEST_CASE("a question stands before its step, and its picture does not tell what
   CHECK_THAT(question, Contains("aria-label=\"Drawn: ") && !Contains("ray enters"));
 }
 
+TEST_CASE("without compiled lessons the picture of the first page stays as it is drawn", "[book]") {
+  const Shell shell;
+  REQUIRE(shell("isect book").status == 0);
+  const std::string index = contents(shell.work() / "book/index.html");
+  CHECK_THAT(index, Contains("<div class=\"hero\"") && !Contains("data-code") && !Contains("href=\"scene.html\""));
+  CHECK_THAT(contents(shell.work() / "book/points.html"), Contains("<body data-lesson=\"points\">"));
+}
+
 TEST_CASE("one lesson in one file needs nothing beside it, and is the same each time", "[book]") {
   const Shell shell;
   const Ran r = shell("isect book points --single --out one");
@@ -205,7 +277,8 @@ TEST_CASE("one lesson in one file needs nothing beside it, and is the same each 
   const std::string page = contents(shell.work() / "one/points.html");
   CHECK(faults(page) == "");
   CHECK_THAT(page, Contains("@font-face") && Contains("SIL OPEN FONT LICENSE") && Contains("addEventListener") &&
-                       !Contains("<link") && !Contains(" src=\"") && !Contains(".html\""));
+                       Contains("var isect_terms = [[\"AABB\",\"Axis-aligned bounding box:") &&
+                       !Contains("<link rel=\"stylesheet") && !Contains(" src=\"") && !Contains(".html\""));
   REQUIRE(shell("isect book points --single --out one").status == 0);
   CHECK(contents(shell.work() / "one/points.html") == page);
   REQUIRE(shell("ray-sphere book --out two").status == 0);
@@ -223,6 +296,40 @@ TEST_CASE("a page with compiled lessons has them, and its fonts for figures that
                        Contains("isect_module.packed = ") && Contains("<style id=\"letters\">") &&
                        Contains("function isect_live(book)"));
   CHECK_THAT(page, !Contains(" src=\"isect.js\""));
+}
+
+TEST_CASE("a book has its compiled lessons for servers and packed for disk, each with isect's mark", "[book]") {
+  const Shell shell;
+  write(shell.work() / "live.js", "var isect_module;\nisect_module.packed = \"H4sI\";\n");
+  write(shell.work() / "live.wasm", empty_wasm + std::string("\0\2\1x", 4));
+  const auto site = shell.work() / "site";
+  REQUIRE(shell("isect book --live live.js --out site").status == 0);
+  CHECK_THAT(contents(site / "isect.js"), Contains("function isect_live(book)") && Contains("\nvar isect_module;\n") &&
+                                              !Contains("isect_module.packed = "));
+  CHECK_THAT(contents(site / "isect-packed.js"), Contains("\nisect_module.packed = \"H4sI\";\n"));
+  CHECK_THAT(contents(site / "intervals.html"), Contains("data-live=\"isect.js\""));
+  // Sections of its own before and behind, as a browser passes over them: 0, the size, the length of a name, the name.
+  const std::string wasm = contents(site / "isect.wasm"), mark = "Made by isect book: isect.wasm.";
+  REQUIRE(wasm.size() > 60);
+  CHECK(wasm.starts_with(empty_wasm));
+  std::vector<std::string> sections;
+  for (std::size_t at = 8; at + 1 < wasm.size(); at += 2 + static_cast<unsigned char>(wasm[at + 1])) {
+    CHECK(wasm[at] == '\0');
+    sections.push_back(wasm.substr(at + 2, static_cast<unsigned char>(wasm[at + 1])));
+  }
+  REQUIRE(sections.size() == 3);
+  CHECK(sections[0] == "\5isect" + mark);
+  CHECK(sections[1] == "\1x");
+  CHECK_THAT(sections[2], StartsWith("\5isectDigest of all above: "));
+
+  write(site / "isect.wasm", wasm + std::string("\0\2\1y", 4));  // edited
+  CHECK_THAT(shell("isect book --live live.js --out site").err, Contains("left alone: site/isect.wasm"));
+  write(site / "isect.wasm", empty_wasm);  // somebody else's
+  CHECK(shell("isect book --live live.js --out site").status == 4);
+  write(shell.work() / "live.wasm", "not compiled");
+  const Ran wrong = shell("isect book --live live.js --out other");
+  CHECK(wrong.status == 2);
+  CHECK_THAT(wrong.err, Contains("live.wasm"));
 }
 
 TEST_CASE("a book is never written over somebody else's files", "[book]") {

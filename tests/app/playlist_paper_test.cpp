@@ -283,7 +283,7 @@ TEST_CASE("a playlist in the book leads through the lessons' pages, step by step
   REQUIRE(r.status == 0);
   const fs::path site = shell.work() / "site";
   const auto page = [&](const std::string& file) { return contents(site / file); };
-  CHECK_THAT(page("index.html"), Contains("<p><a href=\"hour-hour.html\">Rays &amp; balls</a></p>"));
+  CHECK_THAT(page("index.html"), Contains("<li><a href=\"hour-hour.html\">Rays &amp; balls</a></li>"));
   const std::string hour = page("hour-hour.html"), script = page("hour-hour.js");
   CHECK(in_order(hour, {"<h1>Rays &amp; balls</h1>", "data-hour=\"hour\"",
                         "<a href=\"ray-sphere.html?hour=hour&amp;stop=1#tangent/3\">Begin</a>", "<ol class=\"stops\">",

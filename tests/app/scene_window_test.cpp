@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "app/scene/lesson.h"
@@ -149,6 +150,45 @@ TEST_CASE("six boxes keep the names of their corners for the pointer and the key
   REQUIRE(window.ui.focus().starts_with("handle"));
   window.frames(2);
   CHECK(window.has("name of the ringed handle"));
+}
+
+TEST_CASE("a face of a box, a frame and a whole polygon are dragged with the pointer", "[scene]") {
+  const Lesson& scene = kept_lesson_of(R"({"objects": [{"box": "A", "lo": [-1, -1, -1], "hi": [1, 1, 1]},
+    {"obb": "B", "center": [4, 0, 0], "u": [1, 0, 0], "v": [0, 1, 0], "w": [0, 0, 1], "half": [1, 0.5, 0.75]},
+    {"polygon": "P", "points": [[-4, -1, 0], [-2.5, -1, 0], [-3, 1, 0]]}]})",
+                                       "");
+  WindowDriver window({&scene}, 1280, 800);
+  window.frames(2);
+  const Parameters before = window.player().parameters();
+  const auto point = [&](const char* name) { return std::get<Vec3>(window.player().parameters().at(name)); };
+  const auto was = [&](const char* name) { return std::get<Vec3>(before.at(name)); };
+  const auto changed = [&] {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : window.player().parameters())
+      if (value != before.at(name)) names.push_back(name);
+    window.player().undo();
+    window.frames(60);
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  window.drag("handle A.hi.y", 0, -30);
+  CHECK(point("A.hi").y() > 1.05);
+  CHECK((point("A.hi").x() == 1 && point("A.hi").z() == 1));
+  CHECK(changed() == Names{"A.hi"});
+  window.drag("handle A.hi.y", 0, 500);  // through the face across
+  CHECK(point("A.hi").y() == -1);
+  CHECK(window.ui.message().find("not allowed") == std::string::npos);
+  CHECK(changed() == Names{"A.hi"});
+  window.drag("handle B.half.x", 30, 0);
+  CHECK(point("B.half").x() > 1.05);
+  CHECK(changed() == Names{"B.half"});
+  window.drag("handle B.u", 0, -60);
+  CHECK(std::abs(point("B.u").dot(point("B.v"))) < 1e-12);
+  CHECK(changed() == Names{"B.u", "B.v", "B.w"});
+  window.drag("handle P", 20, 10);
+  for (const char* corner : {"P.2", "P.3"})
+    CHECK((point(corner) - point("P.1")).isApprox(was(corner) - was("P.1"), 1e-12));
+  CHECK(changed() == Names{"P.1", "P.2", "P.3"});
 }
 
 TEST_CASE("where two objects touch, the picture marks it", "[scene]") {

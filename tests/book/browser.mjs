@@ -71,11 +71,12 @@ export class Browser {
     if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
     return result.value;
   }
-  async look({ width = 1440, height = 900, dark = false, scripts = true, print = false } = {}) {
+  async look({ width = 1440, height = 900, dark = false, scripts = true, print = false, calm = false } = {}) {
     await this.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: false });
     await this.send("Emulation.setEmulatedMedia", {
       media: print ? "print" : "",
-      features: [{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }]
+      features: [{ name: "prefers-color-scheme", value: dark ? "dark" : "light" },
+        { name: "prefers-reduced-motion", value: calm ? "reduce" : "no-preference" }]
     });
     await this.send("Emulation.setScriptExecutionDisabled", { value: !scripts });
   }
@@ -94,12 +95,12 @@ export class Browser {
       await send("mouseMoved", { x: from.x + (to.x - from.x) * i / steps, y: from.y + (to.y - from.y) * i / steps }, 1);
     await send("mouseReleased", to, 0);
   }
-  /// The same with a finger.
+  /// The same with a finger, or with as many as there are places.
   async swipe(from, to, steps = 8) {
-    const send = (type, points) => this.send("Input.dispatchTouchEvent", { type, touchPoints: points });
-    await send("touchStart", [from]);
-    for (let i = 1; i <= steps; ++i)
-      await send("touchMove", [{ x: from.x + (to.x - from.x) * i / steps, y: from.y + (to.y - from.y) * i / steps }]);
+    const begin = [from].flat(), end = [to].flat(), send = (type, points) => this.send("Input.dispatchTouchEvent", { type, touchPoints: points });
+    const at = share => begin.map((a, id) => ({ x: a.x + (end[id].x - a.x) * share, y: a.y + (end[id].y - a.y) * share, id }));
+    await send("touchStart", at(0));
+    for (let i = 1; i <= steps; ++i) await send("touchMove", at(i / steps));
     await send("touchEnd", []);
   }
   async screenshot(whole = false) {

@@ -16,15 +16,20 @@ if [ -n "$live" ]; then
     { echo "$told"; exit 1; }
   "$isect" book --live "$live" --live-scenes "$(dirname "$live")/live_scenes.js" --out "$scratch/site" >/dev/null
   node "$here/told.mjs" "$scratch/site"
+  node "$here/light.mjs" "$scratch/site"
   node "$here/scene.mjs" "$scratch/site" "$isect"
   node "$here/sizes.mjs" "$scratch/site"
+  node "$here/progress.mjs" "$scratch/site"
   node "$here/habits.mjs" "$scratch/site" "$isect"
+  node "$here/hands.mjs" "$scratch/site" "$isect"
   node "$here/live.mjs" "$scratch/site" "$isect"
   "$isect" book --live "$live" --playlist "$playlist" --out "$scratch/hour" >/dev/null
   exec node "$here/hour.mjs" "$scratch/hour"
 fi
 "$isect" book --out "$scratch/site" >/dev/null
+node "$here/light.mjs" "$scratch/site"
 node "$here/sizes.mjs" "$scratch/site"
+node "$here/progress.mjs" "$scratch/site"
 node "$here/pages.mjs" "$scratch/site"
 "$isect" book --playlist "$playlist" --out "$scratch/hour" >/dev/null
 exec node "$here/hour.mjs" "$scratch/hour"

@@ -1,9 +1,9 @@
 // What the pages of a live book weigh, and how long they take. node budget.mjs FOLDER [LESSON...]; prints tables.
 // On a machine that does other things, too: nice -n -10 node budget.mjs FOLDER
-import { readFileSync, readdirSync } from "node:fs";
+import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { gzipSync } from "node:zlib";
+import { brotliCompressSync, gzipSync } from "node:zlib";
 import { Browser } from "./browser.mjs";
 
 const folder = resolve(process.argv[2]), wanted = process.argv.slice(3);
@@ -18,9 +18,10 @@ const percentile = (list, part) => list.length ? [...list].sort((a, b) => a - b)
 
 // Sizes: what a server sends, compressed by gzip.
 const code = { "book.js": gzipSync(read("book.js"), { level: 9 }).length };
-const live = read("isect.js").toString(), packed = live.match(/isect_module\.packed = "([^"]*)"/)[1];
-code["live.js and emscripten's script"] = gzipSync(live.replace(packed, ""), { level: 9 }).length;
+const packed = read("isect-packed.js").toString().match(/isect_module\.packed = "([^"]*)"/)[1];
+code["live.js and emscripten's script"] = gzipSync(read("isect.js"), { level: 9 }).length;
 code["WebAssembly"] = Buffer.from(packed, "base64").length;
+if (existsSync(join(folder, "isect.wasm"))) console.log(kB(brotliCompressSync(read("isect.wasm")).length), "WebAssembly by brotli, of", kB(read("isect.wasm").length));
 const fonts = [...read("fonts.css").toString().matchAll(/base64,([^)]*)\)/g)].map(m => Buffer.from(m[1], "base64").length);
 const sum = list => list.reduce((a, b) => a + b, 0);
 console.log("Sizes, compressed");
@@ -35,7 +36,7 @@ const browser = await Browser.start();
 /// When a page was first painted and when it could be changed; a drag's moves run when they are told to.
 await browser.send("Page.addScriptToEvaluateOnNewDocument", { source: `
   window.when = {};
-  new MutationObserver(() => { if (document.documentElement.dataset.live) when.live ??= performance.now(); })
+  new MutationObserver(() => { if (["ready", "none"].includes(document.documentElement.dataset.live)) when.live ??= performance.now(); })
     .observe(document, { attributes: true, subtree: true, attributeFilter: ["data-live"] });` });
 try {
   await browser.look({ width: 1280, height: 900 });

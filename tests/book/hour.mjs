@@ -76,7 +76,7 @@ try {
   await loaded;
   await check_at(later, "reloaded");
   await browser.open(pathToFileURL(join(folder, `hour-${name}.html`)).href);
-  check(await browser.ask(`document.querySelector(".begin a").textContent`) === "Go on at " + places[later].told, "its page does not offer to go on");
+  check(await browser.ask(`document.querySelector(".hour-begin a").textContent`) === "Go on at " + places[later].told, "its page does not offer to go on");
   await browser.press("n");
   await check_at(later, "gone on");
 
@@ -85,7 +85,7 @@ try {
     await browser.look({ width, height });
     await browser.open(pathToFileURL(join(folder, `hour-${name}.html`)).href);
     check(await browser.ask(`document.documentElement.scrollWidth`) <= width, `its page is wider than ${width}`);
-    await browser.ask(`[...document.querySelectorAll(".begin a")].pop().click()`);
+    await browser.ask(`[...document.querySelectorAll(".hour-begin a")].pop().click()`);
     for (let i = 0; i < Math.min(4, places.length); ++i) {
       await check_at(i, `${width} wide`);
       await browser.ask(`document.querySelectorAll("nav.hour button")[1].click()`);

@@ -119,7 +119,9 @@ try {
     if (now.grips.length === 0) continue;
     const { before, dragged, pushed, name } = await site.move_a_handle();
     check(!same(dragged.values, before.values) || dragged.message !== "", `${page}: ${name} does not follow the mouse`);
-    check(!same(pushed.values, dragged.values) || pushed.message !== "", `${page}: ${name} does not follow the keys`);
+    const moved = pushed.grips.find(grip => grip.name === name)?.label ?? "";  // told, and then why it stays where it does
+    check(pushed.message.startsWith(moved), `${page}: ${moved} is told as “${pushed.message}”`);
+    check(!same(pushed.values, dragged.values) || pushed.message !== moved, `${page}: ${name} does not follow the keys`);
     if (queries[page]) await compare(page, "after a drag");
     compared += await compare_native(page.replace(".html", ""), "after a drag");
     if (pushed.hash.includes("?")) {
@@ -210,6 +212,64 @@ try {
   }
   check(!same(ends[0], ends[1]), "Snap does not hold a handle");
   check(same(ends[1], ends[2]), "Shift holds a handle elsewhere than Snap");
+
+  // Time within a step: scrubbed below the picture, run by its button, from still to still where less motion is wanted.
+  if (pages.includes("moving-bodies.html")) {
+    const time = () => browser.ask(`(() => {
+      const bar = document.querySelector(".live .time"), box = bar.getBoundingClientRect(), picture = document.querySelector(".live .picture");
+      const slide = bar.querySelector("input"), mark = bar.querySelector(".contact"), line = slide.getBoundingClientRect();
+      return { seen: box.height > 0 && getComputedStyle(bar).visibility === "visible", under: box.top - picture.getBoundingClientRect().bottom,
+        low: document.querySelector(".transport").getBoundingClientRect().top - box.bottom, told: bar.querySelector(".time-told").textContent,
+        share: Number(slide.value), name: bar.querySelector("button").title, picture: picture.outerHTML,
+        mark: mark.hidden ? -1 : (mark.getBoundingClientRect().left - line.left) / line.width };
+    })()`);
+    const scrub = share => browser.ask(`(() => { const slide = document.querySelector(".live .time input");
+      slide.value = ${share}, slide.dispatchEvent(new Event("input")); })()`);
+    const push = () => browser.ask(`document.querySelector(".live .time button").click()`);
+    for (const size of [{ width: 1366, height: 768 }, { width: 390, height: 844 }]) {
+      const at = `time, ${size.width} wide: `;
+      await browser.look(size);
+      await open("moving-bodies.html", "#boxes-meet/8");
+      const still = await time();
+      check(still.seen && still.under >= -1 && still.low >= -1, at + `it stands ${still.under} px below the picture, ${still.low} px above the bar`);
+      check(Math.abs(still.mark - 0.8125) < 0.06, at + `the contact is marked at ${still.mark}`);
+      check(still.told === "t = 0 (contact at t = 1.625)" && still.share === 0, at + `it opens with "${still.told}"`);
+      await scrub(0.5);
+      const half = await time();
+      check(half.told === "t = 1 (contact at t = 1.625)" && half.picture !== still.picture, at + `half of it is "${half.told}"`);
+      check((await look()).hash === "#boxes-meet/8", at + "it changes the address");
+      await scrub(0.811);
+      check((await time()).told === "t = 1.625 (contact)", at + `next to the contact it says "${(await time()).told}"`);
+      await scrub(1);
+      check((await time()).told.startsWith("t = 2 "), at + `its end is "${(await time()).told}"`);
+      await push();
+      await rest(400);
+      const runs = await time();
+      check(runs.share > 0 && runs.share < 0.6 && runs.name === "Stop time", at + `after 0.4 s it is at ${runs.share}, and can be told: ${runs.name}`);
+      await push();
+      const stopped = await time();
+      await rest(150);
+      check((await time()).share === stopped.share, at + "it does not stop");
+      await push();
+      await browser.press("ArrowLeft");
+      await rest(150);
+      check(!(await time()).seen || (await time()).share === 0, at + "it runs on in another step");
+      await open("moving-bodies.html", "#boxes-meet/7/question");
+      check(!(await time()).seen, at + "it is seen while a question is open");
+    }
+    await browser.look({ width: 1366, height: 768, calm: true });
+    await open("moving-bodies.html", "#boxes-meet/8");
+    const stills = [];
+    for (let i = 0; i < 6; ++i) {
+      await push();
+      stills.push((await time()).share);
+      await rest(100);
+    }
+    check(same(stills, [0.25, 0.5, 0.75, 0.8125, 1, 0]) && (await time()).share === 0, `where less motion is wanted, the stills are ${stills}`);
+    await browser.look({ width: 1280, height: 900 });
+    await open(lesson);
+    if (lesson !== "moving-bodies.html") check(!(await time()).seen, `${lesson} has a time`);
+  }
 
   // The map of cases, lights, a finger.
   await open(lesson);

@@ -6,6 +6,12 @@ import { Browser } from "./browser.mjs";
 
 export const rest = ms => new Promise(done => setTimeout(done, ms));
 
+/// What a page says of itself once it no longer loads.
+export const loaded = `new Promise(done => {
+  const look = () => ["ready", "none"].includes(document.documentElement.dataset.live) ? done(document.documentElement.dataset.live) : setTimeout(look, 10);
+  document.body.dataset.live ? look() : done("static");
+})`;
+
 const shown = `(() => {
   const text = s => document.querySelector(".live " + s)?.textContent.trim() ?? "";
   const grips = [...document.querySelectorAll(".live .grip")].map(g => {
@@ -25,7 +31,7 @@ const shown = `(() => {
     code: document.querySelectorAll(".live ol.code li").length, tiles: document.querySelectorAll(".live .tiles button").length,
     typed: text(".reply"), help: text(".typed .help"),
     picture: document.querySelector(".live .picture").outerHTML.length, wide: document.documentElement.scrollWidth - document.documentElement.clientWidth,
-    message: text(".message"), scene: document.querySelector(".live .own-scene textarea").value, grips, values,
+    message: text(".message"), scene: document.querySelector(".live .own-scene textarea")?.value ?? "", grips, values,
     end: document.querySelector(".transport .next").disabled };
 })()`;
 
@@ -40,14 +46,11 @@ export class LivePages {
     if (!holds) this.wrong.push(what), console.log("wrong: " + what);
   }
   address(page, hash = "") { return pathToFileURL(join(this.folder, page)).href + hash; }
-  /// Opens a page and waits until it can be changed: "ready", "none" where it can't, "static" where it is not meant to.
+  /// Opens a page and waits while it loads: "ready" to be changed, "none" where it can't, "static" where it is not meant to.
   async open(page, hash = "") {
     await this.browser.open("about:blank");
     await this.browser.open(this.address(page, hash));
-    return this.browser.ask(`new Promise(done => {
-      const look = () => document.documentElement.dataset.live ? done(document.documentElement.dataset.live) : setTimeout(look, 10);
-      document.body.dataset.live ? look() : done("static");
-    })`);
+    return this.browser.ask(loaded);
   }
   look() { return this.browser.ask(shown); }
   /// Presses a choice's letter; where more than a choice is asked for, it shows the choices first.

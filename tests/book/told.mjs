@@ -7,10 +7,10 @@ import { tmpdir } from "node:os";
 import { gunzipSync } from "node:zlib";
 
 const folder = resolve(process.argv[2]);
-/// The session, from a script that pages load.
+/// The session, from the scripts that pages from disk load.
 export async function session(site, file) {
   const made = mkdtempSync(join(tmpdir(), "isect-live-"));
-  const script = readFileSync(join(site, file), "utf8");
+  const script = [file, file.replace(".js", "-packed.js")].map(one => readFileSync(join(site, one), "utf8")).join("\n");
   writeFileSync(join(made, "isect.cjs"), script + "\nmodule.exports = isect_module;\n");
   const isect_module = createRequire(import.meta.url)(join(made, "isect.cjs"));
   rmSync(made, { recursive: true });

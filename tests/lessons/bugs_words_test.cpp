@@ -284,7 +284,7 @@ TEST_CASE("the program that clips a segment errs where a later exit hides an ear
   errs_where("clipping", 2000, [](const Parameters& p) {
     if (std::get<std::string>(p.at("shape")) == "polygon") return false;
     const Segment<double, 2> s = {lessons::flat_point(p, "p"), lessons::flat_point(p, "q")};
-    const auto box = lessons::clipping_lesson::box_of_lesson();
+    const auto box = lessons::clipping_lesson::box_of(p);
     if (oracle::clipped(s, box)) return false;
     Rational in = 0, out = 1;
     for (int k = 0; k < 2; ++k)

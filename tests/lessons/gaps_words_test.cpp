@@ -7,6 +7,7 @@
 
 #include "bench/orient2d/oracle.h"
 #include "lessons/bounding_volumes/upkeep.h"
+#include "lessons/clipping/picture.h"
 #include "lessons/concave_polygon/depth.h"
 #include "lessons/crossings/situations.h"
 #include "lessons/hierarchy/large.h"
@@ -116,11 +117,10 @@ double least(double a, double b) { return b < a ? b : a; }
 double most(double a, double b) { return a < b ? b : a; }
 
 /// Whether slabs by reciprocals keep a part of the segment.
-bool slabs_keep(const Vec3& p, const Vec3& q, bool range_first) {
-  const double lo[] = {-2, -1.25}, hi[] = {2, 1.25};
+bool slabs_keep(const Aabb<double, 2>& box, const Vec3& p, const Vec3& q, bool range_first) {
   double in = 0, out = 1;
   for (int i = 0; i < 2; ++i) {
-    const double inverse = 1 / (q[i] - p[i]), t1 = (lo[i] - p[i]) * inverse, t2 = (hi[i] - p[i]) * inverse;
+    const double inverse = 1 / (q[i] - p[i]), t1 = (box.lo[i] - p[i]) * inverse, t2 = (box.hi[i] - p[i]) * inverse;
     const double entry = least(t1, t2), exit = most(t1, t2);
     in = range_first ? most(in, entry) : most(entry, in);
     out = range_first ? least(out, exit) : least(exit, out);
@@ -136,11 +136,12 @@ TEST_CASE("slabs by reciprocals keep and lose what min and max as C++ defines th
     if (text(p, "shape") != "slabs") return;
     const Vec3 &from = std::get<Vec3>(p.at("p")), &to = std::get<Vec3>(p.at("q"));
     const bool range_first = text(p, "first") == "range";
+    const Aabb<double, 2> box = lessons::clipping_lesson::box_of(p);
     const Step& last = ending(walk);
     INFO(last.caption << " " << last.verdict.text);
-    CHECK((last.line == 4) == slabs_keep(from, to, range_first));
+    CHECK((last.line == 4) == slabs_keep(box, from, to, range_first));
     const bool seen = says(last.caption, "With the arguments exchanged it would keep");
-    if (seen) CHECK(says(last.caption, "would keep a part") == slabs_keep(from, to, !range_first));
+    if (seen) CHECK(says(last.caption, "would keep a part") == slabs_keep(box, from, to, !range_first));
     wrong += says(last.verdict.text, "loses it"), hidden += says(last.caption, "hidden");
     passed_over += says(last.caption, "passed over"), forgotten += says(last.caption, "forgotten");
     if (says(last.caption, "passed over")) CHECK(last.verdict.kind != Verdict::Kind::no);

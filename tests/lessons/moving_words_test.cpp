@@ -1,7 +1,10 @@
 // What the lesson of moving bodies says in the end, in words and numbers, is what rational arithmetic says.
 
+#include <algorithm>
 #include <set>
 
+#include <isect/aabb_aabb.h>
+#include <isect/sphere_sphere.h>
 #include "tests/catch.h"
 #include "tests/lessons/moving_oracle.h"
 #include "viz/text/rich_text.h"
@@ -12,6 +15,32 @@ using namespace isect::viz;
 using namespace isect::tests;
 using namespace isect::tests::moving;
 using isect::test::Contains;
+
+namespace {
+
+/// The two bodies of a scene: what is filled.
+struct Bodies {
+  std::vector<Aabb<double, 2>> boxes;
+  std::vector<Sphere<double, 2>> balls;
+
+  explicit Bodies(const Scene& scene) {
+    for (const Item& item : scene.items) {
+      if (const Region* box = std::get_if<Region>(&item))
+        boxes.push_back({box->rings[0][0].head<2>(), box->rings[0][2].head<2>()});
+      if (const Circle* ball = std::get_if<Circle>(&item); ball && ball->filled)
+        balls.push_back({ball->center.head<2>(), ball->radius});
+    }
+  }
+  bool both() const { return boxes.size() == 2 || balls.size() == 2; }
+  Relation relation() const { return boxes.size() == 2 ? relate(boxes[0], boxes[1]) : relate(balls[0], balls[1]); }
+  /// How far apart they are, along an axis or the line of centres; < 0: they overlap.
+  double gap() const {
+    if (balls.size() == 2) return (balls[0].center - balls[1].center).norm() - balls[0].radius - balls[1].radius;
+    return std::max((boxes[1].lo - boxes[0].hi).maxCoeff(), (boxes[0].lo - boxes[1].hi).maxCoeff());
+  }
+};
+
+}  // namespace
 
 TEST_CASE("two moving bodies meet, and first do so, when rationals say so", "[words]") {
   std::set<std::string> seen;
@@ -88,6 +117,63 @@ TEST_CASE("the map's branch is that of the place, whatever the method", "[words]
     seen.insert(branch);
   });
   CHECK(seen.size() == map.branches.size());
+}
+
+TEST_CASE("drawn at first contact the bodies touch, and at earlier times they are apart", "[words]") {
+  int met = 0;
+  over_settings("", 300, [&](const Parameters& p, const Walk& walk) {
+    const double duration = number(p, "duration");
+    if (!(duration > 0) || !meet(p, duration)) return;
+    const double first = first_contact_of(p);
+    double size = number(p, "r_a") + number(p, "r_b");
+    for (const char* name : {"a", "b"}) size += std::get<Vec3>(p.at(name)).norm();
+    for (const char* name : {"v_a", "v_b"}) size += first * std::get<Vec3>(p.at(name)).norm();
+    for (const char* slug : {"two-bodies", "seen-from-a"}) {
+      const Scene::Time& time = *find(walk, slug)->scene.time;
+      CHECK((time.lo == 0 && time.now == 0 && time.hi == duration && !time.contact));
+      const Bodies then(time.at(first)), start(time.at(0));
+      if (!then.both() || !(start.gap() > 1e-6 * size)) continue;
+      ++met;
+      CAPTURE(slug, first);
+      CHECK(std::abs(then.gap()) <= 1e-9 * size);
+      for (const double share : {0.0, 0.3, 0.6, 0.9})
+        CHECK(Bodies(time.at(share * first)).relation() == Relation::disjoint);
+    }
+  });
+  CHECK(met > 30);
+}
+
+TEST_CASE("where nothing is rounded, the core says that bodies drawn at the contact touch", "[words]") {
+  for (const char* preset_id : {"boxes-meet", "head-on", "tunnels", "seen", "caught"}) {
+    const Walk walk = lesson(id).walk(preset(lesson(id), preset_id).parameters);
+    const std::optional<double> contact = find(walk, "contact")->scene.time->contact;
+    INFO(preset_id);
+    REQUIRE(contact);
+    const Scene::Time& time = *find(walk, "two-bodies")->scene.time;
+    CHECK(Bodies(time.at(*contact)).relation() == Relation::touching);
+    CHECK(Bodies(time.at(*contact - 0.0625)).relation() == Relation::disjoint);
+  }
+}
+
+TEST_CASE("the time marks the contact that the core finds once a step tells it, and none before", "[words]") {
+  int marked = 0;
+  over_settings("", 200, [&](const Parameters& p, const Walk& walk) {
+    const bool met = number(p, "duration") > 0 && meet(p, number(p, "duration"));
+    bool known = false;
+    for (const Step& step : walk.steps) {
+      if (step.scene.chart) continue;
+      REQUIRE((step.scene.time != nullptr) == (number(p, "duration") > 0));
+      if (!step.scene.time) continue;
+      const std::optional<double>& contact = step.scene.time->contact;
+      CAPTURE(step.slug);
+      if (known) CHECK(contact);  // it stays known
+      if (contact) CHECK(std::abs(*contact - first_contact_of(p)) <= 1e-9 * number(p, "duration"));
+      known = contact.has_value();
+    }
+    CHECK(known == met);
+    marked += known;
+  });
+  CHECK(marked > 30);
 }
 
 TEST_CASE("the numbers of the exercises are right", "[words]") {

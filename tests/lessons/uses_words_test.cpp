@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <isect/orient.h>
+#include "lessons/clipping/picture.h"
 #include "lessons/collision/telling.h"
 #include "lessons/culling/picture.h"
 #include "lessons/lessons.h"
@@ -39,10 +40,8 @@ void over_settings(const Lesson& l, int how_many, const Look& look) {
   for (int i = 0; i < how_many; ++i) look(tests::random_setting(l, random));
 }
 
-const Aabb<double, 2> box = {{-2, -1.25}, {2, 1.25}};
-
 /// Decides by separating axes: x, y and the segment's normal.
-bool meets_box(const Point<double, 2>& p, const Point<double, 2>& q) {
+bool meets_box(const Aabb<double, 2>& box, const Point<double, 2>& p, const Point<double, 2>& q) {
   for (int i = 0; i < 2; ++i)
     if (std::max(p[i], q[i]) < box.lo[i] || std::min(p[i], q[i]) > box.hi[i]) return false;
   int least = 1, greatest = -1;
@@ -59,12 +58,13 @@ TEST_CASE("a part is kept where segment or polygon and box share a point, and no
   int kept = 0, trivial = 0, corners = 0, polygons = 0;
   over_settings(lesson("clipping"), tests::cases(1000, 10000), [&](const Parameters& p) {
     const Walk walk = lesson("clipping").walk(p);
+    const Aabb<double, 2> box = lessons::clipping_lesson::box_of(p);
     const Step& last = walk.steps[outcome(walk)];
     CAPTURE(last.verdict.text, last.caption, at(p, "p").transpose(), at(p, "q").transpose(), at(p, "r").transpose(),
             at(p, "s").transpose());
     CHECK(holds(last.verdict.text, "nothing is kept") == (last.verdict.kind == Verdict::Kind::no));
     if (text_of(p, "shape") != "polygon") {
-      const bool meet = meets_box(at(p, "p"), at(p, "q"));
+      const bool meet = meets_box(box, at(p, "p"), at(p, "q"));
       CHECK((last.verdict.kind != Verdict::Kind::no) == meet);
       if (text_of(p, "shape") == "slabs") return;
       kept += meet;
@@ -84,7 +84,7 @@ TEST_CASE("a part is kept where segment or polygon and box share a point, and no
     bool meet = false, odd = false;
     for (int i = 0; i < 4; ++i) {
       const Point<double, 2> a = at(p, names[i]), b = at(p, names[(i + 1) % 4]);
-      meet = meet || meets_box(a, b);
+      meet = meet || meets_box(box, a, b);
       if ((a.y() <= box.lo.y()) != (b.y() <= box.lo.y()))  // the edge passes the height of the box's corner
         odd = odd != ((orient2d(a, b, box.lo) > 0) == (b.y() > a.y()));
     }
@@ -97,7 +97,7 @@ TEST_CASE("a part is kept where segment or polygon and box share a point, and no
 TEST_CASE("pairs of boxes are counted as two loops count them", "[collision lesson]") {
   over_settings(lesson("collision"), tests::cases(300, 3000), [&](const Parameters& p) {
     if (text_of(p, "method") == "motion") return;
-    const auto boxes = lessons::collision_lesson::few(vector(p, "p"));
+    const auto boxes = lessons::collision_lesson::few(p);
     int found = 0;
     for (std::size_t i = 0; i < boxes.size(); ++i)
       for (std::size_t j = i + 1; j < boxes.size(); ++j)
@@ -145,6 +145,35 @@ TEST_CASE("a moving box tunnels only with a step longer than wall and box, and i
     tunnels += meet && !seen, never += !meet, until_the_end += meet && to > 1.5 * v, seen_too += seen;
   });
   for (const int count : {tunnels, never, until_the_end, seen_too}) CHECK(count > 10);
+}
+
+TEST_CASE("the moving box is drawn at any time of its flight, and at its contact it touches the wall",
+          "[collision lesson]") {
+  const Walk walk = lesson("collision").walk(preset(lesson("collision"), "tunnelling").parameters);
+  const Scene::Time& time = *step_of(walk, "motion")->scene.time;
+  CHECK((time.lo == 0 && time.hi == 1.5 && !time.contact));
+  const auto right_of_box = [&](double t) {
+    double right = -1e9;
+    for (const Item& item : time.at(t).items)
+      if (const Region* box = std::get_if<Region>(&item); box && box->role == Role::first) right = box->rings[0][1].x();
+    return right;
+  };
+  CHECK(right_of_box(0) == -2.25);
+  CHECK(right_of_box(1) == 2.75);
+  for (const Step& step : walk.steps) {
+    if (step.scene.chart) continue;
+    REQUIRE(step.scene.time);
+    if (step.slug.starts_with("time-")) CHECK(step.scene.time->now == step.values.back().value);
+    CHECK(step.scene.time->contact.has_value() == (step.slug == "ray"));
+  }
+  const double contact = *step_of(walk, "ray")->scene.time->contact;
+  CHECK(right_of_box(contact) == Approx(0.4));
+  CHECK(right_of_box(0.9 * contact) < 0.4);
+
+  Parameters rests = preset(lesson("collision"), "tunnelling").parameters;
+  rests["speed"] = 0.0;
+  CHECK_FALSE(has_time(lesson("collision").walk(rests)));
+  CHECK_FALSE(has_time(lesson("collision").walk(preset(lesson("collision"), "sweep").parameters)));
 }
 
 TEST_CASE("a false positive of culling is called one where box and frustum are apart, and nowhere else",

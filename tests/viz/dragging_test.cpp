@@ -49,6 +49,37 @@ TEST_CASE("every corner and every point that a lesson draws can be dragged with 
   CHECK_FALSE(window.has("handle v" + std::to_string(count)));
 }
 
+TEST_CASE("every box of collision and of a hierarchy is dragged with the pointer", "[window]") {
+  const auto [lesson, preset, count] = GENERATE(table<const char*, const char*, int>(
+      {{"collision", "brute-force", 6}, {"hierarchy", "build", 12}, {"hierarchy", "pairs", 12}}));
+  WindowDriver boxes(lessons::all_lessons(), 1280, 800, place_at(lesson, preset));
+  for (int k = 1; k < count; ++k) {
+    const std::string name = "p" + std::to_string(k);
+    INFO(lesson << " " << name);
+    CHECK_FALSE(boxes.player().parameters().contains(name));
+    const Vec3 before = handle(boxes.player(), name).at;
+    boxes.drag("handle " + name, 9, -6);
+    REQUIRE(boxes.player().parameters().contains(name));
+    CHECK((handle(boxes.player(), name).at - before).norm() > 0.01);
+    boxes.frames(60);
+  }
+}
+
+TEST_CASE("each side of clipping's box is dragged, and the whole box", "[window]") {
+  WindowDriver box(lessons::all_lessons(), 1280, 800, place_at("clipping", "both-ends-cut"));
+  const auto corner = [&](const char* name) { return std::get<Vec3>(box.player().parameters().at(name)); };
+  box.drag("handle b_min.x", 20, 0);
+  CHECK((corner("b_min").x() > -2 && corner("b_min").y() == -1.25));
+  CHECK_FALSE(box.player().parameters().contains("b_max"));
+  const double left = corner("b_min").x();
+  box.frames(60);
+  box.drag("handle box", 12, -9);
+  CHECK((corner("b_max") - corner("b_min")).isApprox(Vec3(2 - left, 2.5, 0), 1e-12));
+  box.frames(60);
+  box.drag("handle b_max.y", 0, 700);  // through the side across
+  CHECK(corner("b_max").y() > corner("b_min").y());
+}
+
 TEST_CASE("who drops a handle out of sight is told how to see it again", "[window]") {
   WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("crossings", "inside"));
   window.drag("handle v0", 12, 8);
@@ -192,6 +223,32 @@ TEST_CASE("a handle on the image plane stays on it, under the pointer", "[player
   CHECK(after.at != before.at);
   CHECK(std::get<Vec3>(player.parameters().at(name)).x() == before.at.x());
   CHECK((view.project(after.at).at - pixel).norm() < 1e-6);
+}
+
+TEST_CASE("a handle on a line stays on it, next to the pointer, unless the line points to the viewer", "[player]") {
+  const View view(Camera{.azimuth = 0.6, .elevation = 0.4, .perspective = true}, 800, 600);
+  Handle face = {.parameter = "A.lo",
+                 .kind = Handle::Kind::on_line,
+                 .at = Vec3(0.5, 0.25, 0),
+                 .direction = Vec3(1, 2, 0.5),
+                 .name = "A.lo.x"};
+  const Vec3 there = face.at + 0.375 * face.direction;
+  CHECK(brought(view, face, view.project(there).at).isApprox(there, 1e-9));
+  const Vec3 beside = brought(view, face, view.project(there).at + Vec2(9, 3));
+  CHECK((beside - face.at).cross(face.direction).norm() < 1e-9);
+  face.direction = view.towards_eye(face.at);
+  const Vec3 facing = brought(view, face, view.project(face.at).at + Vec2(9, 3));
+  CHECK((facing - face.at).norm() < 0.2);
+  CHECK(facing == view.on_facing_plane(view.project(face.at).at + Vec2(9, 3), face.at));
+
+  Scene scene;
+  Handle other = face;
+  other.name = "A.lo.y";
+  scene.handles = {other, face};
+  REQUIRE(same_handle(scene, face));
+  CHECK(same_handle(scene, face)->name == "A.lo.x");
+  face.name = "A.lo.z";
+  CHECK_FALSE(same_handle(scene, face));
 }
 
 TEST_CASE("Snap stands on the short number where a border is one", "[player]") {

@@ -43,7 +43,7 @@ std::string where(const WindowDriver& window) {
 TEST_CASE("without a playlist nothing is said of one", "[hour][window]") {
   WindowDriver window(both, 1280, 800, {}, {}, layout_only);
   CHECK_FALSE(window.has("stops"));
-  window.type("j");
+  window.type("i");
   window.frames(2);
   CHECK_FALSE(window.has("list of stops"));
 }
@@ -107,9 +107,9 @@ TEST_CASE("a key that is held ends where the stop does", "[hour][keys]") {
   CHECK(where(window) == "1 of 3: Point and disc, step 5");
 }
 
-TEST_CASE("J and the badge list all stops, and one of them is gone to", "[hour][window]") {
+TEST_CASE("I and the badge list all stops, and one of them is gone to", "[hour][window]") {
   WindowDriver window(both, 1280, 800, {}, {}, three_stops());
-  window.type("j");
+  window.type("i");
   window.frames(2);
   REQUIRE(window.has("list of stops"));
   const Rect sheet = window.rect("list of stops");
@@ -131,7 +131,7 @@ TEST_CASE("a stop's note is told where it begins, in a lecture and outside", "[h
   WindowDriver window(both, 1280, 800, {}, {}, three_stops());
   if (GENERATE(true, false)) window.key(key::tab);
   CHECK_FALSE(window.has("note"));
-  window.type("j");
+  window.type("i");
   window.frames(2);
   window.click("stop 2");
   window.frames(2);
@@ -162,7 +162,7 @@ TEST_CASE("a stop that can't be opened says why, and is gone past by a choice", 
   window.frames();
   CHECK(where(window) == "3 of 3: Point and ball, step 1");
   CHECK_FALSE(window.has("fault of stop"));
-  window.type("j");
+  window.type("i");
   window.frames(2);
   CHECK(window.has("stop 2"));  // it is not lost
 }
@@ -181,12 +181,12 @@ TEST_CASE("a stop has its own second pane", "[hour][window]") {
   options.playlist.stops[1].state.beside = OtherSide{"distance", ""};
   WindowDriver window(both, 1280, 800, {}, {}, options);
   CHECK_FALSE(window.ui.settings().beside);
-  window.type("j");
+  window.type("i");
   window.frames(2);
   window.click("stop 2");
   window.frames(2);
   CHECK(window.ui.settings().beside == Beside{"point-ball", "distance", ""});
-  window.type("j");
+  window.type("i");
   window.frames(2);
   window.click("stop 3");
   window.frames(2);

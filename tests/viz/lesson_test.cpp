@@ -129,6 +129,79 @@ TEST_CASE("dragging a handle moves its parameter and stops at the range's end", 
   CHECK_THROWS_AS(drag(toy(), p, {"nothing", Handle::Kind::point, {}}, anchor), BadInput);
 }
 
+TEST_CASE("a handle on a line moves one coordinate or a number, within its ends", "[lesson]") {
+  Parameters p = toy().presets[0].parameters;
+  Handle handle = {.parameter = "origin",
+                   .kind = Handle::Kind::on_line,
+                   .at = {},
+                   .anchor = Vec3(0, 1, 0),
+                   .direction = Vec3(0, 2, 0),
+                   .axis = 1,
+                   .lo = -3,
+                   .hi = 7};
+  drag(toy(), p, handle, Vec3(9, 3, 9));
+  CHECK(std::get<Vec3>(p["origin"]) == Vec3(0.5, 4, 0));
+  drag(toy(), p, handle, Vec3(9, 30, 9));
+  CHECK(std::get<Vec3>(p["origin"]) == Vec3(0.5, 7, 0));
+  handle.parameter = "radius";
+  drag(toy(), p, handle, Vec3(9, 2, 9));
+  CHECK(std::get<double>(p["radius"]) == 2);
+  drag(toy(), p, handle, Vec3(9, -9, 9));  // the parameter's own end comes first
+  CHECK(std::get<double>(p["radius"]) == 0);
+  const Parameters before = p;
+  drag(toy(), p, handle, Vec3(0, 1e308, 0));
+  CHECK(std::get<double>(p["radius"]) == 7);
+  handle.direction = Vec3(1e308, -1e308, 0);
+  p = before;
+  drag(toy(), p, handle, Vec3(1e308, 1e308, 0));  // no number
+  CHECK(p == before);
+}
+
+TEST_CASE("a handle that shifts moves several points as far, and one that turns keeps their lengths", "[lesson]") {
+  Lesson lesson = toy();
+  lesson.parameters.push_back({.name = "to", .label = "", .help = "Another.", .initial = Vec3(0, 0, 0)});
+  Parameters p = lesson.presets[0].parameters;
+  p["origin"] = Vec3(0.1, 0.2, 0.3), p["to"] = Vec3(0.7, 5, -1);
+  const Vec3 middle(0.5, 2.6, -0.35);
+  const Handle whole = {.parameter = "origin",
+                        .kind = Handle::Kind::shift,
+                        .at = middle,
+                        .anchor = middle - Vec3(0.1, 0.2, 0.3),
+                        .with = {"to"}};
+  const Parameters before = p;
+  drag(lesson, p, whole, middle);
+  CHECK(p == before);
+  drag(lesson, p, whole, Vec3(1.5, 2.6, -0.35));
+  CHECK(std::get<Vec3>(p["origin"]) == Vec3(1.1, 0.2, 0.3));  // y and z to the last bit
+  CHECK(std::get<Vec3>(p["to"]) == Vec3(1.7, 5, -1));
+
+  p["origin"] = Vec3(2, 0, 0), p["to"] = Vec3(0, 3, 0);
+  Handle knob = {.parameter = "origin", .kind = Handle::Kind::turn, .at = {}, .anchor = Vec3(1, 1, 1), .with = {"to"}};
+  drag(lesson, p, knob, Vec3(1, 8, 1));
+  CHECK(std::get<Vec3>(p["origin"]).isApprox(Vec3(0, 2, 0), 1e-15));
+  CHECK(std::get<Vec3>(p["to"]).isApprox(Vec3(-3, 0, 0), 1e-15));
+  const Parameters turned = p;
+  drag(lesson, p, knob, knob.anchor);  // no direction
+  CHECK(p == turned);
+  knob.with = {"radius"};  // d of a plane that stays on the anchor
+  p["origin"] = Vec3(0, -2, 0), p["radius"] = 0.0;
+  drag(lesson, p, knob, Vec3(0, 1, 1));
+  CHECK(std::get<Vec3>(p["origin"]).isApprox(Vec3(-2, 0, 0), 1e-15));
+  CHECK(std::get<double>(p["radius"]) == Approx(2));
+
+  const Handle opening = {.parameter = "radius",
+                          .kind = Handle::Kind::angle,
+                          .at = {},
+                          .anchor = Vec3(1, 0, 0),
+                          .direction = Vec3::UnitX(),
+                          .across = Vec3::UnitY(),
+                          .scale = 2};
+  drag(lesson, p, opening, Vec3(3, 2, 5));
+  CHECK(std::get<double>(p["radius"]) == Approx(90));
+  drag(lesson, p, opening, Vec3(3, -2, 5));
+  CHECK(std::get<double>(p["radius"]) == 0);
+}
+
 TEST_CASE("what a lesson's conditions forbid is refused once all is set, and a drag does not go there", "[lesson]") {
   Lesson lesson = toy();
   lesson.conditions = {{"origin", "a point that is not 0",

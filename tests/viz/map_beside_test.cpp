@@ -108,7 +108,7 @@ TEST_CASE("the marker follows a handle that is dragged, across a border, and the
   const Handle handle = window.player().scene().handles.front();
   const int overlapping = branch(window);
   Rect before = window.rect("map setting");
-  const Rect grip = window.rect("handle " + handle.parameter);
+  const Rect grip = window.rect("handle " + handle.id());
   int moves = 0, left = 0, back = 0;
   window.move(grip.middle_x(), grip.middle_y());
   window.button(true);

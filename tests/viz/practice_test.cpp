@@ -122,7 +122,7 @@ TEST_CASE("a handle that is dragged back to where it was taken leaves the preset
     const std::vector<Handle> handles = window.player().scene().handles;
     for (const Handle& handle : handles) {
       INFO(lesson->id << ": " << handle.parameter);
-      const Rect grip = window.rect("handle " + handle.parameter);
+      const Rect grip = window.rect("handle " + handle.id());
       const float x = grip.middle_x() + 3, y = grip.middle_y() - 2;
       window.move(x, y);
       window.button(true);
@@ -159,7 +159,7 @@ TEST_CASE("every handle is at least 24 px wide, and has its name beside it", "[w
     window.frames(2);
     for (const Handle& h : window.player().scene().handles) {
       INFO(lesson->id << ": " << h.parameter);
-      const Rect grip = window.rect("handle " + h.parameter);
+      const Rect grip = window.rect("handle " + h.id());
       CHECK((grip.width() >= 24 && grip.height() >= 24));
       if (!h.one_of.empty()) continue;  // named where the pointer is
       double least = 1e9;

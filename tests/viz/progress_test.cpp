@@ -3,6 +3,7 @@
 #include "viz/window/progress.h"
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "lessons/lessons.h"
@@ -25,9 +26,9 @@ const Lesson& ray_sphere() { return lesson_named(lessons::all_lessons(), "ray-sp
 Settings reader() {
   Settings s;
   Score& score = s.scores["ray-sphere"];
-  for (const char* question : {"a", "b", "c"}) {
-    score.answers[question] = *question != 'c';
-    s.record.keep("ray-sphere", question, *question != 'c');
+  for (const std::string question : {"/a", "/b", "/c"}) {
+    score.answers[question] = question != "/c";
+    s.record.keep("ray-sphere", question, question != "/c");
   }
   score.finished = true, score.seen = score.of = 9;
   score.skipped = {"d"}, score.solved = {ray_sphere().closing->exercises.front().prompt, "an exercise of old"};
@@ -58,6 +59,16 @@ TEST_CASE("the file of progress has the shape that its header tells, and the rec
   CHECK(json.at("lessons").at("rays").at("of").get<int>() == 0);
   CHECK(json.at("reviews").at("2").at("right").get<int>() == 7);
   CHECK(answer_record_from(json.at("record").dump()) == settings.record);
+}
+
+TEST_CASE("pages are held to the same file of progress", "[window]") {
+  std::ifstream sample(ISECT_PROGRESS_FILE);  // tests/book/progress_file.mjs has app/book/progress.js read and save it
+  nlohmann::json file = nlohmann::json::parse(sample);
+  const std::vector<const Lesson*> two = {&lesson_named(lessons::all_lessons(), "rays"), &ray_sphere()};
+  nlohmann::json own = nlohmann::json::parse(progress_json(two, reader()));
+  for (nlohmann::json* one : {&file, &own})
+    for (const Lesson* lesson : two) one->at("lessons").at(lesson->id).at("exercises") = 0;  // lessons gain some
+  CHECK(own == file);
 }
 
 TEST_CASE("H shows all lessons and reviews on one page, and each leads there", "[window]") {

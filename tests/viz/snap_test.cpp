@@ -153,7 +153,7 @@ TEST_CASE("a drag ends where a key brings another lesson", "[window]") {
   for (const bool snapping : {false, true}) {
     const Lesson& lesson = window.player().lesson();
     REQUIRE_FALSE(window.player().scene().handles.empty());
-    const Rect r = window.rect("handle " + window.player().scene().handles.front().parameter);
+    const Rect r = window.rect("handle " + window.player().scene().handles.front().id());
     window.move(r.middle_x(), r.middle_y());
     window.button(true);
     window.modifiers(false, snapping);
@@ -247,6 +247,29 @@ TEST_CASE("a landmark is found where it is a case of its own, and the nearer bor
   CHECK(std::get<double>(near->setting.at("x")) == Approx(3));
   const auto beyond = found(0.7, scene);  // x = 1 lies behind the end of the way
   CHECK_FALSE(beyond);
+}
+
+TEST_CASE("what a handle carries with it is no landmark of its way", "[snap]") {
+  Lesson lesson = slow();
+  lesson.parameters.clear();
+  Parameters setting;
+  for (const char* name : {"a", "b", "c"}) {
+    lesson.parameters.push_back({.name = name, .label = "", .help = "A point.", .initial = Vec3(0, 0, 0)});
+    setting[name] = Vec3(0, 0, 0);
+  }
+  Scene scene;
+  scene.handles = {{.parameter = "b", .kind = Handle::Kind::point, .at = Vec3(2, 0, 0)},
+                   {.parameter = "c", .kind = Handle::Kind::point, .at = Vec3(3, 0, 0)}};
+  const auto shares = [&](const std::vector<std::string>& with) {
+    const Handle handle = {
+        .parameter = "a", .kind = Handle::Kind::shift, .at = Vec3::Zero(), .with = with, .name = "all of it"};
+    std::vector<double> all;
+    for (const Landmark& l : landmarks(lesson, setting, handle, Vec3::Zero(), {4, 0, 0}, scene, 1))
+      all.push_back(l.share);
+    return all;
+  };
+  CHECK(shares({}) == std::vector<double>{0.75, 0.5});
+  CHECK(shares({"b"}) == std::vector<double>{0.75});
 }
 
 TEST_CASE("bounding volumes snap, though a walk of them takes long", "[snap]") {

@@ -44,12 +44,12 @@ std::string within_pane(const std::string& name) { return name.starts_with(side)
 bool is_widget(const std::string& full_name) {
   const std::string name = within_pane(full_name);
   static const std::set<std::string> areas = {
-      "scene",        "lesson panel",         "code panel", "top bar",     "transport",
-      "lesson words", "lesson fields",        "values",     "message",     "operations",
-      "comparison",   "methods side by side", "focus ring", "code lines",  "map",
-      "map plane",    "map setting",          "trail",      "pane heads",  "parted line",
-      "parted value", "told words",           "lecture",    "tripod",      "what came of it",
-      "told state",   "projection text",      "the answer", "known values"};
+      "scene",        "lesson panel",         "code panel", "top bar",      "transport",
+      "lesson words", "lesson fields",        "values",     "message",      "operations",
+      "comparison",   "methods side by side", "focus ring", "code lines",   "map",
+      "map plane",    "map setting",          "trail",      "pane heads",   "parted line",
+      "parted value", "told words",           "lecture",    "tripod",       "what came of it",
+      "told state",   "projection text",      "the answer", "known values", "time"};
   return !areas.contains(name) && !name.starts_with("handle ") && !name.starts_with("no ") &&
          !name.starts_with("yes ") && !name.starts_with("number ") && !name.starts_with("new ") &&
          !name.starts_with("trail ") && !name.starts_with("more ") && !name.starts_with("without effect ") &&
@@ -135,8 +135,8 @@ void check_layout(const WindowDriver& window, float width, float height) {
   for (const auto& [name, r] : window.ui.rects())
     if (name.starts_with("new ") && meet(r, window.rect("number " + name.substr(4)))) FAIL_CHECK(name << " covers it");
   std::vector<const char*> regions = {"top bar", "scene", "transport"};
-  for (const char* name :
-       {"code panel", "lesson panel", "lecture", "map", "pane heads", "other scene", "other code panel"})
+  for (const char* name : {"code panel", "lesson panel", "lecture", "map", "pane heads", "time", "other scene",
+                           "other code panel", "other time"})
     if (window.has(name)) regions.push_back(name);
   float area = 0;
   for (const char* a : regions) {
@@ -314,7 +314,7 @@ TEST_CASE("no handle covers a name, at any size", "[window][layout]") {
             CHECK((label.box.right < r.left - scene.left + 8 || label.box.bottom < r.top - scene.top + 4));
         }
         for (const Handle& h : window.player().scene().handles) {
-          const Rect grip = window.rect("handle " + h.parameter);
+          const Rect grip = window.rect("handle " + h.id());
           for (const PlacedLabel& label : window.ui.labels()) {
             ++names;
             const double x = grip.middle_x() - scene.left, y = grip.middle_y() - scene.top;

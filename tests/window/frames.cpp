@@ -104,8 +104,8 @@ class Measurement {
       settle();
       const std::vector<Handle> handles = window_.player().scene().handles;
       for (const Handle& h : handles) {
-        drag(h.parameter, where, drags);
-        snap(h.parameter, where, snaps);
+        drag(h.id(), where, drags);
+        snap(h.id(), where, snaps);
       }
     }
     row(lesson.id, steps, drags, snaps);

@@ -208,7 +208,8 @@ void draw(Canvas& c, const Handle& handle) {
   const Colour ink = c.theme.ink(handle.role);
   const Sizes& s = c.sizes();
   using enum Handle::Kind;
-  if (handle.kind == vector || handle.kind == length || handle.kind == along) {  // it hangs on what it measures from
+  const bool hangs = handle.kind == vector || handle.kind == length || handle.kind == along || handle.kind == turn;
+  if (hangs) {  // on what it measures from
     c.marks.emplace_back(Stroke{polyline({c.at(handle.anchor), p}), ink, s.hairline, s.construction_dash, false});
     c.obstacles.push_back({c.at(handle.anchor), p, s.hairline, false});
   }

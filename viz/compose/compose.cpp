@@ -37,7 +37,7 @@ Composed compose(const Scene& scene, const View& view, const Theme& theme, bool 
     canvas.own(static_cast<int>(i), [&] { std::visit([&](const auto& it) { draw(canvas, it); }, scene.items[i]); });
   if (handles)
     for (const Handle& handle : scene.handles)
-      canvas.own(add_object(result.objects, {"handle", handle.parameter, handle.role}), [&] { draw(canvas, handle); });
+      canvas.own(add_object(result.objects, {"handle", handle.id(), handle.role}), [&] { draw(canvas, handle); });
 
   for (std::vector<Shape>* layer : canvas.layers()) std::ranges::move(*layer, std::back_inserter(result.shapes));
   add_halos_over_lines(result.shapes, theme);  // headings, which keep their places; labels keep off lines

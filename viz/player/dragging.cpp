@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace isect::viz {
 namespace {
@@ -12,9 +13,22 @@ Moved refused_by(const Condition* forbids) {
   return {{}, forbids ? "That is not allowed; give " + forbids->allowed : std::string()};
 }
 
+/// Returns the point of the handle's line that is nearest to the viewing ray, unless the line points to the viewer:
+/// then a pixel fixes no point of it.
+std::optional<Vec3> on_line(const View& view, const Handle& handle, const Vec2& pixel) {
+  constexpr double least = 0.02;  // the square of a sine
+  const View::ViewingRay ray = view.viewing_ray(pixel);
+  const Vec3 along = handle.direction.stableNormalized(), from = ray.origin - handle.at;
+  const double cosine = along.dot(ray.direction), sine2 = 1 - cosine * cosine;
+  if (!(sine2 > least)) return {};
+  return handle.at + (from.dot(along) - cosine * from.dot(ray.direction)) / sine2 * along;
+}
+
 }  // namespace
 
 Vec3 brought(const View& view, const Handle& handle, const Vec2& pixel) {
+  if (handle.kind == Handle::Kind::on_line)
+    if (const std::optional<Vec3> place = on_line(view, handle, pixel)) return *place;
   if (handle.kind != Handle::Kind::plane && handle.kind != Handle::Kind::on_plane)
     return view.on_facing_plane(pixel, handle.at);
   return view.on_plane(pixel, handle.at, handle.direction.cross(handle.across)).value_or(handle.at);
@@ -22,7 +36,7 @@ Vec3 brought(const View& view, const Handle& handle, const Vec2& pixel) {
 
 const Handle* same_handle(const Scene& scene, const Handle& handle) {
   const auto found = std::ranges::find_if(
-      scene.handles, [&](const Handle& h) { return h.parameter == handle.parameter && h.kind == handle.kind; });
+      scene.handles, [&](const Handle& h) { return h.id() == handle.id() && h.kind == handle.kind; });
   return found == scene.handles.end() ? nullptr : &*found;
 }
 
@@ -56,7 +70,7 @@ Moved drag_to(Player& player, const Handle& handle, const Vec3& start, const Vec
 
 Moved nudge(Player& player, const View& view, const Handle& handle, const Vec2& way, bool snapping) {
   constexpr double step = 8;  // px
-  player.remember((snapping ? "snap " : "nudge ") + handle.parameter);
+  player.remember((snapping ? "snap " : "nudge ") + handle.id());
   if (snapping) return snapping_nudge(player, view, handle, way).settle(player);
   Vec3 to = brought(view, handle, view.project(handle.at).at + step * way);
   const double rounding = 1e-9 * (to - handle.at).norm();  // of a view: coordinates that are not meant to move stay

@@ -15,7 +15,7 @@ struct Moved {
   std::string refused = {};  ///< why it stays where it is; empty: it does not
 };
 
-/// Returns where a handle goes when it is to stand at a pixel: it stays in its plane if it has one.
+/// Returns where a handle goes when it is to stand at a pixel: it stays in its plane or on its line if it has one.
 Vec3 brought(const View&, const Handle&, const Vec2& pixel);
 /// Returns the handle as it is now; null if the scene has no such handle any more.
 const Handle* same_handle(const Scene&, const Handle&);

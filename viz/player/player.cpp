@@ -28,6 +28,7 @@ int Player::step_in(const Walk& walk, const Chosen& chosen) {
 }
 
 void Player::show_step(int step) {
+  leave_time();
   at_ = step;
   while (played_->prepare(step)) continue;
   quiz_.show(walk(), step);
@@ -81,7 +82,9 @@ void Player::go_to(int step) {
 }
 
 void Player::begin_motion() {
-  if (quiz_.asked())
+  if (posed_)
+    motion_.begin(posed_);
+  else if (quiz_.asked())
     motion_.begin({quiz_.asking_step(), &scene()});
   else
     motion_.begin({played_, &scene()});
@@ -106,6 +109,7 @@ void Player::turn_to(const Camera& view) {
 }
 
 void Player::ask(bool wanted) {
+  leave_time();
   if (wanted && can_ask())
     quiz_.ask(walk(), index() + 1);
   else
@@ -168,6 +172,7 @@ void Player::ask_again(int step) {
 }
 
 void Player::toggle_play() {
+  time_runs_ = false;
   if (clock_.playing() && !running()) return next();
   if (!clock_.playing() && at_end()) first();
   clock_.play(!clock_.playing());
@@ -176,6 +181,7 @@ void Player::toggle_play() {
 void Player::advance(double seconds) {
   camera_.advance(seconds);
   motion_.advance(seconds);
+  let_time_run(seconds);
   if (!running() || !clock_.advance(seconds)) return;
   const bool passes = !clock_.stops_at_questions() && can_ask();
   if (passes) quiz_.skip(index() + 1);
@@ -250,6 +256,7 @@ void Player::set_parameters(Parameters parameters) {
     Chosen chosen = chosen_;
     chosen.parameters = std::move(parameters);
     next.show(std::move(chosen), true);
+    next.keep_time(*this);
   });
 }
 

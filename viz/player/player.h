@@ -45,7 +45,7 @@ class Player {
   /// Returns step() or, while a question is open, what is known of the step that it asks about.
   const Step& shown() const { return quiz_.asked() ? *quiz_.asking_step() : step(); }
   /// Returns the scene that is drawn.
-  const Scene& scene() const { return shown().scene; }
+  const Scene& scene() const { return posed_ ? *posed_ : shown().scene; }
   /// Returns a preset's title, or "preset 2", its place in the group, while a question is open that it may answer.
   std::string told_title(const Preset&) const;
   /// Returns the preset that was loaded last.
@@ -53,7 +53,7 @@ class Player {
   ReaderState reader_state() const;
   /// Returns another number for every other walk.
   unsigned walk_number() const { return walks_; }
-  /// Returns a number that grows with every change of what is shown, except the camera's.
+  /// Returns a number that grows with every change of what is shown, except the camera's and the time's.
   unsigned revision() const { return revision_; }
 
   // Stepping. A step with a question is asked about before it is shown; stepping on again skips the question, which is
@@ -84,11 +84,24 @@ class Player {
   void toggle_play();
   /// Whether play goes on by itself: not while a question is open, if play stops at questions.
   bool running() const { return clock_.playing() && !(quiz_.asked() && clock_.stops_at_questions()); }
-  /// Lets time pass for play, for the motion and for the camera.
+  /// Lets time pass for play, for the motion, for the camera, and for the shapes of a scene in which it runs.
   void advance(double seconds);
   void reduce_motion(bool);  ///< all is there at once
   /// Ends the motion at once: a scene that takes long to draw does not move smoothly anyway.
   void arrive();
+
+  // Time within a step whose shapes move; another step begins at its own. (player_time.cpp)
+  /// Returns the time of the scene on show; null where nothing moves, and while a question is open.
+  const Scene::Time* time() const { return shown().scene.time.get(); }
+  /// Returns the time at which the scene is drawn.
+  double now() const;
+  bool time_is_chosen() const { return now_.has_value(); }  ///< it need not be the step's own
+  bool time_runs() const { return time_runs_; }
+  /// Draws the scene at this time, or at the nearest one of its motion.
+  void set_time(double);
+  /// Lets time run, from the begin once it has ended, or stops it; with reduced motion it shows the next still.
+  void toggle_time();
+  void stop_time() { time_runs_ = false; }
 
   // Other lessons, presets and parameters. They throw BadInput on what does not exist. If one of them throws, for
   // whatever reason, nothing has changed: neither what is shown, nor the camera, nor what undo() knows.
@@ -171,13 +184,22 @@ class Player {
   void ask(bool);  ///< about the next step, if it has a question
   void answer(GivenAnswer);
   Camera opening_view() const { return camera_.opening(*played_, scene()); }
-  /// Returns the opening view in the projection that the reader has chosen.
-  Camera framed_view() const { return camera_.opening(*played_, scene(), camera_.goal().perspective); }
+  /// Returns the opening view in the projection that the reader has chosen; once a time is chosen, with the whole
+  /// motion in view. (player_time.cpp)
+  Camera framed_view() const;
+
+  void let_time_run(double seconds);
+  void leave_time();  ///< the scene is the step's own again
+  /// Shows the same step of another walk at the time that was shown before.
+  void keep_time(const Player& before);
 
   std::vector<const Lesson*> lessons_;
   Chosen chosen_;
   std::shared_ptr<PlayedWalk> played_;  ///< shared with copies of this player
   int at_ = 0;                          ///< the step that is shown
+  std::optional<double> now_;           ///< the time of its scene; none: the scene is the step's own
+  std::shared_ptr<const Scene> posed_;  ///< the scene at that time, if there is one
+  bool time_runs_ = false;
   std::optional<int> exercise_;
   unsigned revision_ = 0, walks_ = 0, answers_ = 0;
 

@@ -22,6 +22,10 @@ void Player::follow(const Player& lead, const Parameters& parameters) {
   // While a question is open, neither pane shows more than it does.
   const bool asks = lead.quiz_.asked() && can_ask();
   if (asks != (quiz_.asked() != nullptr)) ask(asks), ++revision_;
+  if (lead.now_)
+    set_time(*lead.now_);
+  else if (now_)
+    leave_time();
   clock_.play(false);
   motion_.follow(lead.motion_);
   camera_.take(lead.camera_);  // it never frames a view of its own

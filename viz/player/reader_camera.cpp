@@ -24,10 +24,18 @@ Camera ReaderCamera::opening(const PlayedWalk& played, const Scene& shown, std::
   return viz::frame(view, scenes, aspect_);
 }
 
-Camera ReaderCamera::whole(const PlayedWalk& played) const {
+Camera ReaderCamera::whole(const PlayedWalk& played, const std::vector<const Scene*>& more) const {
   Camera from = viz::opening(played.lesson());
   from.perspective = goal().perspective;
-  return viz::frame(from, scenes_of(played.walk()), aspect_);
+  std::vector<const Scene*> scenes = scenes_of(played.walk());
+  scenes.insert(scenes.end(), more.begin(), more.end());
+  return viz::frame(from, scenes, aspect_);
+}
+
+bool ReaderCamera::has_in_view(const Camera& view, const Scene& scene) const {
+  const Box2 all = extent(scene.items, view), middle = extent({Dot{view.target}}, view);
+  const Vec2 room(view.half_height * aspect_, view.half_height), lo = all.lo - middle.lo, hi = all.hi - middle.lo;
+  return (lo.array() >= -room.array()).all() && (hi.array() <= room.array()).all();
 }
 
 Camera ReaderCamera::holding(const Scene& shown) const {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "viz/player/camera_rig.h"
 #include "viz/player/played_walk.h"
@@ -28,8 +29,10 @@ class ReaderCamera {
   /// Returns the lesson's view of the walk, at the scale that all presets share; with another walk beside it, of both.
   /// `perspective`: the projection, if it is not the lesson's own.
   Camera opening(const PlayedWalk&, const Scene& shown, std::optional<bool> perspective = {}) const;
-  /// Returns the lesson's opening direction with the whole walk in view.
-  Camera whole(const PlayedWalk&) const;
+  /// Returns the lesson's opening direction with the whole walk in view, and these scenes.
+  Camera whole(const PlayedWalk&, const std::vector<const Scene*>& more = {}) const;
+  /// Whether the whole scene is in this view.
+  bool has_in_view(const Camera&, const Scene&) const;
   /// Returns the reader's own direction with the whole scene in view, and all of its handles.
   Camera holding(const Scene&) const;
   /// From now on opening() has that walk in view, too; null: no longer. Returns whether that is a change.

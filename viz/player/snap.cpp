@@ -75,11 +75,16 @@ Vec3 main_part(Vec3 way) {
   return way;
 }
 
+/// Whether the handle moves what the other one stands on.
+bool carries(const Handle& handle, const Handle& other) {
+  return other.parameter == handle.parameter || std::ranges::find(handle.with, other.parameter) != handle.with.end();
+}
+
 /// Returns where other handles, dots and the corners of areas are.
 std::vector<Vec3> marked_points(const Scene& scene, const Handle& handle) {
   std::vector<Vec3> points;
   for (const Handle& other : scene.handles)
-    if (other.parameter != handle.parameter) points.push_back(other.at);
+    if (!carries(handle, other)) points.push_back(other.at);
   for (const Item& item : scene.items) {
     if (const Dot* dot = std::get_if<Dot>(&item); dot && dot->at != handle.at) points.push_back(dot->at);
     if (const Region* region = std::get_if<Region>(&item))

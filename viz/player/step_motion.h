@@ -26,6 +26,7 @@ class StepMotion {
   void advance(double seconds);
   void end() { before_.reset(); }
   void reduce(bool);
+  bool reduced() const { return reduced_; }
   /// Comes as far as another motion has come.
   void follow(const StepMotion&);
 

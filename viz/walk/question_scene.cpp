@@ -193,6 +193,7 @@ Step asking_step(const Walk& walk, int step) {
   shown.slug = asked.slug;
   shown.question = asked.question;
   shown.scene = question_scene(walk, step);
+  shown.scene.time.reset();  // bodies that run on would show the answer
   shown.values = known_values(walk, step);
   if (step == 0) return shown;
   const Step& before = walk.steps[static_cast<std::size_t>(step) - 1];

@@ -10,7 +10,7 @@ Value before(Value);
 
 /// Returns what is shown while the question before `step` is open, as a step of its own. All of it belongs to `step`,
 /// or holds whatever the answer is:
-///  - its scene: see question_scene;
+///  - its scene: see question_scene; no time runs in it;
 ///  - its values: those of `step` that are known before it and never change in the walk; last, all that the question
 ///    is given; none is new;
 ///  - the lines that were refused or not taken so far and still are so at `step`, except its own: what that one will

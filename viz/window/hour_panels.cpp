@@ -53,7 +53,7 @@ float hour_badge(WindowSession& s, float x, float y) {
   const Rect r{x, y - 16, x + text_width(font, hour.told()) + 20, y + 16};
   if (chip(s.ui, "stops", r, hour.told(), !away, font)) s.requests.sheet = Sheet::stops;
   if (ImGui::IsItemHovered())
-    tooltip(s.ui, away ? "Page Down returns to this stop; J lists all" : "The stops of this playlist (J)");
+    tooltip(s.ui, away ? "Page Down returns to this stop; I lists all" : "The stops of this playlist (I)");
   return r.right;
 }
 

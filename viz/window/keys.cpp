@@ -11,6 +11,7 @@
 #include "viz/window/panels.h"
 #include "viz/window/scene_marks.h"
 #include "viz/window/second_pane.h"
+#include "viz/window/time_strip.h"
 
 namespace isect::viz {
 namespace {
@@ -175,6 +176,10 @@ void command(WindowSession& s, char c) {
     case 'h':
       s.requests.sheet = Sheet::progress;
       return;
+    case 'j':
+      return go_to_contact(player, s.toast);
+    case 'k':
+      return run_time(player, s.toast);
     case 'l':
       return toggle_pin(player, s.toast);
     case 'm':
@@ -184,7 +189,7 @@ void command(WindowSession& s, char c) {
     case 'n':
       if (!pages_go_on(s) && !leads_on(s)) return pass_questions(player, s.settings, s.toast);
       return go_on(s);
-    case 'j':
+    case 'i':
       s.requests.sheet = Sheet::stops;
       return;
     case 'b':
@@ -236,7 +241,7 @@ void character(WindowSession& s, char c) {
   if (letter && s.player.quiz().asks_more()) return s.player.show_choices();
   if (c >= '0' && c <= '9' && asked) return answer_with(s.player, c);
   if (letter) return s.player.answer(c - 'a');
-  if (s.review && std::string_view("fop+=-?").find(c) == std::string_view::npos) return;  // nothing leads away
+  if (s.review && std::string_view("fjkop+=-?").find(c) == std::string_view::npos) return;  // nothing leads away
   if (c >= '0' && c <= '9') return load_number(s.player, s.toast, c == '0' ? 10 : static_cast<std::size_t>(c - '0'));
   command(s, c);
 }

@@ -47,7 +47,7 @@ void begin_exercise(Player& player, Focus& focus, Toast& toast, int index) {
     return std::ranges::any_of(e->by, [&](const auto& set) { return set.first == h.parameter; });
   };
   const auto first = std::ranges::find_if(handles, meant);
-  focus.take("handle " + (first == handles.end() ? handles.front() : *first).parameter);
+  focus.take("handle " + (first == handles.end() ? handles.front() : *first).id());
 }
 
 }  // namespace

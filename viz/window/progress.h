@@ -36,6 +36,9 @@ std::vector<LessonProgress> progress_of(const std::vector<const Lesson*>&, const
 ///       "reviews": {"1": {"right": 7, "of": 8}},   the last of each, by its number
 ///       "record": {...}                 each question's answers, as text_of(AnswerRecord) and pages keep them
 ///     }
+///
+/// Pages save the same, and besides that "pages": {...}, which they need to go on; what reads the file can pass it
+/// over.
 std::string progress_json(const std::vector<const Lesson*>&, const Settings&);
 /// The name of its file, where no other is given.
 inline const std::string usual_progress_name = "progress";

@@ -103,7 +103,7 @@ void point_at_names(const Player& player, Ui& ui, const View& view, const Rect& 
 void light_names(const Player& player, Ui& ui, const View& view, const Rect& scene,
                  const std::vector<PlacedLabel>& labels) {
   for (const Handle& h : player.scene().handles)
-    if (ui.focus.name() == "handle " + h.parameter)
+    if (ui.focus.name() == "handle " + h.id())
       ui.light.hold(keys_of(h, player.lesson()), around(view.project(h.at).at, 16));
   if (!ui.light.on()) return;
   int lit = 0;

@@ -346,6 +346,9 @@ void handle_under_pointer(const Player& player, const Ui& ui, const View& view, 
       if (!p.label.empty()) name = plain(p.label);
       help = "\n" + p.help;
     }
+  if (!handle.with.empty() && !handle.one_of.empty())
+    return tooltip(ui, plain(handle.one_of) + (forbidden.empty() ? "" : "\n" + forbidden));
+  if (!handle.name.empty() && !handle.one_of.empty()) name = plain(handle.one_of) + ": " + name;
   const auto value = player.parameters().find(handle.parameter);  // a parameter that was not moved yet has no value
   tooltip(ui, name + " = " +
                   value_in_words(value == player.parameters().end() ? Setting(handle.at) : value->second,

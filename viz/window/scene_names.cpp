@@ -12,8 +12,8 @@ bool is_tip(const Scene& scene, const Vec3& at) {
   });
 }
 
-/// Above the second number no handle has its name beside it; above the first, parts of objects ("A.lo") have none. The
-/// name is shown for the handle under the pointer or with the keyboard's ring.
+/// Above the second number of handles that have names of their own, none has its name beside it; above the first, parts
+/// of objects ("A.lo") have none. The name is shown for the handle under the pointer or with the keyboard's ring.
 constexpr std::size_t few_handles = 6, most_named_handles = 12;
 /// A scene with more names than this shows only those of the objects it is about, or none if these are too many, too.
 constexpr std::size_t most_names = 24;
@@ -34,15 +34,17 @@ bool stands_at(const Label& label, const Handle& h) { return (label.at - h.at).n
 }  // namespace
 
 std::string name_of(const Player& player, const Handle& h) {
+  if (!h.name.empty() && !h.one_of.empty()) return h.one_of;  // its parameter is another handle's, too
   for (const Parameter& p : player.lesson().parameters)
     if (p.name == h.parameter && !p.label.empty()) return p.label;
   return h.parameter;
 }
 
 bool is_named(const Player& player, const Handle& h) {
-  const std::size_t handles = player.scene().handles.size();
+  const auto could_be = [](const Handle& one) { return one.one_of.empty(); };
+  const auto handles = static_cast<std::size_t>(std::ranges::count_if(player.scene().handles, could_be));
   const bool part = !player.lesson().made_from.empty() && name_of(player, h).find('.') != std::string::npos;
-  return h.one_of.empty() && handles <= most_named_handles && (!part || handles <= few_handles);
+  return could_be(h) && handles <= most_named_handles && (!part || handles <= few_handles);
 }
 
 Scene with_names(const Player& player) {

@@ -14,12 +14,14 @@
 #include "viz/compose/t_axis.h"
 #include "viz/player/camera_moves.h"
 #include "viz/player/dragging.h"
+#include "viz/player/scene_time.h"
 #include "viz/player/transition.h"
 #include "viz/window/edge_arrows.h"
 #include "viz/window/key_codes.h"
 #include "viz/window/scene_lights.h"
 #include "viz/window/scene_marks.h"
 #include "viz/window/scene_names.h"
+#include "viz/window/time_strip.h"
 
 namespace isect::viz {
 namespace {
@@ -46,8 +48,8 @@ std::string line_of(const ScenePane& s, const Rect& r, double scale) {
   const Camera& c = s.player.camera().now();
   const Scene* const before = s.player.motion().before();
   const double motion = before && may_move(*before, s.player.scene()) ? s.player.motion().share() : 1;
-  const std::string what = fmt::format("{} {} {} {} {} {} {}", static_cast<int>(s.pane), s.player.revision(), motion,
-                                       r.width(), r.height(), scale, name_of(s.ui.palette.theme.name));
+  const std::string what = fmt::format("{} {} {} {} {} {} {} {}", static_cast<int>(s.pane), s.player.revision(), motion,
+                                       s.player.now(), r.width(), r.height(), scale, name_of(s.ui.palette.theme.name));
   if (s.player.scene().chart) return what;  // the camera does not matter
   return what + fmt::format(" {} {} {} {} {} {} {} {}", c.target.x(), c.target.y(), c.target.z(), c.azimuth,
                             c.elevation, c.half_height, c.perspective, c.field_of_view);
@@ -135,7 +137,7 @@ void SceneView::draw(const ScenePane& s, const Rect& r, const View& view) {
 static std::optional<Handle> handle_of_keyboard(const ScenePane& s) {
   const std::string name = s.ui.focus.name();
   for (const Handle& h : s.player.scene().handles)
-    if (s.pane == Pane::lead && name == "handle " + h.parameter) return h;
+    if (s.pane == Pane::lead && name == "handle " + h.id()) return h;
   return {};
 }
 
@@ -218,9 +220,14 @@ void SceneView::keyboard(const ScenePane& s, const View& view) {
   const Vec2 way = way_of([](key::Code code) { return ImGui::IsKeyPressed(code, true) ? 1.0 : 0.0; });
   const Vec2 down = way_of([](key::Code code) { return ImGui::IsKeyDown(code) ? 1.0 : 0.0; });
   if (down == Vec2::Zero() || s.player.scene().chart || s.ui.focus.name() == "map setting") return;
+  if (const Scene::Time* time = s.player.time(); time && io.KeyShift && s.ui.focus.name() == "time line") {
+    s.player.stop_time();
+    if (way.x() != 0) s.player.set_time(time_beside(*time, s.player.now(), way.x() > 0 ? 1 : -1));
+    return;
+  }
   const std::vector<Handle>& handles = s.player.scene().handles;
   const auto held =
-      std::ranges::find_if(handles, [&](const Handle& h) { return "handle " + h.parameter == s.ui.focus.name(); });
+      std::ranges::find_if(handles, [&](const Handle& h) { return "handle " + h.id() == s.ui.focus.name(); });
   if (io.KeyShift && held != handles.end()) {
     if (way == Vec2::Zero()) return;
     const Handle handle = *held;
@@ -228,7 +235,7 @@ void SceneView::keyboard(const ScenePane& s, const View& view) {
       if (search_) return;
       return attempt(s.toast, [&] {
         Snap snap = snapping_nudge(s.player, view, handle, way);
-        s.player.remember("snap " + handle.parameter);
+        s.player.remember("snap " + handle.id());
         begin_snap(s.player, std::move(snap));
       });
     }
@@ -318,8 +325,8 @@ void SceneView::handles_and_names(const ScenePane& s, const Rect& r, const View&
     const Vec2 at = view.project(h.at).at;
     const float x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
     const Rect grip{x - hit_area, y - hit_area, x + hit_area, y + hit_area};
-    s.ui.rects["handle " + h.parameter] = grip;
-    focused(s.ui, "handle " + h.parameter, grip);
+    s.ui.rects["handle " + h.id()] = grip;
+    focused(s.ui, "handle " + h.id(), grip);
   }
   const std::optional<Handle> under = held_ ? held_ : hovered ? handle_near(s.handles(), view, mouse()) : std::nullopt;
   if (hovered && !active) point_at_names(s.player, s.ui, view, r, labels_, under);
@@ -349,7 +356,11 @@ void SceneView::chart_under_pointer(const ScenePane& s, const Rect& r, const Vie
   tooltip(s.ui, mark->words);
 }
 
-void SceneView::show(const ScenePane& s, const Rect& r) {
+void SceneView::show(const ScenePane& s, const Rect& whole) {
+  const float time = time_room(s.player, whole);
+  Rect r = whole;
+  r.bottom -= time;
+  if (time > 0) time_strip(s.player, s.ui, {r.left, r.bottom, r.right, whole.bottom}, s.pane == Pane::lead);
   Player& player = s.player;
   Ui& ui = s.ui;
   begin_region(ui, "scene", r);

@@ -39,7 +39,7 @@ class SceneView {
   SceneView(Renderer& renderer, double scale, bool drawing = true, bool placing = true)
       : renderer_(renderer), scale_(scale), drawing_(drawing), placing_(placing) {}
 
-  /// Draws the scene with its marks, and does what the pointer asks for.
+  /// Draws the scene with its marks and, below it, its time, and does what the pointer asks for.
   void show(const ScenePane&, const Rect&);
   const std::vector<PlacedLabel>& labels() const { return labels_; }
   /// Whether the next frame is wanted: not all is drawn yet, a key goes on turning it, or a snap is being searched.

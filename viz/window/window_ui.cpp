@@ -333,9 +333,9 @@ double WindowUi::rest() const {
   const Player& p = impl_->player;
   const WindowSession& s = impl_->session;
   const bool scene_is_shown = s.review ? !s.review->over() : !shows_fault(s);
-  if (p.camera().moving() || p.motion().share() < 1 || p.motion().light() < 1 || impl_->ui.light.changing() ||
-      (scene_is_shown && impl_->scene.behind()) || impl_->panes.behind() || impl_->ui.texts.waiting() ||
-      impl_->preparing)
+  if (p.camera().moving() || p.time_runs() || p.motion().share() < 1 || p.motion().light() < 1 ||
+      impl_->ui.light.changing() || (scene_is_shown && impl_->scene.behind()) || impl_->panes.behind() ||
+      impl_->ui.texts.waiting() || impl_->preparing)
     return 0;
   double rest = std::numeric_limits<double>::infinity();
   if (p.running()) rest = std::min(rest, std::max(p.clock().seconds_to_step(), 0.0));

@@ -36,5 +36,7 @@ std::string readable_endings();
 ShapeFile read_shape_file(const std::string& path);
 /// Reads the contents of such a file. Throws viz::BadInput.
 ShapeFile read_shape(const std::string& bytes, const std::string& name);
+/// Gives read_shape_file what it returns from now on for a name, in whatever folder: a page has no files to read.
+void give_shape_file(const std::string& name, ShapeFile);
 
 }  // namespace isect::program::scene

@@ -1,6 +1,7 @@
 // STL, text and binary. Facets share corners by their coordinates.
 
 #include <bit>
+#include <cstdint>
 #include <functional>
 #include <unordered_map>
 
@@ -35,7 +36,7 @@ class StlReader {
     if (bytes_.size() < head)
       refuse(file_, "neither a text that begins with solid nor a binary STL, of 84 bytes at least");
     const auto count = Bytes(bytes_, file_, head - 4).next<std::uint32_t>();
-    const std::size_t size = head + facet * std::size_t{count};
+    const std::uint64_t size = head + facet * std::uint64_t{count};
     const auto told = [&] { return fmt::format("a binary STL of {} facets has {} bytes", count, size); };
     if (bytes_.size() < size || bytes_.size() >= size + facet)
       refuse(
@@ -122,7 +123,7 @@ class StlReader {
     std::size_t operator()(const std::array<double, 3>& p) const {
       std::uint64_t hash = 0;
       for (const double x : p) hash = (std::rotl(hash, 27) ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15u;
-      return hash ^ hash >> 32;
+      return static_cast<std::size_t>(hash ^ hash >> 32);
     }
   };
 

@@ -1,5 +1,6 @@
 // Boxes along the axes and oriented ones.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -29,6 +30,34 @@ void draw_obb(Drawing& d) {
   d.name(c);
 }
 
+/// Adds its faces, each moved alone: no further than to the one across.
+void grip_box(Grips& g) {
+  const Vec3 lo = g.at("lo"), hi = g.at("hi");
+  for (int i = 0; i < (g.s.flat ? 2 : 3); ++i) {
+    const Vec3 along = Vec3::Unit(i);
+    Vec3 low = lo / 2 + hi / 2, high = low;
+    low[i] = lo[i], high[i] = hi[i];
+    g.face("lo", i, low, Vec3::Zero(), along).hi = hi[i];
+    g.face("hi", i, high, Vec3::Zero(), along).lo = lo[i];
+  }
+}
+
+/// Adds a face along each axis, which moves as the one across, and beyond it a knob that turns the frame.
+void grip_obb(Grips& g) {
+  const Vec3 center = g.at("center"), half = g.at("half");
+  const std::vector<std::string> axes =
+      g.s.flat ? std::vector<std::string>{"u", "v"} : std::vector<std::string>{"u", "v", "w"};
+  const double beyond = std::max(0.3 * half.norm(), 0.05 * g.room.reach);
+  for (int i = 0; i < static_cast<int>(axes.size()); ++i) {
+    const std::string& axis = axes[static_cast<std::size_t>(i)];
+    const Vec3 along = g.s.point(g.o, axis);
+    g.face("half", i, center + half[i] * along, center, along).lo = 0;
+    std::vector<std::string> others = axes;
+    std::erase(others, axis);
+    g.turn(axis, others, center + (half[i] + beyond) * along, center);
+  }
+}
+
 bool has_axes(const NamedValues& s, const Object& o) {
   constexpr double as_written = 1e-6;  // people write six digits or more; the tests take them as they are
   const std::array<Vec3, 3> axes = {s.point(o, "u"), s.point(o, "v"), s.has(o, "w") ? s.point(o, "w") : Vec3::UnitZ()};
@@ -45,6 +74,8 @@ std::vector<TypeSpec> box_types() {
   TypeSpec box = row<Aabb<double, 3>>(Type::box);
   box.extent = [](const NamedValues& s, const Object& o) { return std::vector{s.point(o, "lo"), s.point(o, "hi")}; };
   box.draw = draw_box;
+  box.whole = {"lo", "hi"};
+  box.grips = grip_box;
 
   TypeSpec obb = row<Obb<double, 3>>(Type::obb);
   obb.words = obb.in_plane = "oriented box";
@@ -55,6 +86,7 @@ std::vector<TypeSpec> box_types() {
     return around(s.point(o, "center"), s.point(o, "half").norm());
   };
   obb.draw = draw_obb;
+  obb.grips = grip_obb;
   return {box, obb};
 }
 

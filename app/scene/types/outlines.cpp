@@ -11,7 +11,8 @@ std::vector<TypeSpec> outline_types() {
   triangle.draw = draw;
 
   TypeSpec polygon = {Type::polygon, "polygon"};
-  polygon.made_of = "points (or rings, for holes; or file)";
+  polygon.made_of = "points (or rings, for holes; or file) [at]";
+  polygon.with_at = true;
   polygon.draw = draw;
   return {triangle, polygon};
 }

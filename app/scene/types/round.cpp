@@ -87,6 +87,7 @@ std::vector<TypeSpec> round_types() {
     return std::vector{p[0], p[1], q[0], q[1]};
   };
   capsule.draw = draw_capsule;
+  capsule.whole = {"p", "q"};
   capsule.radius_at = [](const NamedValues& s, const Object& o) {
     const Vec3 p = s.point(o, "p"), q = s.point(o, "q");
     return std::pair<Vec3, Vec3>(q, p == q ? Vec3::UnitY() : across(q - p, s.flat));
@@ -99,6 +100,7 @@ std::vector<TypeSpec> round_types() {
     return around_discs(x.p, x.radius, x.q, x.radius);
   };
   cylinder.draw = draw_round<Cylinder<double>>;
+  cylinder.whole = capsule.whole;
   cylinder.radius_at = capsule.radius_at;
 
   TypeSpec cone = row<Cone<double>>(Type::cone);
@@ -108,6 +110,7 @@ std::vector<TypeSpec> round_types() {
     return around_discs(x.apex, 0, x.base, x.radius);
   };
   cone.draw = draw_round<Cone<double>>;
+  cone.whole = {"apex", "base"};
   cone.radius_at = [](const NamedValues& s, const Object& o) {
     const Cone<double> x = made<Cone<double>>(s, o);
     return std::pair<Vec3, Vec3>(x.base, across(x.base - x.apex, false));

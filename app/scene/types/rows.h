@@ -75,6 +75,30 @@ struct Drawing {
   void solid(viz::Solid);
 };
 
+/// The handles of one object so far. A field is changed as viz::Handle says of the kind.
+struct Grips {
+  const NamedValues& s;
+  const Object& o;
+  const Room& room;
+  viz::Role role;
+  std::vector<viz::Handle> all = {};
+
+  viz::Vec3 at(const char* field) const { return s.point(o, field); }
+  viz::Handle& add(const std::string& field, viz::Handle::Kind, const viz::Vec3& at,
+                   const viz::Vec3& anchor = viz::Vec3::Zero());
+  /// Adds one that keeps to the line through `at`: the field is (p - anchor) . direction.
+  viz::Handle& on_line(const std::string& field, const viz::Vec3& at, const viz::Vec3& anchor,
+                       const viz::Vec3& direction);
+  /// Adds one for coordinate `axis` of a vector, which no other handle changes alone.
+  viz::Handle& face(const std::string& field, int axis, const viz::Vec3& at, const viz::Vec3& anchor,
+                    const viz::Vec3& direction);
+  /// Adds one that turns a vector, drawn from the anchor, and with it others.
+  void turn(const std::string& field, const std::vector<std::string>& with, const viz::Vec3& at,
+            const viz::Vec3& anchor);
+  /// Adds one that moves all of these places, unless another one stands where it would.
+  void whole(const std::vector<std::string>& fields);
+};
+
 /// Returns the corners of a box around a ball.
 std::vector<viz::Vec3> around(const viz::Vec3& center, double radius);
 /// Returns a vector of length 1 perpendicular to `v`.

@@ -46,10 +46,16 @@ void draw_line(Drawing& d) {
   d.name(a + 0.2 * (b - a), a + 0.3 * (b - a));
 }
 
+/// Returns the point of the plane that is nearest to the middle of the scene.
+Vec3 middle_of_plane(const NamedValues& s, const Object& o, const Room& room) {
+  const Vec3 n = s.point(o, "normal");
+  return room.middle - (n.dot(room.middle) + s.number(o, "d")) / n.squaredNorm() * n;
+}
+
 /// Draws a square of the plane, in the plane a stretch of the line, about the middle of the scene.
 void draw_plane(Drawing& d) {
   const Vec3 n = d.at("normal"), u = across(n, d.s.flat), v = unit(n.cross(u));
-  const Vec3 p = d.room.middle - (n.dot(d.room.middle) + d.s.number(d.o, "d")) / n.squaredNorm() * n;
+  const Vec3 p = middle_of_plane(d.s, d.o, d.room);
   const double r = 0.8 * d.room.reach;
   if (d.s.flat) {
     d.items.push_back(viz::Line{p - 1.2 * r * u, p + 1.2 * r * u, d.role});
@@ -61,6 +67,22 @@ void draw_plane(Drawing& d) {
   square.role = d.role, square.hides = true;
   d.items.push_back(square);
   d.name(p - r * u - r * v);
+}
+
+/// Adds the ends of its range, which keep their order.
+void grip_ray(Grips& g) {
+  const Vec3 origin = g.at("origin"), dir = g.at("dir"), rate = dir / dir.squaredNorm();
+  const bool begins = g.s.has(g.o, "tmin"), ends = g.s.has(g.o, "tmax");
+  const double from = begins ? g.s.number(g.o, "tmin") : 0, to = ends ? g.s.number(g.o, "tmax") : 1e300;
+  if (begins) g.on_line("tmin", origin + from * dir, origin, rate).hi = to;
+  if (ends) g.on_line("tmax", origin + to * dir, origin, rate).lo = from;
+}
+
+/// Adds its middle, which is moved along the normal, and the tip of the normal, which turns the plane about that.
+void grip_plane(Grips& g) {
+  const Vec3 n = g.at("normal"), middle = middle_of_plane(g.s, g.o, g.room);
+  g.on_line("d", middle, Vec3::Zero(), -n);
+  g.turn("normal", {"d"}, middle + 0.4 * g.room.reach * unit(n), middle);
 }
 
 }  // namespace
@@ -76,11 +98,13 @@ std::vector<TypeSpec> straight_types() {
     return std::vector{s.point(o, "from"), s.point(o, "to")};
   };
   segment.draw = draw_segment;
+  segment.whole = {"from", "to"};
 
   TypeSpec ray = row<Ray<double, 3>>(Type::ray);
   ray.extent = [](const NamedValues& s, const Object& o) { return std::vector{s.point(o, "origin")}; };
   ray.draw = draw_ray;
   ray.vectors = {{"dir", "origin"}};
+  ray.grips = grip_ray;
 
   TypeSpec line = {Type::line, "line"};
   line.fields = {ray.fields[0], ray.fields[1]};
@@ -91,6 +115,7 @@ std::vector<TypeSpec> straight_types() {
   TypeSpec plane = row<Plane<double, 3>>(Type::plane);
   plane.extent = line.extent;
   plane.draw = draw_plane;
+  plane.grips = grip_plane;
   return {point, segment, ray, line, plane};
 }
 

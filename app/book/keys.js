@@ -1,0 +1,56 @@
+"use strict";
+// What keys and fingers do, on a sheet that the key "?" and a button open.
+
+/// The rows of the sheet: what is pressed, what it does. `live`: what is shown can be moved.
+function isect_key_rows(live) {
+  const rows = {
+    "Steps": [["←, →", "a step back, a step on"], ["Home, End", "the first step, the last"], ["Space", "play, pause"],
+      ["1 … 9", "a setting of the list"], ["N, P", "the next setting, the one before"]],
+    "Questions": [["A, B, C …", "take this answer"], ["digits", "type a number, where one is asked for; Enter gives it"]]
+  };
+  if (document.documentElement.classList.contains("in-hour")) {
+    rows["Steps"] = [["Home, End", "the first step, the last"], ["Space", "play, pause"], ["1 … 9", "a setting of the list"]];
+    rows["The playlist"] = [["N, →, Page Down", "on, to the next stop, too"], ["P, ←, Page Up", "back"]];
+  }
+  if (live) rows["What has a ring"] = [["a drag", "moves it; so does a finger"], ["M", "goes to the first ring, Tab to the next"],
+    ["arrow keys on a ring", "move it"], ["Shift with either", "stops where the case changes"],
+    ["Escape", "leaves the ring: the arrow keys step again"], ["Ctrl+Z, Ctrl+Y", "undo, redo"]];
+  if (live) rows["The picture"] = [["a drag beside the rings, two fingers", "turns it, or shifts it where it is flat"],
+    ["two fingers apart", "bring it closer"], ["Tab to it, then arrows, +, −", "the same by keys"], ["a double click", "shows all of it"]];
+  if (live && document.body.dataset.lesson === "scene") rows["The scene as text"] = [["Ctrl+Enter", "shows it"]];
+  rows["Help"] = [["?", "this sheet"]];
+  return rows;
+}
+
+let isect_sheet = null;
+function isect_show_keys() {
+  const make = (tag, ...children) => { const made = document.createElement(tag); made.append(...children); return made; };
+  const cell = (tag, text, scope) => { const made = make(tag, text); if (scope) made.scope = scope; return made; };
+  if (!isect_sheet) {
+    document.body.append(isect_sheet = make("dialog"));
+    isect_sheet.className = "keys", isect_sheet.setAttribute("aria-labelledby", "keys-head");
+    isect_sheet.addEventListener("keydown", event => {
+      event.stopPropagation();  // nothing steps behind it
+      if (event.key === "Escape") event.preventDefault(), isect_sheet.close();
+    });
+    isect_sheet.addEventListener("click", event => event.target === isect_sheet && isect_sheet.close());
+  }
+  const head = make("h2", "Keys and fingers"), close = make("button", "Close"), box = make("div", head);
+  head.id = "keys-head", close.type = "button", close.addEventListener("click", () => isect_sheet.close());
+  for (const [title, rows] of Object.entries(isect_key_rows(document.documentElement.dataset.live === "ready"))) {
+    const body = make("tbody", ...rows.map(([pressed, does]) => make("tr", cell("th", pressed, "row"), cell("td", does))));
+    box.append(make("table", make("caption", title), body));
+  }
+  box.append(close);
+  isect_sheet.replaceChildren(box);
+  if (!isect_sheet.open) isect_sheet.showModal();
+}
+
+/// Returns a button that opens the sheet.
+function isect_key_button() {
+  const made = document.createElement("button");
+  made.type = "button", made.className = "show-keys", made.textContent = "?", made.title = "Keys and fingers";
+  made.setAttribute("aria-label", "Keys and fingers"), made.setAttribute("aria-haspopup", "dialog");
+  made.addEventListener("click", isect_show_keys);
+  return made;
+}
