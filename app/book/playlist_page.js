@@ -101,6 +101,8 @@
       if (!way || with_others(event) || taken(event) || root.classList.contains("reading")) return;
       event.preventDefault(), event.stopImmediatePropagation(), step(way);
     }, true);
-    if (away) show(); else go(at);
+    if (away) return show();
+    go(at);
+    if (places[at].page === own) dispatchEvent(new Event("hashchange"));  // the bar has moved what was in sight
   }
 })();
