@@ -99,13 +99,11 @@ Page PlaylistPages::page() const {
     stops += fmt::format("<li><a href=\"{}\">{}</a>{}\n{}</li>\n", address(i), stop.name,
                          stop.steps.empty() ? "" : ", " + stop.steps, told_note(stop.note));
   }
+  const std::string how = "Each opens the steps in question; Page Down and N go on from there, Page Up goes back.";
   page.body = fmt::format(
-      "<div class=\"opening\">\n<h1>{}</h1>\n<p class=\"summary\">{} stops. Each opens the steps in question; Page "
-      "Down "
-      "and N go on from there, Page Up goes back.</p>\n</div>\n<p class=\"hour-begin\" data-hour=\"{}\"><a "
-      "href=\"{}\">Begin"
-      "</a></p>\n<ol class=\"stops\">\n{}</ol>\n",
-      html_text(list_.title), stops_.size(), name_, address(0), stops);
+      "<div class=\"opening\">\n<h1>{}</h1>\n<p class=\"summary\">{} stops. {}</p>\n</div>\n"
+      "<p class=\"hour-begin\" data-hour=\"{}\"><a href=\"{}\">Begin</a></p>\n<ol class=\"stops\">\n{}</ol>\n",
+      html_text(list_.title), stops_.size(), how, name_, address(0), stops);
   return page;
 }
 

@@ -82,7 +82,7 @@ Paper paper_of(const Program& program, const Selection& asked, PaperSteps which)
   }
   if (paper.parts.empty())
     throw viz::BadInput(fmt::format("step: no step of {} asks a question; `{} handout` prints the steps themselves",
-                                    playlist.empty() ? "what is named here" : playlist, program.name));
+                                    playlist.empty() ? "\"" + viz::plain(paper.title) + "\"" : playlist, program.name));
   note_repeats(paper);
   return paper;
 }
