@@ -35,7 +35,8 @@ async function at(place) {
     if (now.page + now.hash === place.place && now.told === place.told) break;
     await rest(20);
   }
-  return now;
+  await rest(60);  // the page follows its address
+  return browser.ask(shown);
 }
 async function check_at(i, how) {
   const now = await at(places[i]), where = `place ${i + 1}, ${how}`;
