@@ -179,9 +179,9 @@ int single(const Program& program, const BookOptions& options) {
   const book::Page page =
       book::lesson_page(lesson, all_presets(program, lesson), program.lessons, {nullptr, nullptr, true}, colours);
   const std::string terms = book::terms_script(lessons::course(), program.lessons, true);
-  shelf.add(file, first_line(file) + book::html(page, {book::fonts_text(page.body + terms + lesson_letters),
-                                                       style(colours), book::script_text() + terms,
-                                                       live.script + live.packed}));
+  shelf.add(file,
+            first_line(file) + book::html(page, {book::fonts_text(page.body + terms + lesson_letters), style(colours),
+                                                 book::script_text() + terms, live.script + live.packed}));
   return done;
 }
 
