@@ -82,6 +82,7 @@ const std::vector<Claims>& claims() {
       {"sphere-aabb",
        {{"nearest point", "rivals_test"},
         {"point nearest to (c|the centre)", "rivals_test"},
+        {"the face nearest to c", "asked_words_test"},
         {"Which point is nearest", "the exercise asks"}}},
       {"sphere-sphere", {{"nearest to each other along it", "the triangle inequality"}}}};
   return all;
