@@ -40,7 +40,7 @@ bool row_of_stop(WindowSession& s, int i, const Rect& r) {
   std::string below = steps_in_words(stop);
   if (!stop.note.empty()) below += (below.empty() ? "" : " · ") + plain(stop.note);
   if (!stop.fault.empty()) below = "can't be opened: " + stop.fault;
-  text(ui.fonts.small, left, r.top + 33, packed(c.muted), fitted(ui.fonts.small, below, room));
+  text(ui.fonts.body, left, r.top + 33, packed(c.muted), fitted(ui.fonts.body, below, room));
   return p.clicked;
 }
 

@@ -94,7 +94,7 @@ void lesson_text(const LessonPanel& panel, const Rect& r, bool fresh, bool low) 
     }
     if (!step.source.empty() && step.slug != closing_slug) {  // there all sources stand at the end
       c.y += 8;
-      c.paragraph(step.source, ink.muted, 13, 19);
+      c.paragraph(step.source, ink.muted, body_size, 21);
     }
     erratum(c, player, panel.words.before_fault, panel.toast);
   }
