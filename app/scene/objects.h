@@ -52,6 +52,7 @@ struct Object {
   std::vector<std::string> fields = {};  ///< those in the file, without the object's name
   std::vector<int> rings = {};           ///< for objects made of points: how many each outline has
   Fixed fixed = {};
+  bool hidden = false;    ///< left out of the picture, not out of the answers
   std::string note = {};  ///< what its file may mean differently than it is read, as plain sentences
 };
 /// Whether it is a ray, a line or a segment.
@@ -87,6 +88,8 @@ struct Room {
   double reach = 1;
 };
 Room room(const NamedValues&, const std::vector<Object>&);
+/// Returns the room of all that lies between these corners.
+Room room_between(const viz::Vec3& lo, const viz::Vec3& hi);
 
 /// Returns the object and its name. Throws viz::BadInput if its numbers are no shape for the core.
 std::vector<viz::Item> drawn(const NamedValues&, const Object&, const Room&, viz::Role);

@@ -15,6 +15,8 @@ bool is_tip(const Scene& scene, const Vec3& at) {
 /// Above the second number no handle has its name beside it; above the first, parts of objects ("A.lo") have none. The
 /// name is shown for the handle under the pointer or with the keyboard's ring.
 constexpr std::size_t few_handles = 6, most_named_handles = 12;
+/// With more handles than this, those of faces included, none has its name.
+constexpr std::size_t most_handles_with_names = 400;
 /// A scene with more names than this shows only those of the objects it is about, or none if these are too many, too.
 constexpr std::size_t most_names = 24;
 
@@ -42,12 +44,14 @@ std::string name_of(const Player& player, const Handle& h) {
 
 bool is_named(const Player& player, const Handle& h) {
   const std::vector<Handle>& all = player.scene().handles;
+  if (!h.one_of.empty() || all.size() > most_handles_with_names) return false;
   const bool own = !player.lesson().made_from.empty();
   const std::size_t handles =  // those of faces and of whole objects have no names
       own ? static_cast<std::size_t>(std::ranges::count_if(all, [](const Handle& one) { return one.one_of.empty(); }))
           : all.size();
+  if (handles > most_named_handles) return false;
   const bool part = own && name_of(player, h).find('.') != std::string::npos;
-  return h.one_of.empty() && handles <= most_named_handles && (!part || handles <= few_handles);
+  return !part || handles <= few_handles;
 }
 
 Scene with_names(const Player& player) {
