@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/figures/figure_place.h"
+#include "app/scene/editor.h"
 #include "app/scene/lesson.h"
 #include "app/scene/save.h"
 #include "app/shell/environment.h"
@@ -57,17 +58,20 @@ int show(const Program& program, const Selection& asked) {
   Lessons lessons = program.lessons;
   std::optional<scene::KeptFile> file;
   const viz::ReaderState state = state_of(program, asked, lessons, file);
-  std::function<void(const viz::Parameters&)> save;
+  std::function<void(const viz::Lesson&, const viz::Parameters&)> save;
   if (file)
-    save = [&](const viz::Parameters& p) {
-      file->save(p);
-      scene::keep(*lessons.back(), file->folder(), p);
+    save = [&](const viz::Lesson& lesson, const viz::Parameters& p) {
+      if (const std::optional<std::string> text = scene::text_with(lesson, p))
+        file->write(*text);
+      else
+        file->save(p);
+      scene::keep(lesson, file->folder(), p);
     };
   need_environment(program);
   try {
     viz::show(
         lessons, lessons::course(), state,
-        [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); }, save);
+        [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); }, save, scene::editor());
   } catch (const viz::NoDisplay& e) {
     say(fmt::format("{}: {}", program.name, e.what()));
     const bool scene = lessons.size() > program.lessons.size();

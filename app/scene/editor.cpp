@@ -62,7 +62,8 @@ std::vector<viz::SceneType> types_for(const viz::Lesson& lesson) {
 /// The questions about some objects, as entries of "ask".
 class Offered {
  public:
-  Offered(const Json& scene, bool flat) : flat_(flat), all_pairs_(scene.contains("ask") && scene["ask"] == "all pairs") {
+  Offered(const Json& scene, bool flat)
+      : flat_(flat), all_pairs_(scene.contains("ask") && scene["ask"] == "all pairs") {
     if (scene.contains("ask") && scene["ask"].is_array()) asked_ = scene["ask"];
   }
 
@@ -157,10 +158,9 @@ viz::SceneEditor editor() {
           .types = types_for,
           .free_name = [](const viz::Lesson& lesson) { return free_name(lesson.made_from); },
           .questions = questions_about,
-          .edited = [](const viz::Lesson& lesson, const viz::Parameters& now, const viz::SceneEdit& edit)
-              -> const viz::Lesson& {
-            const bool same =
-                edit.kind != viz::SceneEdit::Kind::remove && edit.kind != viz::SceneEdit::Kind::rename;
+          .edited = [](const viz::Lesson& lesson, const viz::Parameters& now,
+                       const viz::SceneEdit& edit) -> const viz::Lesson& {
+            const bool same = edit.kind != viz::SceneEdit::Kind::remove && edit.kind != viz::SceneEdit::Kind::rename;
             const auto change = [&](const std::string& text) { return changed_text(text, edit, lesson.flat); };
             return edited(lesson, now, same, change);
           }};

@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "app/scene/editor.h"
 #include "app/scene/lesson.h"
 #include "lessons/course.h"
 #include "lessons/lessons.h"
@@ -139,7 +140,10 @@ class Drive {
     std::vector<const Lesson*> all = lessons::all_lessons();
     if (!lesson.made_from.empty()) {
       all.push_back(&lesson);
-      options.save_scene = [&](const Parameters& p) { program::scene::keep(lesson, ISECT_EXAMPLE_SCENES, p); };
+      options.save_scene = [](const Lesson& scene, const Parameters& p) {
+        program::scene::keep(scene, ISECT_EXAMPLE_SCENES, p);
+      };
+      options.scene_editor = program::scene::editor();
     }
     tell(fmt::format("round {}, ISECT_SEED={}: {} {}", number, seed_, lesson.id, state.preset));
     try {

@@ -25,9 +25,15 @@ std::string given_or(const auto& item, const auto& label) { return item.name.emp
 struct Namer {
   const Scene& scene;
 
-  Object operator()(const Ball& it) const { return {"ball", given_or(it, [&] { return label_at(scene, it.center); }), it.role}; }
-  Object operator()(const Line& it) const { return {"line", given_or(it, [&] { return label_at(scene, it.from, it.to); }), it.role}; }
-  Object operator()(const Arrow& it) const { return {"arrow", given_or(it, [&] { return label_at(scene, it.from, it.to); }), it.role}; }
+  Object operator()(const Ball& it) const {
+    return {"ball", given_or(it, [&] { return label_at(scene, it.center); }), it.role};
+  }
+  Object operator()(const Line& it) const {
+    return {"line", given_or(it, [&] { return label_at(scene, it.from, it.to); }), it.role};
+  }
+  Object operator()(const Arrow& it) const {
+    return {"arrow", given_or(it, [&] { return label_at(scene, it.from, it.to); }), it.role};
+  }
   Object operator()(const RightAngle&) const { return {"right angle", "", Role::construction}; }
   Object operator()(const Dot& it) const { return {"point", label_at(scene, it.at), it.role}; }
   Object operator()(const Label& it) const { return {"label", plain(it.text), it.role}; }

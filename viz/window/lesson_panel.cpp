@@ -9,6 +9,7 @@
 #include "viz/walk/closing.h"
 #include "viz/window/column.h"
 #include "viz/window/map_view.h"
+#include "viz/window/objects_panel.h"
 #include "viz/window/panels.h"
 #include "viz/window/scene_names.h"
 
@@ -100,6 +101,7 @@ void lesson_text(const LessonPanel& panel, const Rect& r, bool fresh, bool low) 
   }
   question(c, player, panel.words.answer, fresh);
   way_back(c, player, panel.words.before_fault);
+  if (panel.answers) scene_answers(c, player);
   if (step.slug == closing_slug)
     ending(c, panel);
   else

@@ -349,7 +349,7 @@ void run(Window& window, Input& input, WindowUi& ui, const EndSignals& signals, 
 
 void show(const std::vector<const Lesson*>& lessons, const Course& course, const ReaderState& at,
           const std::function<void(const std::string&)>& say,
-          const std::function<void(const Parameters&)>& save_scene) {
+          const std::function<void(const Lesson&, const Parameters&)>& save_scene, const SceneEditor& editor) {
   const std::string file = settings_file();
   Settings kept = read_settings(file, lessons);
   const bool resumed = at.lesson.empty() && kept.reader_state;
@@ -360,7 +360,11 @@ void show(const std::vector<const Lesson*>& lessons, const Course& course, const
   Renderer renderer([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
   const double scale = window.scale();
   WindowUi ui(lessons, start, renderer, kept,
-              {.scale = scale, .texts_a_frame = smooth_texts, .course = course, .save_scene = save_scene});
+              {.scale = scale,
+               .texts_a_frame = smooth_texts,
+               .course = course,
+               .save_scene = save_scene,
+               .scene_editor = editor});
   if (const std::string damage = set_spoilt_settings_aside(file); !damage.empty()) {
     if (say) say(damage);
     ui.complain(damage);

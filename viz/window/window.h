@@ -9,6 +9,7 @@
 #include "viz/course.h"
 #include "viz/lesson.h"
 #include "viz/player/reader_state.h"
+#include "viz/scene_editor.h"
 
 namespace isect::viz {
 
@@ -18,10 +19,11 @@ struct NoDisplay : std::runtime_error {
 };
 
 /// Opens the window at `at` and returns when it is closed. Messages for the user, such as that a state file is damaged,
-/// are shown there and passed to `say`. `save_scene` writes a setting into the scene file of the lesson, which is then
-/// as if made from that; null: there is no file. Throws NoDisplay.
+/// are shown there and passed to `say`. `save_scene` writes a lesson's scene with this setting into its file; the
+/// lesson is then as if made from that; null: there is no file. `editor`: lists and changes the objects of scenes; an
+/// empty one lists none. Throws NoDisplay.
 void show(const std::vector<const Lesson*>&, const Course&, const ReaderState& at,
           const std::function<void(const std::string&)>& say = {},
-          const std::function<void(const Parameters&)>& save_scene = {});
+          const std::function<void(const Lesson&, const Parameters&)>& save_scene = {}, const SceneEditor& editor = {});
 
 }  // namespace isect::viz

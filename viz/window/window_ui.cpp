@@ -23,6 +23,7 @@
 #include "viz/window/key_codes.h"
 #include "viz/window/lesson_picture.h"
 #include "viz/window/map_view.h"
+#include "viz/window/objects_panel.h"
 #include "viz/window/panels.h"
 #include "viz/window/save_figure.h"
 #include "viz/window/saving.h"
@@ -84,7 +85,8 @@ struct WindowUi::Impl {
                 .settings = settings,
                 .course = course,
                 .figures = options.figures,
-                .scene_file = {.save = options.save_scene}},
+                .scene_file = {.save = options.save_scene},
+                .scene_editor = options.scene_editor},
         scene(gl, options.scale, options.draw_scene, options.place_names),
         map(gl, options.scale, options.draw_scene),
         panes(gl, options.scale, options.draw_scene) {
@@ -189,7 +191,7 @@ struct WindowUi::Impl {
   /// Shows all between the two bars.
   void show_step(const WindowLayout& at) {
     const ScenePane pane{player, ui, session.toast, session.requests.zoom};
-    const LessonPanel lesson{player, ui, settings, session.fields, session.step_words, session.requests, session.toast};
+    LessonPanel lesson{player, ui, settings, session.fields, session.step_words, session.requests, session.toast};
     if (session.review) return show_review(at, pane, lesson);
     if (two_panes(player, settings)) {
       const PanesLayout two = panes_layout(at, session.panels, player.quiz().asked() || player.quiz().answered());
@@ -209,7 +211,9 @@ struct WindowUi::Impl {
       scene.show(pane, at.scene);
     }
     if (!session.panels) return lecture(player, ui, session.step_words, at.lesson);
+    lesson.answers = lists_objects(session);
     lesson_panel(lesson, at.lesson);
+    if (lesson.answers && lists_objects(session)) return objects_panel(session, at.code);
     code_panel(player, ui, at.code);
   }
 

@@ -129,7 +129,8 @@ void write_fields(Json& object, Type type, const Starting& s) {
     case Type::mesh:
       return start_mesh(object, s);
     case Type::cloud:
-      object["points"] = s.places({{-1, -0.5, 0}, {-0.25, 0.75, 0.5}, {0.25, -0.75, -0.5}, {0.5, 0.25, 0}, {1, 0.5, 0}});
+      object["points"] =
+          s.places({{-1, -0.5, 0}, {-0.25, 0.75, 0.5}, {0.25, -0.75, -0.5}, {0.5, 0.25, 0}, {1, 0.5, 0}});
       return;
   }
 }
