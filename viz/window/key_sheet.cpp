@@ -33,6 +33,7 @@ constexpr Row left_keys[] = {
     {"Ctrl+Y, Ctrl+Shift+Z", "do it again"},
     {"S, F12, Ctrl+S", "save this figure or preset"},
     {"Ctrl+S in a scene", "save it into its file"},
+    {"F2 / Delete", "in a scene: rename / remove"},
     {"F1 or ?", "this sheet"},
     {"Ctrl+Q", "leave"},
 };
