@@ -63,10 +63,13 @@ Occluders around_ball(const Occluders& all, int index, const View* view) {
   return without(all, holds);
 }
 
-Occluders around_solid(const Occluders& all, int index, const std::vector<Vec3>& vertices, bool itself) {
+Occluders around_solid(const Occluders& all, int index, const std::vector<Vec3>& vertices, bool itself,
+                       const View* view) {
+  const Shell& own = all.solids[index];
   const auto holds = [&](const auto& body) {
-    return &body != static_cast<const void*>(&all.solids[index]) &&
-           std::ranges::all_of(vertices, [&](const Vec3& p) { return contains(body, p, 0); });
+    if (&body == static_cast<const void*>(&own)) return false;
+    if (view && seen_apart(*view, own.middle, own.size, middle_of_body(body), reach_of_body(body))) return true;
+    return std::ranges::all_of(vertices, [&](const Vec3& p) { return contains(body, p, 0); });
   };
   return without(all, holds, itself ? -1 : index);
 }

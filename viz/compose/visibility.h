@@ -47,10 +47,10 @@ struct Occluders {
 // drawn as if that were not there. What reaches out of it is hidden as far as it is inside.
 
 /// Return what hides ball, solid or capsule number `index`: all except the bodies that contain it wholly. `itself`: the
-/// solid itself counts, too, as it does for its far edges.
-/// `view`: what this sees apart from the ball is left out, too.
+/// solid itself counts, too, as it does for its far edges. `view`: what this sees apart from it is left out, too.
 Occluders around_ball(const Occluders&, int index, const View* view = nullptr);
-Occluders around_solid(const Occluders&, int index, const std::vector<Vec3>& vertices, bool itself = true);
+Occluders around_solid(const Occluders&, int index, const std::vector<Vec3>& vertices, bool itself = true,
+                       const View* view = nullptr);
 Occluders around_capsule(const Occluders&, int index, bool itself = true);
 /// Returns what hides lines between these points, or the area between them: all except the bodies that contain them,
 /// off their surface; a line on a surface is no content. Nothing if no body does: this is cheap.

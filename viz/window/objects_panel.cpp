@@ -125,7 +125,7 @@ void name_field(WindowSession& s, const Rect& r, Afterwards& then) {
   ObjectsPanel::Renaming& typing = s.objects.renaming;
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::SetNextItemWidth(r.width());
-  // As in a field of the parameters, Dear ImGui focuses it in one of the next frames.
+  // Dear ImGui focuses it in one of the next frames, as it does a field of the parameters.
   if (!typing.begun && typing.frames++ % 4 == 0) {
     ImGui::SetWindowFocus();
     ImGui::SetKeyboardFocusHere();
@@ -311,7 +311,7 @@ void object_keys(WindowSession& s, Afterwards& then) {
 
 bool lists_objects(WindowSession& s) {
   list_anew(s);
-  return !s.objects.objects.empty() && s.player.shown().line < 0;
+  return !s.objects.objects.empty() && s.player.step().line < 0 && !s.player.quiz().asked();
 }
 
 void objects_panel(WindowSession& s, const Rect& r) {
@@ -344,7 +344,7 @@ void scene_answers(Column& c, Player& player) {
   constexpr float row = 27, pitch = 25;
   Ui& ui = c.ui;
   const Step& step = player.step();
-  if (const float height = values_height(ui, step, c.width + 20, pitch); height > 0 && !player.quiz().asked()) {
+  if (const float height = values_height(ui, step, c.width + 20, pitch); height > 0) {
     values_block(ui, step, {c.x - 10, c.y + 8, c.x + c.width + 10, c.y + 8 + height}, pitch, nullptr);
     c.y += 8 + height;
   }
