@@ -3,105 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
+#include "app/scene/list_text.h"
 #include "app/scene/source.h"
 #include "viz/text/spelling.h"
 
 namespace isect::program::scene {
 
 namespace {
-
-using Span = Spans::Span;
-
-/// Returns where no blank and no comment stands, from `at` on; with `line`, at most the end of the line.
-std::size_t past_blanks(const std::string& text, std::size_t at, bool line = false) {
-  while (at < text.size()) {
-    if (text.compare(at, 2, "//") == 0) {
-      at = std::min(text.find('\n', at), text.size());
-    } else if (const std::size_t end = text.find("*/", at); text.compare(at, 2, "/*") == 0 && end != text.npos) {
-      if (line && text.find('\n', at) < end) return at;
-      at = end + 2;
-    } else if (std::isspace(static_cast<unsigned char>(text[at])) != 0 && !(line && text[at] == '\n')) {
-      ++at;
-    } else {
-      break;
-    }
-  }
-  return at;
-}
-
-std::size_t line_begin(const std::string& text, std::size_t at) {
-  return at == 0 ? 0 : text.rfind('\n', at - 1) + 1;  // 0 after npos
-}
-
-/// Returns the blanks before what stands at `at`, if it is the first of its line.
-std::optional<std::string> indent_at(const std::string& text, std::size_t at) {
-  const std::size_t begin = line_begin(text, at);
-  const std::string before = text.substr(begin, at - begin);
-  if (begin == 0 || before.find_first_not_of(" \t") != before.npos) return {};
-  return before;
-}
-
-/// Puts something behind the value that ends at `at`: on a line of its own with this indent, below what else stands on
-/// the value's line; or on the same line. A comma that follows stays behind it.
-void put_behind(std::string& text, std::size_t at, const std::optional<std::string>& indent, const std::string& what) {
-  if (!indent) {
-    text.insert(at, ", " + what);
-    return;
-  }
-  const std::size_t comma = past_blanks(text, at);
-  const bool more = comma < text.size() && text[comma] == ',';
-  const std::size_t rest = past_blanks(text, more ? comma + 1 : at, true);
-  const bool at_end = rest < text.size() && text[rest] == '\n';
-  const std::string line = "\n" + *indent + what + (more ? "," : "");
-  if (at_end) text.insert(rest, line);
-  if (!at_end) text.insert(more ? comma + 1 : at, line);
-  if (!more) text.insert(at, ",");
-}
-
-/// Removes [from, to), and the line that it leaves blank.
-void cut_out(std::string& text, std::size_t from, std::size_t to) {
-  text.erase(from, to - from);
-  const std::size_t begin = line_begin(text, from), end = std::min(text.find('\n', from), text.size());
-  const bool blank = text.find_first_not_of(" \t\r", begin) >= end;
-  if (blank && end < text.size() && begin > 0)
-    text.erase(begin, end + 1 - begin);
-  else
-    while (from < text.size() && text[from] == ' ' && from > 0 && (text[from - 1] == ' ' || text[from - 1] == '['))
-      text.erase(from, 1);
-}
-
-/// Removes entry `i` of a list at this path, with its comma.
-void remove_entry(std::string& text, const std::string& list, std::size_t i) {
-  const Spans spans(text);
-  const Span entry = *spans.at(fmt::format("{}/{}", list, i));
-  const std::size_t comma = past_blanks(text, entry.end);
-  if (comma < text.size() && text[comma] == ',') {
-    text.erase(comma, 1);
-    cut_out(text, entry.begin, entry.end);
-    return;
-  }
-  cut_out(text, entry.begin, entry.end);
-  if (i == 0) return;
-  const std::size_t before = past_blanks(text, spans.at(fmt::format("{}/{}", list, i - 1))->end);
-  if (before >= text.size() || text[before] != ',') return;
-  text.erase(before, 1);
-  while (before < text.size() && before > 0 && text[before] == ' ' && text[before - 1] == ' ') text.erase(before, 1);
-  if (before + 1 < text.size() && text[before] == ' ' && text[before + 1] == ']') text.erase(before, 1);
-}
-
-/// Adds an entry behind the others of a list at this path.
-void add_entry(std::string& text, const std::string& list, std::size_t count, const std::string& entry) {
-  const Spans spans(text);
-  if (count == 0) {
-    text.insert(spans.at(list)->begin + 1, entry);
-    return;
-  }
-  const Span last = *spans.at(fmt::format("{}/{}", list, count - 1));
-  put_behind(text, last.end, indent_at(text, last.begin), entry);
-}
 
 std::string name_of(const Json& object) {
   const std::string field = type_field(object);
@@ -217,18 +127,18 @@ std::string with_name(const std::string& text, const std::string& name, const st
   const Source source = source_of(text);
   const std::size_t index = index_of(source, name);
   const Spans spans(text);
-  std::vector<Span> found;
+  std::vector<Spans::Span> found;
   const auto take = [&](const std::string& path) {
-    if (const Span* span = spans.at(path)) found.push_back(*span);
+    if (const Spans::Span* span = spans.at(path)) found.push_back(*span);
   };
   take(fmt::format("/objects/{}/{}", index, type_field(source.json()["objects"][index])));
   if (source.json().contains("ask") && source.json()["ask"].is_array())
     for (std::size_t i = 0; i < source.json()["ask"].size(); ++i)
       for (const NamePlace& place : places_of(source.json()["ask"][i], fmt::format("/ask/{}", i), name))
         take(place.path);
-  std::ranges::sort(found, std::ranges::greater{}, &Span::begin);  // the last one first
+  std::ranges::sort(found, std::ranges::greater{}, &Spans::Span::begin);  // the last one first
   std::string out = text;
-  for (const Span& span : found) out.replace(span.begin, span.end - span.begin, Json(now).dump());
+  for (const Spans::Span& span : found) out.replace(span.begin, span.end - span.begin, Json(now).dump());
   return out;
 }
 
@@ -238,7 +148,7 @@ std::string with_hidden(const std::string& text, const std::string& name, bool h
   const Spans spans(text);
   std::string now = text;
   static const std::string field = ", \"hidden\": ";
-  if (const Span* was = spans.at(fmt::format("/objects/{}/hidden", index))) {
+  if (const Spans::Span* was = spans.at(fmt::format("/objects/{}/hidden", index))) {
     const bool ours = was->begin >= field.size() && now.compare(was->begin - field.size(), field.size(), field) == 0;
     if (!hidden && ours)
       now.erase(was->begin - field.size(), was->end - was->begin + field.size());
@@ -257,7 +167,7 @@ std::string with_question(const std::string& text, const Json& asked) {
   const std::string entry = on_one_line(asked);
   std::string now = text;
   if (!scene.contains("ask")) {
-    const Span objects = *Spans(text).at("/objects");
+    const Spans::Span objects = *Spans(text).at("/objects");
     const std::size_t begin = line_begin(text, objects.begin);
     const std::size_t key = text.find_first_not_of(" \t", begin);
     const bool own_line = begin > 0 && text[key] == '"';

@@ -317,7 +317,8 @@ void SceneView::take_or_release(const ScenePane& s, const View& view, bool hover
 void SceneView::handles_and_names(const ScenePane& s, const Rect& r, const View& view, bool hovered, bool active) {
   for (const Handle& h : s.handles()) {
     const Vec2 at = view.project(h.at).at;
-    if (!draws_handles(s.player.scene()) && !r.contains(static_cast<float>(at.x()), static_cast<float>(at.y()))) continue;
+    if (!draws_handles(s.player.scene()) && !r.contains(static_cast<float>(at.x()), static_cast<float>(at.y())))
+      continue;
     const float x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
     const Rect grip{x - hit_area, y - hit_area, x + hit_area, y + hit_area};
     s.ui.rects["handle " + h.id()] = grip;
