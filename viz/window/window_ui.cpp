@@ -12,7 +12,9 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "viz/formats/files.h"
@@ -170,7 +172,10 @@ struct WindowUi::Impl {
   void learn_names() {
     if (names_of_revision == player.revision() && !ui.names.empty()) return;
     names_of_revision = player.revision();
-    ui.names = names_of(player.lesson(), player.walk());
+    if (std::exchange(names_of_lesson, &player.lesson()) != &player.lesson())
+      names_of_knobs = names_of(player.lesson());
+    ui.names = names_of(player.walk());
+    ui.names.insert(names_of_knobs.begin(), names_of_knobs.end());
   }
 
   WindowLayout layout() {
@@ -225,6 +230,8 @@ struct WindowUi::Impl {
   bool drawing;
   bool preparing = false;  ///< part of what the next step shows is still to be made
   unsigned names_of_revision = 0;
+  const Lesson* names_of_lesson = nullptr;
+  std::set<std::string> names_of_knobs = {};  ///< that lesson's: a scene may have thousands
   double density, size = 1;
   Ui ui;
   Course course;
