@@ -14,6 +14,7 @@
 
 #include "app/figures/figure_place.h"
 #include "app/playlist_file.h"
+#include "app/scene/editor.h"
 #include "app/scene/lesson.h"
 #include "app/scene/save.h"
 #include "app/shell/environment.h"
@@ -94,17 +95,21 @@ int show(const Program& program, const Selection& asked) {
   viz::Playlist list = playlist_of(program, asked);
   add_scenes(list, lessons, scenes);
   const viz::ReaderState state = list.stops.empty() ? state_of(program, asked, lessons, file) : viz::ReaderState();
-  std::function<void(const viz::Parameters&)> save;
+  std::function<void(const viz::Lesson&, const viz::Parameters&)> save;
   if (file)
-    save = [&](const viz::Parameters& p) {
-      file->save(p);
-      scene::keep(*lessons.back(), file->folder(), p);
+    save = [&](const viz::Lesson& lesson, const viz::Parameters& p) {
+      if (const std::optional<std::string> text = scene::text_with(lesson, p))
+        file->write(*text);
+      else
+        file->save(p);
+      scene::keep(lesson, file->folder(), p);
     };
   need_environment(program);
   try {
     viz::show(
         lessons, lessons::course(), state,
-        [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); }, save, list);
+        [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); }, save, list,
+        scene::editor());
   } catch (const viz::NoDisplay& e) {
     say(fmt::format("{}: {}", program.name, e.what()));
     if (!list.stops.empty()) {

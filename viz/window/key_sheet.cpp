@@ -34,6 +34,7 @@ constexpr Row left_keys[] = {
     {"Ctrl+Z / Ctrl+Y", "take back / do again"},
     {"S, F12, Ctrl+S", "save figure or preset"},
     {"Ctrl+S in a scene", "save it into its file"},
+    {"F2 / Delete", "in a scene: rename / remove"},
     {"F1 or ?", "this sheet"},
     {"Ctrl+Q", "leave"},
 };

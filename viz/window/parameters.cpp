@@ -16,6 +16,8 @@ namespace isect::viz {
 namespace {
 
 constexpr float field_height = 32;
+/// With more parameters only the fields in view are drawn, and all labels have the same room.
+constexpr std::size_t many_parameters = 200;
 
 /// The fields of the parameters, and the player that they change.
 struct Form {
@@ -175,10 +177,12 @@ void without_effect(Ui& ui, const Parameter& p, const Rect& r) {
 const std::string& label_of(const Parameter& p) { return p.label.empty() ? p.name : p.label; }
 
 float label_width(Ui& ui, const Lesson& lesson) {
+  constexpr float most = 96;
+  if (lesson.parameters.size() > many_parameters) return most;
   float widest = 40;
   for (const Parameter& p : lesson.parameters)
     widest = std::max(widest, ui.texts.size_of({.markup = label_of(p), .colour = ui.palette.text}).x);
-  return std::min(widest + 12, 96.0f);
+  return std::min(widest + 12, most);
 }
 
 }  // namespace
@@ -190,8 +194,14 @@ float parameter_fields(Player& player, Ui& ui, Fields& fields, Toast& toast, flo
   ImGui::PushStyleColor(ImGuiCol_SliderGrab, packed(ui.palette.first, 0.65));
   const Parameters now = player.parameters();  // a field may change the player's own during this loop
   const float labels = label_width(ui, player.lesson());
+  const float view = ImGui::GetWindowPos().y, end = view + ImGui::GetWindowHeight();
   for (const Parameter& p : player.lesson().parameters) {
     if (!now.contains(p.name)) continue;
+    const bool far_off = y + 2 * field_height < view || y > end + field_height;
+    if (far_off && player.lesson().parameters.size() > many_parameters) {  // those of a scene of a thousand objects
+      y += field_height;
+      continue;
+    }
     const Setting& value = now.at(p.name);
     const Rect r{x + labels, y, x + width, y + 26};
     ImGui::PushClipRect({x, y}, {r.left - 4, y + field_height}, true);

@@ -201,8 +201,8 @@ bool focused(Ui& ui, const std::string& name, const Rect& r) {
   ImGuiWindow* const window = ImGui::GetCurrentWindow();
   std::string root = window->RootWindow->Name;
   if (root.starts_with(ui.side)) root.erase(0, ui.side.size());
-  constexpr const char* parts[] = {"top bar", "lesson panel", "lecture", "pane heads",
-                                   "scene",   "time",         "map",     "code panel"};
+  constexpr const char* parts[] = {"top bar", "lesson panel", "lecture",    "pane heads",   "scene",
+                                   "time",    "map",          "code panel", "objects panel"};
   const int part = static_cast<int>(std::find(std::begin(parts), std::end(parts), root) - std::begin(parts));
   if (!ui.focus.offer(ui.side + name, part, window->RootWindow->Flags & ImGuiWindowFlags_Popup)) return false;
   const ImRect clip = window->ClipRect;
