@@ -71,7 +71,7 @@ class Quiz {
     }
     const Blocks asks = question(q, head);
     all_.insert(all_.end(), asks.begin(), asks.end());
-    Prose told = answer(q, head);
+    Prose told = program::answer(q, head);
     told.text += replies_on_paper(e.walk, step, q);
     answers_.push_back(told);
   }

@@ -192,6 +192,129 @@ TEST_CASE("the scene has room in every window: in a narrow one the text stands b
   CHECK((width < 960 ? below : beside));
 }
 
+TEST_CASE("panels are a share of the window, with a least and a most", "[window]") {
+  const auto [width, height, lesson, code] = GENERATE(table<float, float, float, float>({{800, 600, 496, 304},
+                                                                                         {1280, 800, 304, 344},
+                                                                                         {1920, 1080, 456, 516},
+                                                                                         {2560, 1440, 560, 560},
+                                                                                         {3840, 2160, 560, 560}}));
+  const WindowLayout at = window_layout(width, height);
+  INFO(width << " x " << height);
+  CHECK(at.lesson.width() == lesson);  // of the narrow one, below the scene, all that the code leaves
+  CHECK(at.code.width() == code);
+  CHECK(at.scene.width() >= 0.49f * width);
+  const Rect all[] = {at.top, at.lesson, at.scene, at.code, at.transport};
+  float area = 0;
+  for (std::size_t i = 0; i < std::size(all); ++i) {
+    area += all[i].width() * all[i].height();
+    for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(meet(all[i], all[j]));
+  }
+  CHECK(area == Approx(width * height));
+  const WindowDriver window(both, width, height, {}, {}, layout_only);
+  CHECK(window.rect("lesson panel").width() == lesson);
+  CHECK(window.rect("code panel").width() == code);
+}
+
+TEST_CASE("there is one scale of sizes: code is as large as words, and nothing is smaller", "[window]") {
+  const WindowDriver window(both);
+  std::set<long> sizes;
+  for (const ImFont* font : ImGui::GetIO().Fonts->Fonts)
+    sizes.insert(std::lround(font->FontSize * font->Scale));  // with the space between lines, by 1.164 larger
+  const auto high = [](double size) { return std::lround(1.164 * size); };
+  CHECK(sizes == std::set<long>{high(body_size), high(heading_size), high(large_size)});
+  CHECK(Paragraph().size == body_size);
+}
+
+TEST_CASE("a wide panel breaks fewer lines of pseudocode", "[window][layout]") {
+  const auto more_rows_at = [](float width, float height) {  // of all lines, after the first: each line has one pitch
+    WindowDriver window(isect::lessons::all_lessons(), width, height, place_at("ray-sphere", "two-roots"), {},
+                        layout_only);
+    float least = height, sum = 0;
+    int lines = 0;
+    for (const auto& [name, r] : window.ui.rects())
+      if (name.starts_with("line ")) least = std::min(least, r.height()), sum += r.height(), ++lines;
+    return sum - static_cast<float>(lines) * least;
+  };
+  CHECK(more_rows_at(1280, 800) > 10);
+  CHECK(more_rows_at(2560, 1440) == Approx(0).margin(0.1));
+}
+
+TEST_CASE("an open sheet dims the window and takes every click; one beside it closes it", "[window]") {
+  const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1280, 800}, {1920, 1080}, {2560, 1440}}));
+  WindowDriver window(both, width, height, {}, {}, layout_only);
+  const auto brightness = [&] {
+    const std::array<int, 3> c = pixel(window.picture(), 6, window.rect("lesson panel").middle_y());
+    return c[0] + c[1] + c[2];
+  };
+  const int bright = brightness();
+  for (const char* name : {"next", "play", "theme", "line 3"}) {
+    window.type("?");
+    window.frames(2);
+    REQUIRE(window.has("key sheet"));
+    CHECK(brightness() < 0.8 * bright);
+    const Rect sheet = window.rect("key sheet"), widget = window.rect(name);
+    const int step = window.player().index();
+    const bool beside = !sheet.contains(widget.middle_x(), widget.middle_y());
+    window.click(name);
+    INFO(name << " at " << width);
+    CHECK(window.has("key sheet") == !beside);
+    CHECK(window.player().index() == step);
+    CHECK_FALSE(window.player().clock().playing());
+    CHECK(window.ui.settings().theme == ThemeName::dark);
+    if (!beside) window.key(key::escape);
+    window.frames(2);
+    CHECK_FALSE(window.has("key sheet"));
+    CHECK(brightness() == bright);
+  }
+  window.click("next");
+  CHECK(window.player().index() == 1);
+}
+
+TEST_CASE("no words of a sheet are cut, at any size", "[window][layout]") {
+  const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1280, 800}, {1920, 1080}, {2560, 1440}}));
+  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, layout_only);
+  const std::pair<const char*, const char*> sheets[] = {
+      {"?", "key sheet"}, {"g", "terms"}, {"t", "reviews"}, {"h", "progress sheet"}, {"", "picker"}};
+  for (const auto& [typed, name] : sheets) {
+    if (*typed)
+      window.type(typed);
+    else
+      window.key(key::o, true);
+    window.frames(2);
+    INFO(name << " at " << width);
+    REQUIRE(window.has(name));
+    CutWords cut;
+    ImGui::GetIO().UserData = &cut;
+    window.frames();
+    ImGui::GetIO().UserData = nullptr;
+    for (const std::string& words : cut) FAIL_CHECK("cut: " << words);
+    window.key(key::escape);
+    window.frames(2);
+    REQUIRE_FALSE(window.has(name));
+  }
+}
+
+TEST_CASE("a message covers neither the axes in the corner nor what stands in the other one", "[window]") {
+  const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1280, 800}, {1920, 1080}, {2560, 1440}}));
+  WindowDriver window(isect::lessons::all_lessons(), width, height, {}, {}, names_only);
+  int marks = 0;
+  for (const Lesson* lesson : isect::lessons::all_lessons()) {
+    window.player().open(*lesson);
+    window.ui.complain("A message that is as long as the reason why a file can't be written into some far folder");
+    window.frames(2);
+    REQUIRE(window.has("message"));
+    const Rect message = window.rect("message"), scene = window.rect("scene");
+    INFO(lesson->id << " at " << width);
+    CHECK((message.left >= scene.left && message.right <= scene.right && message.top > scene.top));
+    for (const char* mark : {"tripod", "projection", "changed", "pin"}) {
+      if (!window.has(mark)) continue;
+      ++marks;
+      CHECK_FALSE(meet(message, window.rect(mark)));
+    }
+  }
+  CHECK(marks > 10);
+}
+
 TEST_CASE("a long line of pseudocode ends its rows where a reader minds it least", "[window]") {
   using Rows = std::vector<std::string>;
   CHECK(code_rows("q ← √(r² − m²)", 31) == Rows{"q ← √(r² − m²)"});

@@ -250,6 +250,7 @@ TEST_CASE("the columns of the key sheet have room beside each other, at any size
   CHECK(left.right + 12 < right.left);
   CHECK(right.right + 8 < sheet.right);
   CHECK(std::max(left.bottom, right.bottom) < sheet.bottom);
+  CHECK(left.height() == right.height());
 }
 
 TEST_CASE("the key sheet opens by key and by button, and closes by Escape", "[window]") {

@@ -70,8 +70,8 @@ void row_of_object(WindowSession& s, const SceneObject& o, const Rect& r, Afterw
     if (ui.focus.name() == name) ui.light.hold(lit, body);
     const Colour& ink = chosen ? c.on_first : o.hidden ? c.muted : c.text;
     const float end = body.left + 10 + text(ui.fonts.body, body.left + 10, r.middle_y(), packed(ink), o.name);
-    text(ui.fonts.small, body.right - 10, r.middle_y(), packed(chosen ? c.on_first : c.muted),
-         fitted(ui.fonts.small, o.type, body.right - 24 - end), 1);
+    text(ui.fonts.body, body.right - 10, r.middle_y(), packed(chosen ? c.on_first : c.muted),
+         fitted(ui.fonts.body, o.type, body.right - 24 - end), 1);
     if (p.hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
       then.emplace_back([&s, which = o.name] { begin_renaming(s.objects, which); });
     else if (p.clicked)

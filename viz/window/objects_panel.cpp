@@ -127,7 +127,7 @@ void objects_panel(WindowSession& s, const Rect& r) {
   filled({r.left, r.top, r.left + 1, r.bottom}, ui.palette.rule, 0);
   const float heading = r.top + 32;
   const float end = inner.left + text(ui.fonts.bold, inner.left, heading, packed(ui.palette.text), "Objects");
-  text(ui.fonts.small, end + 10, heading, packed(ui.palette.muted), std::to_string(panel.objects.size()));
+  text(ui.fonts.body, end + 10, heading, packed(ui.palette.muted), std::to_string(panel.objects.size()));
   const Rect button{inner.right - 84, heading - 15, inner.right, heading + 15};
   if (chip(ui, "add object", button, "Add", false)) ImGui::OpenPopup("new object");
   type_menu(s, button, then);

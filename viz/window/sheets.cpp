@@ -30,7 +30,12 @@ bool begin_sheet(Ui& ui, const char* name, const Rect& window, float width, floa
                window.middle_y() + h / 2};
   ImGui::SetNextWindowPos(top_left(r));
   ImGui::SetNextWindowSize({w, h});
-  if (!ImGui::BeginPopupModal(name, nullptr, sheet_flags)) return false;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, style.PopupRounding);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, style.PopupBorderSize);
+  const bool open = ImGui::BeginPopupModal(name, nullptr, sheet_flags);
+  ImGui::PopStyleVar(2);
+  if (!open) return false;
   ui.rects[name] = r;
   ImGui::GetCurrentContext()->DimBgRatio = 1;  // at once: where nothing moves, no further frame is drawn
   const ImVec2& mouse = ImGui::GetIO().MousePos;

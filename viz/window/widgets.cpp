@@ -76,6 +76,11 @@ void tell_if_cut(const std::string& words, float left, float right) {
   if (left < lo.x - 1 || right > hi.x + 1) cut->push_back(words);
 }
 
+void tell_if_small(const Paragraph& p) {
+  CutWords* const cut = static_cast<CutWords*>(ImGui::GetIO().UserData);
+  if (cut && p.size < body_size) cut->push_back("smaller than the body: " + p.markup);
+}
+
 }  // namespace
 
 std::string fitted(ImFont* font, const std::string& s, float room) {
@@ -120,6 +125,7 @@ ImVec2 rich(Ui& ui, const Paragraph& p, ImVec2 at) {
   const ImVec2 size = ui.texts.size_of(p);
   const ImVec2 from{std::round(at.x), std::round(at.y)}, to{from.x + size.x, from.y + size.y};
   tell_if_cut(p.markup, from.x, to.x);
+  tell_if_small(p);
   const bool seen = ImGui::IsRectVisible(from, to);
   if (seen)
     if (const ImTextureID image = ui.texts.of(p)) list().AddImage(image, from, to);

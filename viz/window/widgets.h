@@ -39,7 +39,8 @@ enum class Icon { first, back, play, pause, next, last, map, panes, pass };
 inline ImVec2 top_left(const Rect& r) { return {r.left, r.top}; }
 inline ImVec2 bottom_right(const Rect& r) { return {r.right, r.bottom}; }
 
-/// Words that were cut at a side, for tests: Dear ImGui's user data points at them, if at anything.
+/// Words that were cut at a side, or set smaller than the body, for tests: Dear ImGui's user data points at them, if at
+/// anything.
 using CutWords = std::vector<std::string>;
 
 /// Draws one line of plain text; `y` is its middle; align 0 left, 0.5 middle, 1 right. Returns its width.
