@@ -49,8 +49,8 @@ const Closing& closing() {
       .exercises = {
           {"Drag box 0 until it overlaps no other box.",
            "Some axis must separate it from each of the others. Separating axes need convex shapes: cut a body with "
-           "dents into convex parts (a compound), and test each pair of parts. The hull alone would fill "
-           "the dents: a bowl would have a lid.",
+           "dents into convex parts (a compound), and test each pair of parts. The hull alone would fill the dents: a "
+           "bowl would have a lid.",
            "brute-force",
            box_0_alone,
            {{"p", "-2.5,-1.5,0"}}},

@@ -57,24 +57,23 @@ const Closing& closing() {
            "seen",
            tunnel,
            {{"v_b", "-8,0,0"}}},
-          {"Balls of radius 1 start at (0, 0) and (10, 0), with velocities (2, 0) and (−3, 0). When do they meet? "
-           "And a test finds a ball's centre inside a box: which way is out?",
+          {"Balls of radius 1 start at (0, 0) and (10, 0), with velocities (2, 0) and (−3, 0). When do they meet? And "
+           "a test finds a ball's centre inside a box: which way is out?",
            "The relative speed is 5. Of the distance 10 only 8 must be covered, as *R* = 2. So *t* = 8 / 5 = 1.6.\n"
-           "A centre in a box is its own point of the box, so their difference has no direction. Take the face that "
-           "is least far from it. The face's outward normal is that of the contact; the depth is that distance plus "
-           "the radius. Moved out by the depth, the ball just touches the box."},
+           "Clamped to the box, such a centre stays where it is: the difference is 0, and has no direction. Take the "
+           "face that is least far from it. The face's outward normal is that of the contact; the depth is that "
+           "distance plus the radius. Moved out by the depth, the ball just touches the box."},
           {"Why is the test of two boxes that of a ray against slabs?",
            "Seen from a, **b** is a point on a ray along **d**, once a is expanded by b: their Minkowski sum. On each "
            "axis that box is a slab, and *t*_1 and *t*_2 are where the ray enters and leaves it."},
           {"With the bound along the line of centres, why does no step pass the contact? And how is the distance of "
-           "convex "
-           "polyhedra found again after a step?",
+           "convex polyhedra found again after a step?",
            "The distance is a convex function of *t*. The step ends where its tangent is 0, and a tangent lies nowhere "
            "above such a function. It is Newton's method, and converges quadratically unless b grazes a.\n"
            "Keep the two features, corners, edges or faces, that contain the nearest points. They stay right while "
            "each of both points lies in the other feature's region (Lin and Canny). Else step to the neighbour on "
-           "whose side it lies. If the bodies have moved by less than a feature, a step or two is enough, however "
-           "many there are: O(1).\n"
+           "whose side it lies. If the bodies have moved by less than a feature, a step or two is enough, however many "
+           "there are: O(1).\n"
            "Bodies that share points have no such pair, and the walk may circle: limit its steps. With dents it may "
            "stop at a pair that is not nearest. So compare it with all pairs, now and then."},
       }};
