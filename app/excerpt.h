@@ -21,6 +21,7 @@ struct Excerpt {
   std::string several = {};                ///< for a figure of several steps, these: "2-4"; else empty
   std::string style = {};                  ///< for a figure, how it was asked for (see app/figures/style.h); else empty
   std::string path = {};                   ///< of the preset's or the scene's file; empty where there is none
+  std::string place = {};  ///< of a playlist's stop, the folder of its files: "hour/03-ray-sphere"; else empty
 };
 
 }  // namespace isect::program

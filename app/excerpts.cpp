@@ -119,7 +119,8 @@ Excerpt from_file(const Program& program, const PresetFile& file) {
     const std::string text = read_named_file(file.path);
     if (scene::is_scene(text)) return from_scene(text, file);
     if (is_playlist(text))
-      throw viz::BadInput("this is a playlist, which show, handout and deck take; a preset's file has \"lesson\"");
+      throw viz::BadInput(
+          "this is a playlist, which show, handout, deck and quiz take; a preset's file has \"lesson\"");
     state = viz::reader_state_from_json(text, program.lessons);
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", file.path, e.what()));

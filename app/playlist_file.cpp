@@ -7,11 +7,13 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "app/scene/lesson.h"
 #include "app/scene/source.h"
 #include "app/shell/named_file.h"
 #include "app/shell/option_values.h"
+#include "app/shell/options.h"
 #include "app/shell/terminal.h"
 #include "viz/chart/case_map.h"
 #include "viz/formats/files.h"
@@ -206,6 +208,19 @@ viz::Playlist read_playlist(const Program& program, const std::string& path, Fau
   } catch (const viz::FileError& e) {
     throw viz::FileError(fmt::format("{}: {}", path, e.what()));
   }
+}
+
+std::string playlist_asked(const Selection& asked) {
+  const std::string path = asked.lessons.empty() ? std::string() : asked.lessons.front();
+  std::error_code absent;
+  const bool file = path.ends_with(".json") && std::filesystem::is_regular_file(path, absent);
+  if (!file || !is_playlist(viz::read_file(path))) return {};
+  for (const auto& [option, given] :
+       {std::pair("preset", !asked.preset.empty()), std::pair("step", !asked.step.empty()),
+        std::pair("scene", !asked.scene.empty()), std::pair("set", !asked.changes.empty())})
+    if (given)
+      throw viz::BadInput(fmt::format("{}: not allowed with a playlist; each stop in {} names its own", option, path));
+  return path;
 }
 
 std::vector<Excerpt> excerpts_of(const viz::Playlist& list) {

@@ -21,6 +21,8 @@
 
 namespace isect::program {
 
+struct Selection;
+
 /// Whether a text is meant as a playlist: an object with "stops", which need not be valid JSON.
 bool is_playlist(const std::string& text);
 
@@ -30,6 +32,10 @@ enum class Faults { refused, kept };
 /// allowed; and viz::FileError. `Faults::kept`: a stop that can't be opened says so itself, in Stop::fault, and is not
 /// thrown. Each scene is one lesson, kept as long as the program runs; all of these have the same id.
 viz::Playlist read_playlist(const Program&, const std::string& path, Faults = Faults::refused);
+
+/// Returns the file of the playlist that the words of a command name; empty if they name something else. Throws
+/// viz::BadInput if they choose a preset, steps, a scene or parameters besides.
+std::string playlist_asked(const Selection&);
 
 /// Returns the stops as excerpts, without those that can't be opened.
 std::vector<Excerpt> excerpts_of(const viz::Playlist&);

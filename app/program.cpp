@@ -66,6 +66,7 @@ void describe(CLI::App& app, Program& program) {
   add_render(app, program);
   add_strip(app, program);
   add_handout(app, program);
+  add_quiz(app, program);
   add_deck(app, program);
   add_book(app, program);
   if (!program.only) add_scene(app, program);

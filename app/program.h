@@ -40,6 +40,7 @@ void add_explain(CLI::App&, Program&);
 void add_render(CLI::App&, Program&);
 void add_strip(CLI::App&, Program&);
 void add_handout(CLI::App&, Program&);
+void add_quiz(CLI::App&, Program&);
 void add_deck(CLI::App&, Program&);
 void add_book(CLI::App&, Program&);
 void add_scene(CLI::App&, Program&);

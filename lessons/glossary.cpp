@@ -36,7 +36,8 @@ const std::vector<Term>& glossary() {
       {"even-odd rule", "A point is inside if a ray from it crosses the outline an odd number of times.", "crossings"},
       {"exact predicate", "A test whose answer is true for the numbers as given, whatever rounding does.",
        "robustness"},
-      {"false positive", "A cheap test answers yes though the objects do not meet.", "culling"},
+      {"false negative", "A test answers no though the objects meet.", "bounding-volumes"},
+      {"false positive", "A cheap test answers yes though the objects do not meet.", "sphere-aabb"},
       {"filter",
        "A test in rounded numbers with a bound on its error: it answers where that is certain, and else leaves the "
        "question open.",
@@ -51,6 +52,8 @@ const std::vector<Term>& glossary() {
        "twice or not at all where it turns back.",
        "crossings"},
       {"half-space", "All points on one side of a plane, the plane included.", "clipping"},
+      {"interior", "All of a set but its boundary. A segment has it within its line, a flat polygon within its plane.",
+       "relations"},
       {"interval", "All numbers from one end to the other, both included.", "intervals"},
       {"k-DOP", "The intersection of *k*/2 slabs with fixed normals.", "bounding-volumes"},
       {"Minkowski sum", "All sums of a point of one set and a point of another: one shape expanded by the other.",

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "viz/text/rich_text.h"
@@ -256,7 +257,12 @@ void set_value(const Lesson& lesson, Parameters& to, const std::string& name, co
 }
 
 void validate(const Lesson& lesson, const Parameters& parameters) {
-  for (const auto& [name, value] : parameters) check(parameter(lesson, name), value, to_text(value));
+  std::unordered_map<std::string_view, const Parameter*> known;  // a scene may have thousands
+  for (const Parameter& p : lesson.parameters) known.emplace(p.name, &p);
+  for (const auto& [name, value] : parameters) {
+    const auto found = known.find(name);
+    check(found == known.end() ? parameter(lesson, name) : *found->second, value, to_text(value));
+  }
   for (const Parameter& p : lesson.parameters)
     if (!p.optional && !parameters.contains(p.name))
       throw BadInput(fmt::format("{}: missing; every parameter of {} is needed", p.name, lesson.id));

@@ -41,7 +41,7 @@ std::string card(const Excerpt& e, const std::vector<const viz::Lesson*>& lesson
 }  // namespace
 
 Page contents_page(const std::vector<Excerpt>& openings, const viz::Course& course, const Compiled& compiled,
-                   viz::PageColours& colours) {
+                   const std::string& playlists, viz::PageColours& colours) {
   viz::PagePictures page(colours);
   std::string parts;
   bool open = false;
@@ -65,6 +65,10 @@ Page contents_page(const std::vector<Excerpt>& openings, const viz::Course& cour
   }
   if (open) parts += "</ol>\n";
   const std::string top = cover(openings, compiled, page);
+  const std::string hours =
+      playlists.empty()
+          ? ""
+          : fmt::format("<section class=\"playlists\">\n<h2>Playlists</h2>\n<ul>\n{}</ul>\n</section>\n", playlists);
   Page contents = {"index.html",
                    "Intersection detection, step by step",
                    fmt::format("{} lessons on whether shapes meet, and where: each walks through a test line by line, "
@@ -77,7 +81,7 @@ Page contents_page(const std::vector<Excerpt>& openings, const viz::Course& cour
       "<div class=\"opening\">\n<h1>Intersection detection, step by step</h1>\n"
       "<p class=\"summary\">Do two shapes meet, and where? Each lesson walks through a test as it runs, line by line, "
       "with its values and its picture. All verdicts are exact for the numbers given.</p>\n</div>\n" +
-      page.shared() + top + parts + terms_to_find(course);
+      page.shared() + top + hours + parts + terms_to_find(course);
   return contents;
 }
 

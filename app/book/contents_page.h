@@ -13,7 +13,9 @@
 namespace isect::program::book {
 
 /// `openings`: the first preset of each lesson, walked; its outcome is the picture of the lesson.
-Page contents_page(const std::vector<Excerpt>& openings, const viz::Course&, const Compiled&, viz::PageColours&);
+/// `playlists`: links to them, as items of a list.
+Page contents_page(const std::vector<Excerpt>& openings, const viz::Course&, const Compiled&,
+                   const std::string& playlists, viz::PageColours&);
 Page glossary_page(const viz::Course&, const std::vector<const viz::Lesson*>&);
 
 }  // namespace isect::program::book

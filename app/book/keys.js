@@ -8,6 +8,10 @@ function isect_key_rows(live) {
       ["1 … 9", "a setting of the list"], ["N, P", "the next setting, the one before"]],
     "Questions": [["A, B, C …", "take this answer"], ["digits", "type a number, where one is asked for; Enter gives it"]]
   };
+  if (document.documentElement.classList.contains("in-hour")) {
+    rows["Steps"] = [["Home, End", "the first step, the last"], ["Space", "play, pause"], ["1 … 9", "a setting of the list"]];
+    rows["The playlist"] = [["N, →, Page Down", "on, to the next stop, too"], ["P, ←, Page Up", "back"]];
+  }
   if (live) rows["What has a ring"] = [["a drag", "moves it; so does a finger"], ["M", "goes to the first ring, Tab to the next"],
     ["arrow keys on a ring", "move it"], ["Shift with either", "stops where the case changes"],
     ["Escape", "leaves the ring: the arrow keys step again"], ["Ctrl+Z, Ctrl+Y", "undo, redo"]];

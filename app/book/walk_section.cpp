@@ -52,14 +52,15 @@ std::string waiting(const std::string& attributes, const std::string& elements) 
 }
 
 std::string WalkSection::html(bool first_is_shown) const {
-  std::string rest;
   const std::vector<Station> all = stations(walk_);
+  const std::string first = article(all.front(), first_is_shown);  // before the rest, which refers to what it has drawn
+  std::string rest;
   for (std::size_t i = 1; i < all.size(); ++i) rest += article(all[i], false);
   if (first_is_shown && !rest.empty())
     rest = waiting(fmt::format("data-stations=\"{}\" data-steps=\"{}\"", all.size(),
                                std::ranges::count(all, false, &Station::asks)),
                    rest);
-  return given() + "<div class=\"steps\">\n" + algorithm() + article(all.front(), first_is_shown) + rest + "</div>\n" +
+  return given() + "<div class=\"steps\">\n" + algorithm() + first + rest + "</div>\n" +
          opinions() + answers();
 }
 

@@ -14,6 +14,7 @@
 #include "app/book/contents_page.h"
 #include "app/book/fonts.h"
 #include "app/book/lesson_page.h"
+#include "app/book/playlist_page.h"
 #include "app/book/review_page.h"
 #include "app/book/scene_page.h"
 #include "app/book/terms_script.h"
@@ -37,6 +38,7 @@ namespace fs = std::filesystem;
 struct BookOptions {
   std::string lesson, out = "book";
   std::string live, live_scenes;  ///< files with the compiled lessons
+  std::vector<std::string> playlists;
   bool single = false;
 };
 
@@ -99,13 +101,17 @@ class Shelf {
     print(path(file) + "\n");
   }
 
-  /// Removes pages of lessons that no longer exist. A page not under its own name stays, and so does an edited one.
+  /// Removes pages of lessons that no longer exist, and those of playlists that are not asked for, with their scripts.
+  /// A page not under its own name stays, and so does an edited one.
   void remove_stale() const {
     std::vector<fs::path> gone;
     std::error_code absent;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_, absent)) {
       const std::string name = entry.path().filename().string();
-      if (!name.ends_with(".html") || added_.contains(name) || entry.is_symlink() || !entry.is_regular_file()) continue;
+      const bool of_playlist = name.starts_with("hour-") && name.ends_with(".js");
+      if (!(name.ends_with(".html") || of_playlist) || added_.contains(name) || entry.is_symlink() ||
+          !entry.is_regular_file())
+        continue;
       const std::string page = viz::read_regular_file(entry.path().string());
       if (!page.starts_with(first_line(name))) continue;
       if (is_edited(name, page))
@@ -169,6 +175,19 @@ std::vector<std::pair<std::string, std::string>> files_of(const LiveCode& live, 
   return all;
 }
 
+/// Throws viz::BadInput, also if two would have the same page, and viz::FileError.
+std::vector<book::PlaylistPages> playlists_of(const Program& program, const std::vector<std::string>& paths) {
+  std::vector<book::PlaylistPages> all;
+  for (const std::string& path : paths) {
+    all.emplace_back(program, path);
+    for (std::size_t i = 0; i + 1 < all.size(); ++i)
+      if (all[i].name() == all.back().name())
+        throw viz::BadInput(
+            fmt::format("playlist: {} and {} would both be {}; rename a file", paths[i], path, all.back().file()));
+  }
+  return all;
+}
+
 int single(const Program& program, const BookOptions& options) {
   const viz::Lesson& lesson = program.only ? *program.only : viz::lesson_named(program.lessons, options.lesson);
   const std::string file = book::file_of(lesson);
@@ -179,9 +198,9 @@ int single(const Program& program, const BookOptions& options) {
   const book::Page page =
       book::lesson_page(lesson, all_presets(program, lesson), program.lessons, {nullptr, nullptr, true}, colours);
   const std::string terms = book::terms_script(lessons::course(), program.lessons, true);
-  shelf.add(file, first_line(file) + book::html(page, {book::fonts_text(page.body + terms + lesson_letters),
-                                                       style(colours), book::script_text() + terms,
-                                                       live.script + live.packed}));
+  shelf.add(file,
+            first_line(file) + book::html(page, {book::fonts_text(page.body + terms + lesson_letters), style(colours),
+                                                 book::script_text() + terms, live.script + live.packed}));
   return done;
 }
 
@@ -196,6 +215,9 @@ int whole(const Program& program, const BookOptions& options) {
   if (has_scenes) files.push_back(book::scene_file);
   for (const viz::Lesson* lesson : program.lessons) files.push_back(book::file_of(*lesson));
   for (int i = 1; i <= viz::review_count(program.lessons); ++i) files.push_back(book::review_file(i));
+  const std::vector<book::PlaylistPages> playlists = playlists_of(program, options.playlists);
+  for (const book::PlaylistPages& playlist : playlists)
+    for (const std::string& file : playlist.files()) files.push_back(file);
   Shelf shelf(options.out, program, files);
   need_environment(program);
 
@@ -227,7 +249,14 @@ int whole(const Program& program, const BookOptions& options) {
     progress.done(course[i]->id);
   }
   if (has_scenes) add(book::scene_page(colours));
-  add(book::contents_page(firsts, lessons::course(), {lives, has_scenes}, colours));
+  std::string links;
+  for (const book::PlaylistPages& playlist : playlists) {
+    links += playlist.link();
+    add(playlist.page());
+    for (const book::Page& page : playlist.own_pages(colours)) add(page);
+    shelf.add(playlist.script_file(), first_line(playlist.script_file()) + "\n" + playlist.script());
+  }
+  add(book::contents_page(firsts, lessons::course(), {lives, has_scenes}, links, colours));
   add(book::glossary_page(lessons::course(), course));
   shelf.add("book.css", first_line("book.css") + "\n" + style(colours));
   letters.add(lesson_letters);
@@ -244,6 +273,8 @@ int whole(const Program& program, const BookOptions& options) {
 int make_book(const Program& program, const BookOptions& options) {
   if (options.single && !program.only && options.lesson.empty())
     throw viz::BadInput("single: one lesson in one file; name the lesson, such as isect book ray-sphere --single");
+  if (options.single && !options.playlists.empty())
+    throw viz::BadInput("playlist: it leads through the pages of a whole book; leave out --single");
   if (!options.single && !options.lesson.empty())
     throw viz::BadInput(
         fmt::format("lesson: a book holds all lessons; for {0} alone, in one file: isect book {0} --single",
@@ -266,11 +297,21 @@ void add_book(CLI::App& app, Program& program) {
     add_path(sub, "--live-scenes", options->live_scenes,
              "build/web/live_scenes.js: and a page for scenes of the reader's own", "FILE")
         ->needs("--live");
+  if (!program.only)
+    sub.add_option("--playlist", options->playlists,
+                   "a page with the stops of a playlist, which leads through the\nlessons' "
+                   "pages step by step; may be repeated")
+        ->type_name("FILE")
+        ->allow_extra_args(false)
+        ->check(not_empty());
   add_path(sub, "--out", options->out, "folder; book if not given", "DIR");
   sub.footer(
       "DIR/index.html is the first page. The pages open from disk and from any web server, and need no network.\n"
       "Without scripts, and on paper, all presets stand one below the other. Files that isect did not make, or that\n"
       "someone has edited since, stay.\n"
+      "With --playlist a page hour-NAME.html lists the stops of NAME.json, and each opens its steps: Page Down, N and\n"
+      "the arrows go on and back from there, question by question. Scenes and settings made by hand have pages of\n"
+      "their own.\n"
       "With --live what they show can be dragged and changed, too: ./run book compiles the lessons for that.\n"
       "Example: " +
       program.name + " book" + (program.only ? "" : " ray-sphere --single") + " --out site");

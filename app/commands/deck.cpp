@@ -1,8 +1,9 @@
-// isect deck: a lesson as slides, for LaTeX (beamer) and as one HTML file: one slide per step, with its question on the
-// slide before.
+// isect deck: a lesson or a playlist as slides, for LaTeX (beamer) and as one HTML file: one slide per step, with its
+// question on the slide before.
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -27,68 +28,109 @@ constexpr const char* alone_height = "6.2cm";
 /// LaTeX sets labels at 8 pt; its letters are as wide at 10 pt as ours at 11.
 constexpr const char* label_size = "9pt";
 
-/// The picture of a step, or of the question before it.
-using Picture = std::function<Image(int step, bool asks)>;
+/// How many stops one slide lists.
+constexpr std::size_t stops_a_slide = 16;
 
+/// The picture of a step, or of the question before it.
+using Picture = std::function<Image(const Excerpt&, int step, bool asks)>;
+
+/// Slides, part after part.
 class Slides {
  public:
-  Slides(const Excerpt& e, const Picture& picture) : e_(e), picture_(picture) {}
+  Slides(const Paper& paper, const Picture& picture) : paper_(paper), picture_(picture) { begin(); }
 
-  std::vector<Slide> made() {
-    const viz::Lesson& lesson = *e_.lesson;
-    all_.push_back({lesson.title, {Prose{lesson.summary}}, {}, {}, true});
-    const bool is_step = e_.walk.steps.front().slug == viz::opening_slug;
-    if (!lesson.opening.empty() && !is_step) all_.push_back({lesson.title, {Prose{lesson.opening}}, {}, {}});
-    all_.push_back({"What is given", {Prose{given(lesson, e_.parameters, e_.walk)}}, {}, {}});
-    if (const Blocks code = algorithm(e_); !code.empty()) all_.push_back({"Algorithm", code, {}, {}});
-    for (const int index : e_.steps) {
-      const viz::StepText told = viz::step_text(lesson, e_.walk, index);
-      if (told.question) ask(*told.question, index);
-      if (e_.walk.steps[index].slug == viz::closing_slug)
-        close(told.title);
+  void add(const PaperPart& part) {
+    open(part);
+    for (const int index : part.e.steps) {
+      const viz::StepText told = viz::step_text(*part.e.lesson, part.e.walk, index);
+      if (told.question) ask(part.e, *told.question, index);
+      if (part.e.walk.steps[index].slug == viz::closing_slug)
+        close(part, told.title);
       else
-        show(told, index);
+        show(part, told, index);
     }
-    return std::move(all_);
   }
 
+  std::vector<Slide> made() && { return std::move(all_); }
+
  private:
+  /// A playlist begins with its title and its stops.
+  void begin() {
+    const Blocks list = list_of_stops(paper_);
+    if (list.empty()) return;
+    const std::vector<Stops::Entry>& stops = std::get<Stops>(list.front()).all;
+    for (std::size_t from = 0; from < stops.size(); from += stops_a_slide) {
+      const std::size_t to = std::min(from + stops_a_slide, stops.size());
+      const auto at = [&](std::size_t i) { return stops.begin() + static_cast<std::ptrdiff_t>(i); };
+      Stops some;
+      some.all.assign(at(from), at(to));
+      all_.push_back({paper_.title, {some}, {}, {}});
+    }
+  }
+
+  /// Adds what a part is about, and what is given.
+  void open(const PaperPart& part) {
+    const Excerpt& e = part.e;
+    const viz::Lesson& lesson = *e.lesson;
+    const Prose numbers = {given(lesson, e.parameters, e.walk)};
+    if (part.stop > 0) {
+      Slide slide = {part.head, {}, {}, {}};
+      slide.note = part.note;
+      if (part.new_lesson) slide.left.push_back(Prose{lesson.summary});
+      slide.left.push_back(Prose{numbers.text, "Given"});
+      all_.push_back(std::move(slide));
+    } else {
+      all_.push_back({lesson.title, {Prose{lesson.summary}}, {}, {}, true});
+    }
+    const bool is_step = e.walk.steps.front().slug == viz::opening_slug;
+    if (part.new_lesson && !lesson.opening.empty() && !is_step)
+      all_.push_back({lesson.title, {Prose{lesson.opening}}, {}, {}});
+    if (part.stop == 0) all_.push_back({"What is given", {numbers}, {}, {}});
+    if (const Blocks code = algorithm(e); part.code_of == 0 && !code.empty())
+      all_.push_back({"Algorithm", code, {}, {}});
+  }
+
   /// Adds the question beside the picture for it, then the answer.
-  void ask(const viz::QuestionText& q, int index) {
-    Slide slide = {fmt::format("Question {}", q.number), {}, {}, {}};
-    const bool picture = has_picture(e_.walk, index);
-    if (picture) slide.left.push_back(picture_(index, true));
+  void ask(const Excerpt& e, const viz::QuestionText& q, int index) {
+    Slide slide = {fmt::format("Question {}", paper_.is_playlist() ? ++questions_ : q.number), {}, {}, {}};
+    const bool picture = has_picture(e.walk, index);
+    if (picture) slide.left.push_back(picture_(e, index, true));
     Blocks& text = picture ? slide.right : slide.left;
     text = question(q);
     text.insert(text.end(), {Pause{}, answer(q)});
-    if (q.asked->line) slide.below = std::exchange(text, {code(e_)});  // the lines to name one of
+    if (q.asked->line) slide.below = std::exchange(text, {code(e)});  // the lines to name one of
     all_.push_back(std::move(slide));
   }
 
-  void show(const viz::StepText& told, int index) {
-    Slide slide = {told.title, {picture_(index, false)}, {}, {}};
-    if (told.line && !e_.walk.steps[index].scene.chart) slide.right.push_back(code(e_, told.line));
-    slide.below.push_back(Prose{told.own_caption});  // the opening has a slide of its own
+  void show(const PaperPart& part, const viz::StepText& told, int index) {
+    const viz::Step& s = part.e.walk.steps[index];
+    Slide slide = {told.title, {picture_(part.e, index, false)}, {}, {}};
+    if (told.line && !s.scene.chart) slide.right.push_back(code(part.e, told.line));
+    // The opening has a slide of its own.
+    slide.below.push_back(Prose{part.new_lesson ? told.own_caption : caption_on_paper(part, index)});
     all_.push_back(std::move(slide));
   }
 
   /// Adds the card as text, one slide per exercise, and the solutions behind all of them.
-  void close(const std::string& title) {
+  void close(const PaperPart& part, const std::string& title) {
+    const viz::Lesson& lesson = *part.e.lesson;
     Slide slide = {title, {}, {}, {}};
-    for (const auto& [head, text] : viz::card_rows(*e_.lesson, viz::named_on_card))
+    for (const auto& [head, text] : viz::card_rows(lesson, viz::named_on_card))
       slide.left.push_back(Prose{text, head + "."});
     all_.push_back(std::move(slide));
-    int exercises = 0, solutions = 0;
-    for (const viz::Exercise& x : e_.lesson->closing->exercises)
-      all_.push_back({fmt::format("Exercise {}", ++exercises), exercise(*e_.lesson, x), {}, {}});
-    for (const viz::Exercise& x : e_.lesson->closing->exercises)
+    if (!part.new_card) return;
+    int solutions = exercises_;
+    for (const viz::Exercise& x : lesson.closing->exercises)
+      all_.push_back({fmt::format("Exercise {}", ++exercises_), exercise(lesson, x), {}, {}});
+    for (const viz::Exercise& x : lesson.closing->exercises)
       all_.push_back(
           {fmt::format("{} of exercise {}", viz::solution_head(x), ++solutions), {Prose{x.solution}}, {}, {}});
   }
 
-  const Excerpt& e_;
+  const Paper& paper_;
   const Picture& picture_;
   std::vector<Slide> all_;
+  int questions_ = 0, exercises_ = 0;  ///< so far
 };
 
 Style style_for(const PageOptions& options, bool alone) {
@@ -100,36 +142,40 @@ Style style_for(const PageOptions& options, bool alone) {
 
 int deck(const Program& program, const PageOptions& options) {
   const Style beside = style_for(options, false), alone = style_for(options, true);
-  const Excerpt e = excerpt(program, options.asked);
-  PageFolder pages(program, options, e, "deck", {&viz::format_named("tikz")});
+  const Paper paper = paper_of(program, options.asked);
+  PageFolder pages(program, options, paper, "deck", {&viz::format_named("tikz")});
   FigureMaker small(beside, "auto"), large(alone, "auto");
-  const Picture picture = [&](int step, bool asks) {
+  const Picture picture = [&](const Excerpt& e, int step, bool asks) {
     const viz::Step& s = e.walk.steps[step];
     FigureMaker& maker = asks || (s.line >= 0 && !s.scene.chart) ? small : large;
     const FigureInfo info = asks ? info_of_question(e, step) : info_of(e, step);
     const Excerpt asked = asks ? asking(e, step) : Excerpt();
     const viz::Drawing drawing = asks ? maker.draw(asked, asked.steps.front()) : maker.draw(e, step);
-    pages.add(info, drawing, maker);
-    Image shown = image_of(info);
+    pages.add(e, info, drawing, maker);
+    Image shown = image_of(info, paper);
     shown.svg = maker.write(info, drawing, viz::format_named("svg"));
     shown.fits = true;
     return shown;
   };
-  const std::vector<Slide> slides = Slides(e, picture).made();
-  pages.finish(beamer(e.lesson->title, slides), html_slides(e.lesson->title, slides));
+  Slides made(paper, picture);
+  for (const PaperPart& part : paper.parts) made.add(part);
+  const std::vector<Slide> slides = std::move(made).made();
+  pages.finish(beamer(paper.title, slides), html_slides(paper.title, slides));
   return done;
 }
 
 }  // namespace
 
 void add_deck(CLI::App& app, Program& program) {
-  CLI::App& sub = *app.add_subcommand("deck", "a lesson as slides, for LaTeX (beamer) and as one HTML file");
+  CLI::App& sub = *app.add_subcommand("deck", "a lesson or a playlist as slides: LaTeX (beamer), one HTML file");
   const auto options = std::make_shared<PageOptions>();
   options->width = beside_width;
   add_page_options(sub, program, *options, "deck");
   sub.footer(
       "The files go to DIR/<lesson>/<preset>/: deck.tex, for pdflatex and lualatex run there, beside its pictures,\n"
-      "and deck.html, which needs nothing else: arrow keys, space or a click step through it.\nExample: " +
+      "and deck.html, which needs nothing else: arrow keys, space or a click step through it. A playlist's go to\n"
+      "DIR/<its name>/. The notes of its stops are the speaker's: N shows them in deck.html, and deck.tex says how\n"
+      "beamer does.\nExample: " +
       program.name + " deck" + (program.only ? "" : " ray-sphere") + " --preset tangent");
   sub.callback([&program, options] { program.chosen = [&program, options] { return deck(program, *options); }; });
 }

@@ -14,6 +14,7 @@
 
 #include "app/figures/figure_place.h"
 #include "app/playlist_file.h"
+#include "app/scene/editor.h"
 #include "app/scene/lesson.h"
 #include "app/scene/save.h"
 #include "app/shell/environment.h"
@@ -61,15 +62,8 @@ viz::ReaderState state_of(const Program& program, Selection asked, Lessons& less
 /// Returns the playlist that is asked for, which opens in part at least; one without stops if something else is asked
 /// for. Stops that can't be opened are told.
 viz::Playlist playlist_of(const Program& program, const Selection& asked) {
-  const std::string path = asked.lessons.empty() ? std::string() : asked.lessons.front();
-  std::error_code absent;
-  const bool file = path.ends_with(".json") && std::filesystem::is_regular_file(path, absent);
-  if (!file || !is_playlist(viz::read_file(path))) return {};
-  for (const auto& [option, given] :
-       {std::pair("preset", !asked.preset.empty()), std::pair("step", !asked.step.empty()),
-        std::pair("scene", !asked.scene.empty()), std::pair("set", !asked.changes.empty())})
-    if (given)
-      throw viz::BadInput(fmt::format("{}: not allowed with a playlist; each stop in {} names its own", option, path));
+  const std::string path = playlist_asked(asked);
+  if (path.empty()) return {};
   viz::Playlist list = read_playlist(program, path, Faults::kept);
   const bool opens = std::ranges::any_of(list.stops, [](const viz::Stop& stop) { return stop.fault.empty(); });
   if (!opens) throw viz::BadInput(fmt::format("{}: {}", path, list.stops.front().fault));
@@ -101,17 +95,21 @@ int show(const Program& program, const Selection& asked) {
   viz::Playlist list = playlist_of(program, asked);
   add_scenes(list, lessons, scenes);
   const viz::ReaderState state = list.stops.empty() ? state_of(program, asked, lessons, file) : viz::ReaderState();
-  std::function<void(const viz::Parameters&)> save;
+  std::function<void(const viz::Lesson&, const viz::Parameters&)> save;
   if (file)
-    save = [&](const viz::Parameters& p) {
-      file->save(p);
-      scene::keep(*lessons.back(), file->folder(), p);
+    save = [&](const viz::Lesson& lesson, const viz::Parameters& p) {
+      if (const std::optional<std::string> text = scene::text_with(lesson, p))
+        file->write(*text);
+      else
+        file->save(p);
+      scene::keep(lesson, file->folder(), p);
     };
   need_environment(program);
   try {
     viz::show(
         lessons, lessons::course(), state,
-        [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); }, save, list);
+        [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); }, save, list,
+        scene::editor());
   } catch (const viz::NoDisplay& e) {
     say(fmt::format("{}: {}", program.name, e.what()));
     if (!list.stops.empty()) {

@@ -1,5 +1,5 @@
 #pragma once
-// The contents of a handout's page or a deck's slide, before it is LaTeX or HTML. All texts are markup.
+// The contents of a page to print or a deck's slide, before it is LaTeX or HTML. All texts are markup.
 
 #include <string>
 #include <variant>
@@ -12,6 +12,8 @@ namespace isect::program {
 
 struct Heading {
   std::string text;
+  int level = 2;        ///< 1 is a page's title
+  std::string id = {};  ///< by which a web page links to it; may be empty
 };
 /// Paragraphs are separated by '\n'. The head, if there is one, runs into the first: "Question 2."
 struct Prose {
@@ -39,10 +41,21 @@ struct Blanks {
   std::string head;
   int count = 1;
 };
+/// The stops of a playlist, each with its number, from 1.
+struct Stops {
+  struct Entry {
+    int number = 1;
+    std::string text;
+  };
+  std::vector<Entry> all;
+  bool linked = false;  ///< to the heading with the id "stop-3"
+};
+/// On paper, what follows begins a page.
+struct NewPage {};
 /// On a slide, what follows appears at the next key. Never on paper.
 struct Pause {};
 
-using Block = std::variant<Heading, Prose, Code, Image, Choices, Blanks, Pause>;
+using Block = std::variant<Heading, Prose, Code, Image, Choices, Blanks, Stops, NewPage, Pause>;
 using Blocks = std::vector<Block>;
 
 /// Returns the paragraphs of a text, without empty ones.

@@ -28,7 +28,7 @@ std::string at(const viz::Metadata& data, const std::string& key) {
 
 }  // namespace
 
-std::string folder_of(const Excerpt& e) { return e.lesson->id + "/" + e.folder; }
+std::string folder_of(const Excerpt& e) { return e.place.empty() ? e.lesson->id + "/" + e.folder : e.place; }
 
 std::string file_of(const Excerpt& e, int step) { return folder_of(e) + "/" + viz::file_stem(step, step_of(e, step)); }
 

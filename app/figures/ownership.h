@@ -13,7 +13,8 @@
 
 namespace isect::program {
 
-/// Returns "ray-sphere/two-roots": the folder of a setting's files, below that of all figures or baselines.
+/// Returns "ray-sphere/two-roots": the folder of a setting's files, below that of all figures or baselines. Of a
+/// playlist's stop it is a folder of its own.
 std::string folder_of(const Excerpt&);
 /// Returns "ray-sphere/two-roots/03-foot": a step's file, without its ending.
 std::string file_of(const Excerpt&, int step);

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "app/figures/blocks.h"
 #include "app/pages/latex.h"
 #include "app/pages/slides.h"
 #include "viz/text/tex.h"
@@ -33,16 +35,26 @@ std::string frame(const Slide& s) {
                      s.below.empty() ? "" : "\\medskip\n" + latex(s.below));
 }
 
+/// Returns what the speaker alone sees.
+std::string note_of(const Slide& s) {
+  if (s.note.empty()) return {};
+  std::vector<std::string> all;  // a note takes no paragraphs
+  for (const std::string& paragraph : paragraphs(s.note)) all.push_back(viz::tex(paragraph));
+  return fmt::format("\\note{{{}}}\n", fmt::join(all, "\\\\ "));
+}
+
 constexpr const char* beamer_head =
     "\n\\documentclass[aspectratio=169,10pt]{{beamer}}\n\\usepackage{{tikz}}\n\\usefonttheme{{serif}}\n"
     "\\setbeamertemplate{{navigation symbols}}{{}}\n\\setbeamertemplate{{footline}}[frame number]\n"
-    "\\setlength{{\\parskip}}{{4pt plus 1pt}}\n\\title{{{}}}\n\\begin{{document}}\n";
+    "\\setlength{{\\parskip}}{{4pt plus 1pt}}\n{}\\title{{{}}}\n\\begin{{document}}\n";
+constexpr const char* how_to_note = "% The speaker's notes: \\setbeameroption{show notes on second screen}\n";
 
 }  // namespace
 
 std::string beamer(const std::string& title, const std::vector<Slide>& slides) {
-  std::string out = fmt::format(beamer_head, viz::tex(title));
-  for (const Slide& slide : slides) out += frame(slide);
+  const bool notes = std::ranges::any_of(slides, [](const Slide& s) { return !s.note.empty(); });
+  std::string out = fmt::format(beamer_head, notes ? how_to_note : "", viz::tex(title));
+  for (const Slide& slide : slides) out += frame(slide) + note_of(slide);
   return out + "\\end{document}\n";
 }
 

@@ -12,7 +12,10 @@ namespace isect::program {
 namespace {
 
 struct AsHtml {
-  std::string operator()(const Heading& h) const { return fmt::format("<h2>{}</h2>\n", html_text(h.text)); }
+  std::string operator()(const Heading& h) const {
+    const std::string id = h.id.empty() ? "" : fmt::format(" id=\"{}\"", h.id);
+    return fmt::format("<h{0}{1}>{2}</h{0}>\n", h.level, id, html_text(h.text));
+  }
   std::string operator()(const Prose& p) const {
     std::string out, head = p.head.empty() ? "" : fmt::format("<b>{}</b> ", html_text(p.head));
     for (const std::string& paragraph : paragraphs(p.text))
@@ -43,6 +46,15 @@ struct AsHtml {
     for (int i = 0; i < blanks.count; ++i) out += " ____";
     return "<p>" + out + "</p>\n";
   }
+  std::string operator()(const Stops& stops) const {
+    std::string out = "<ol class=\"stops\">\n";
+    for (const auto& [number, text] : stops.all)
+      out += stops.linked
+                 ? fmt::format("<li value=\"{0}\"><a href=\"#stop-{0}\">{1}</a></li>\n", number, html_text(text))
+                 : fmt::format("<li value=\"{}\">{}</li>\n", number, html_text(text));
+    return out + "</ol>\n";
+  }
+  std::string operator()(const NewPage&) const { return "<div class=\"page\"></div>\n"; }
   std::string operator()(const Pause&) const { return "<div class=\"later\">\n"; }
 };
 

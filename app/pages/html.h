@@ -8,7 +8,7 @@
 
 namespace isect::program {
 
-/// Returns the first line, by which isect knows a file as its own; `what` is "handout" or "deck".
+/// Returns the first line, by which isect knows a file as its own; `what` is "handout", "quiz" or "deck".
 std::string html_mark(const std::string& what);
 /// Converts markup to HTML, on one line.
 std::string html_text(const std::string& markup);

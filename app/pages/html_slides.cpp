@@ -12,7 +12,10 @@ std::string section(const Slide& s) {
   std::string body = html(s.left);
   if (!s.right.empty())
     body = "<div class=\"columns\"><div>\n" + body + "</div><div>\n" + html(s.right) + "</div></div>\n";
-  return fmt::format("<section>\n<{0}>{1}</{0}>\n", tag, html_text(s.title)) + body + html(s.below) + "</section>\n";
+  const std::string note =
+      s.note.empty() ? "" : "<aside class=\"note\">\n" + html({Prose{s.note, "Note"}}) + "</aside>\n";
+  return fmt::format("<section>\n<{0}>{1}</{0}>\n", tag, html_text(s.title)) + body + html(s.below) + note +
+         "</section>\n";
 }
 
 constexpr const char* slides_style =
@@ -27,6 +30,8 @@ constexpr const char* slides_style =
     "padding-left: 2em; text-indent: -2em; }\n"
     "ol.code .current { background: #ffef9e; font-weight: bold; }\n"
     "ol.choices { list-style: lower-alpha; }\n"
+    ".note { border-top: 1px solid #999; color: #444; margin-top: 1em; }\n"
+    ".stepping:not(.noted) .note { display: none; }\n"
     ".stepping section { display: none; } .stepping section.shown { display: block; }\n"
     ".stepping .later:not(.shown) { visibility: hidden; }\n"
     "#place { position: fixed; right: 2vmin; bottom: 1vmin; font-size: 0.7em; color: #666; }\n"
@@ -52,7 +57,8 @@ function next() {
 function back() { if (now > 0) show(now - 1, true); }
 function from_address() { show(Number(location.hash.slice(1)) - 1 || 0, false); }
 const keys = { ArrowRight: next, ArrowDown: next, PageDown: next, " ": next, Enter: next, ArrowLeft: back, ArrowUp: back,
-               PageUp: back, Backspace: back, Home: () => show(0, false), End: () => show(slides.length - 1, true) };
+               PageUp: back, Backspace: back, Home: () => show(0, false), End: () => show(slides.length - 1, true),
+               n: () => document.body.classList.toggle("noted") };
 addEventListener("keydown", e => {
   if (e.ctrlKey || e.altKey || e.metaKey || !keys[e.key]) return;
   e.preventDefault();

@@ -27,7 +27,10 @@ std::string fitted(const std::string& picture) {
 }
 
 struct AsLatex {
-  std::string operator()(const Heading& h) const { return fmt::format("\n\\subsection*{{{}}}\n", viz::tex(h.text)); }
+  std::string operator()(const Heading& h) const {
+    const char* before = h.level == 1 ? "" : h.level == 2 ? "sub" : "subsub";
+    return fmt::format("\n\\{}section*{{{}}}\n", before, viz::tex(h.text));
+  }
   std::string operator()(const Prose& p) const {
     std::string out = p.head.empty() ? "" : fmt::format("\\textbf{{{}}} ", viz::tex(p.head));
     for (const std::string& paragraph : paragraphs(p.text)) out += viz::tex(paragraph) + "\n\n";
@@ -61,6 +64,12 @@ struct AsLatex {
     for (int i = 0; i < blanks.count; ++i) out += " \\rule{2em}{0.4pt}";
     return out + "\n\n";
   }
+  std::string operator()(const Stops& stops) const {
+    std::string out = "\\begin{itemize}\n";
+    for (const auto& [number, text] : stops.all) out += fmt::format("\\item[{}.] {}\n", number, viz::tex(text));
+    return out + "\\end{itemize}\n";
+  }
+  std::string operator()(const NewPage&) const { return "\\clearpage\n"; }
   std::string operator()(const Pause&) const { return "\\pause\n"; }
 };
 

@@ -7,7 +7,7 @@
 
 namespace isect::program {
 
-/// Returns the first line, by which isect knows a file as its own; `what` is "handout" or "deck".
+/// Returns the first line, by which isect knows a file as its own; `what` is "handout", "quiz" or "deck".
 std::string latex_mark(const std::string& what);
 std::string latex(const Blocks&);
 

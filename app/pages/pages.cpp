@@ -27,22 +27,23 @@ void need_own(const std::string& folder, const std::vector<PageFile>& files) {
                       folder + name));
 }
 
-PageFolder::PageFolder(const Program& program, const PageOptions& options, const Excerpt& e, const std::string& kind,
-                       const std::vector<const viz::Format*>& formats)
-    : options_(options), e_(e), kind_(kind), formats_(formats), figures_(options.out, program) {
-  need_own((fs::path(options.out) / folder_of(e)).string() + "/",
+PageFolder::PageFolder(const Program& program, const PageOptions& options, const Paper& paper, const std::string& kind,
+                       const std::vector<const viz::Format*>& formats, PaperSteps which)
+    : options_(options), paper_(paper), kind_(kind), formats_(formats), figures_(options.out, program) {
+  need_own((fs::path(options.out) / paper.folder).string() + "/",
            {{kind + ".tex", latex_mark(kind)}, {kind + ".html", html_mark(kind)}});
   need_environment(program);
-  for (const int step : e.steps)
-    for (const viz::Format* format : formats) {
-      figures_.need_ours(info_of(e, step), *format);
-      if (e.walk.steps[step].question) figures_.need_ours(info_of_question(e, step), *format);
-    }
+  for (const PaperPart& part : paper.parts)
+    for (const int step : part.e.steps)
+      for (const viz::Format* format : formats) {
+        if (which == PaperSteps::all) figures_.need_ours(info_of(part.e, step), *format);
+        if (part.e.walk.steps[step].question) figures_.need_ours(info_of_question(part.e, step), *format);
+      }
 }
 
-void PageFolder::add(const FigureInfo& info, const viz::Drawing& drawing, FigureMaker& maker) {
+void PageFolder::add(const Excerpt& e, const FigureInfo& info, const viz::Drawing& drawing, FigureMaker& maker) {
   for (const viz::Format* format : formats_)
-    figures_.add(e_, info, format->name, maker.write(info, drawing, *format),
+    figures_.add(e, info, format->name, maker.write(info, drawing, *format),
                  {{"theme", options_.theme},
                   {"width_pt", drawing.width},
                   {"height_pt", drawing.height},
@@ -50,14 +51,16 @@ void PageFolder::add(const FigureInfo& info, const viz::Drawing& drawing, Figure
 }
 
 void PageFolder::finish(const std::string& latex, const std::string& html) {
-  const std::string file = folder_of(e_) + "/" + kind_;
+  const std::string file = paper_.folder + "/" + kind_;
   print(figures_.add_page(file + ".tex", latex_mark(kind_) + latex));
   print(figures_.add_page(file + ".html", html_mark(kind_) + html));
   figures_.list();
   figures_.say_left_alone();
 }
 
-Image image_of(const FigureInfo& info) { return {fs::path(info.stem).filename(), {}, info.alt}; }
+Image image_of(const FigureInfo& info, const Paper& paper) {
+  return {info.stem.substr(paper.folder.size() + 1), {}, info.alt};
+}
 
 std::string theme_of_pages(const PageOptions& options) {
   if (viz::theme_named(options.theme) == viz::ThemeName::dark)
@@ -67,8 +70,8 @@ std::string theme_of_pages(const PageOptions& options) {
 
 void add_page_options(CLI::App& sub, const Program& program, PageOptions& options, const std::string& what) {
   const std::string width = options.width;
-  options.out = what + "s";
-  add_lesson(sub, program, options.asked, Takes::one, "a lesson's id, or a preset's file");
+  if (options.out.empty()) options.out = what + "s";
+  add_lesson(sub, program, options.asked, Takes::one, "a lesson's id, or the file of a preset, a scene or a playlist");
   add_preset(sub, options.asked, Takes::one, "a preset, or a file with one; the first if not given");
   add_step(sub, options.asked, Takes::many, "counted from 1: 3, 3-6, 3,5,7-9 or all (if not given)");
   add_scene_file(sub, program, options.asked);

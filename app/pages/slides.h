@@ -12,7 +12,8 @@ struct Slide {
   std::string title;  ///< markup
   Blocks left;        ///< the whole width if nothing stands on the right
   Blocks right = {}, below = {};
-  bool first = false;  ///< the title in large letters
+  bool first = false;     ///< the title in large letters
+  std::string note = {};  ///< markup, for the speaker alone
 };
 
 std::string beamer(const std::string& title, const std::vector<Slide>&);

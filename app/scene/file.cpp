@@ -28,7 +28,7 @@ class SceneReader {
       source_.refuse({"lesson"},
                      "this is a preset’s file, which show, render and explain take; a scene has \"objects\"");
     if (json().is_object() && json().contains("stops") && !json().contains("objects"))
-      source_.refuse({"stops"}, "this is a playlist, which show, handout and deck take; a scene has \"objects\"");
+      source_.refuse({"stops"}, "this is a playlist, which show, handout, deck and quiz take; a scene has \"objects\"");
     source_.only(json(), {}, {"title", "objects", "ask", "notes", "camera"}, beside_);
     file_.title = json().contains("title") ? source_.text(json()["title"], {"title"}) : "A scene";
     ReadObjects objects = read_objects(source_, folder_);

@@ -21,7 +21,7 @@
 //     "camera": {"azimuth": 30, "elevation": 20} }                   // degrees
 //
 // The first field of an object is its type with its name; the others are those of app/scene/types.h, in the plane with
-// two coordinates, in space with three.
+// two coordinates, in space with three. "hidden": true leaves an object out of the picture, not out of the answers.
 
 #include <string>
 #include <utility>

@@ -6,7 +6,12 @@
 
 #include <algorithm>
 #include <deque>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
 
+#include "app/scene/known.h"
 #include "app/scene/lesson.h"
 #include "app/scene/save.h"
 #include "app/scene/types.h"
@@ -16,21 +21,67 @@ namespace isect::program::scene {
 
 namespace {
 
-std::deque<viz::Lesson>& kept_lessons() {
-  static std::deque<viz::Lesson> all;  // none of them moves
+/// A lesson with the text that it was made from.
+struct KeptLesson {
+  viz::Lesson lesson;
+  std::string text, folder;  ///< `text`: as people wrote it; empty: the lesson asks other questions
+  std::shared_ptr<KnownScene> known;
+};
+
+std::deque<KeptLesson>& kept_lessons() {
+  static std::deque<KeptLesson> all;  // none of them moves
   return all;
+}
+
+KeptLesson& kept_as(const viz::Lesson& lesson) {
+  const auto address = [](const KeptLesson& one) { return &one.lesson; };
+  const auto found = std::ranges::find(kept_lessons(), &lesson, address);
+  if (found == kept_lessons().end()) throw std::logic_error("this lesson is not kept");
+  return *found;
+}
+
+KeptLesson kept_from(const std::string& text, const std::string& folder, std::shared_ptr<KnownScene> known) {
+  viz::Lesson lesson = lesson_of(text, folder, known);
+  return {std::move(lesson), text, folder, std::move(known)};
 }
 
 }  // namespace
 
 const viz::Lesson& kept_lesson_of(const std::string& text, const std::string& folder) {
-  return kept_lessons().emplace_back(lesson_of(text, folder));
+  return kept_lessons().emplace_back(kept_from(text, folder, std::make_shared<KnownScene>())).lesson;
 }
 
 void keep(const viz::Lesson& kept, const std::string& folder, const viz::Parameters& parameters) {
-  const auto at = std::ranges::find(kept_lessons(), &kept, [](const viz::Lesson& one) { return &one; });
-  const std::string text = with_numbers(kept.made_from, read_scene(kept.made_from, folder), parameters);
-  *at = lesson_of(text, folder);
+  KeptLesson& one = kept_as(kept);
+  const std::string& was = one.text.empty() ? kept.made_from : one.text;
+  const bool own = !one.text.empty();
+  KeptLesson now = kept_from(with_numbers(was, read_scene(was, folder), parameters), folder, one.known);
+  if (!own) now.text.clear();
+  one = std::move(now);
+}
+
+bool is_editable(const viz::Lesson& lesson) {
+  return std::ranges::any_of(kept_lessons(),
+                             [&](const KeptLesson& one) { return &one.lesson == &lesson && !one.text.empty(); });
+}
+
+std::optional<std::string> text_with(const viz::Lesson& kept, const viz::Parameters& parameters) {
+  const KeptLesson& one = kept_as(kept);
+  if (one.text.empty()) return {};
+  return with_numbers(one.text, read_scene(one.text, one.folder), parameters);
+}
+
+const viz::Lesson& edited(const viz::Lesson& kept, const viz::Parameters& parameters, bool same,
+                          const std::function<std::string(const std::string&)>& edit) {
+  const std::optional<std::string> text = text_with(kept, parameters);
+  if (!text) throw viz::BadInput("the objects of another lesson’s walk are changed in their own file");
+  const auto known = std::make_shared<KnownScene>();
+  const KeptLesson& one = kept_as(kept);
+  if (same) {
+    const std::lock_guard lock(one.known->busy);
+    known->known = one.known->known;
+  }
+  return kept_lessons().emplace_back(kept_from(edit(*text), one.folder, known)).lesson;
 }
 
 namespace {
@@ -85,7 +136,9 @@ const viz::Lesson& kept_walks_of(const viz::Lesson& lesson, const std::string& m
   Json scene = Json::parse(file.text);
   scene["ask"] = walks_through(lesson, method, file);
   scene["title"] = fmt::format("{}: {}", lesson.title, file.title);
-  return kept_lesson_of(scene.dump(), folder);
+  const viz::Lesson& made = kept_lesson_of(scene.dump(), folder);
+  kept_as(made).text.clear();
+  return made;
 }
 
 }  // namespace isect::program::scene

@@ -96,17 +96,11 @@ viz::Lesson without_steps(const File& file) {
   return lesson;
 }
 
-viz::Lesson lesson_of(const std::string& text, const std::string& folder) {
+viz::Lesson lesson_of(const std::string& text, const std::string& folder, const std::shared_ptr<KnownScene>& known) {
   const auto file = std::make_shared<const File>(read_scene(text, folder));
-  struct Kept {
-    std::mutex busy;
-    PairAnswers pairs;
-  };
-  const auto kept = std::make_shared<Kept>();
-  const auto walk = [file, kept](const viz::Parameters& parameters) {
+  const auto walk = [file, kept = known ? known : std::make_shared<KnownScene>()](const viz::Parameters& parameters) {
     const std::lock_guard lock(kept->busy);
-    kept->pairs.move_to(*file, parameters);
-    return steps_of_scene(*file, parameters, kept->pairs);
+    return steps_of_scene(*file, parameters, kept->known);
   };
   viz::Lesson lesson = without_steps(*file);
   // What the core refuses is reported now; a large mesh is asked only once.

@@ -54,6 +54,7 @@ struct Object {
   Fixed fixed = {};
   /// Whether its points stay as they are, and what is dragged is "at", which a file need not have.
   bool is_fixed() const { return !fixed.points.empty(); }
+  bool hidden = false;    ///< left out of the picture, not out of the answers
   std::string note = {};  ///< what its file may mean differently than it is read, as plain sentences
 };
 /// Whether it is a ray, a line or a segment.
@@ -89,6 +90,8 @@ struct Room {
   double reach = 1;
 };
 Room room(const NamedValues&, const std::vector<Object>&);
+/// Returns the room of all that lies between these corners.
+Room room_between(const viz::Vec3& lo, const viz::Vec3& hi);
 
 /// Returns the object and its name. Throws viz::BadInput if its numbers are no shape for the core.
 std::vector<viz::Item> drawn(const NamedValues&, const Object&, const Room&, viz::Role);

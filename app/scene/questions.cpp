@@ -76,6 +76,8 @@ Told not_decided(const Shaped& a, const Shaped& b, const std::string& why) {
 
 }  // namespace
 
+bool is_decided(Type a, Type b, bool flat) { return pair_of(a, b, flat) || pair_of(b, a, flat); }
+
 Told ask(const Shaped& a, const Shaped& b) {
   const Pair* pair = pair_of(a.type(), b.type(), a.flat());
   if (!pair) {

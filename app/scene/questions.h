@@ -27,6 +27,8 @@ struct NotDecided : viz::BadInput {
   using BadInput::BadInput;
 };
 
+/// Whether there is a test for objects of these types, in either order.
+bool is_decided(Type, Type, bool flat);
 /// Asks about any two objects, in either order. Throws viz::BadInput if the core refuses the input, naming the objects.
 Told ask(const Shaped& a, const Shaped& b);
 

@@ -24,6 +24,8 @@ constexpr std::size_t most_objects = 1000, most_vertices = 10'000, most_slabs = 
 constexpr std::size_t most_knobs = 40;
 /// The most points of a file that a figure takes along, so that it can be opened without that file.
 constexpr std::size_t most_taken_along = 2'000;
+/// The fields that objects of all types may have.
+const std::vector<std::string> in_any = {"hidden"};
 
 class ObjectReader {
  public:
@@ -78,6 +80,10 @@ class ObjectReader {
                      fmt::format("{} has three coordinates; there is none in the plane", with_article(known->type)));
     if (!source_.flat() && !out_.json.back().contains(known->name))
       source_.refuse(path, fmt::format("a {} in space; a {}, a ball, is meant", known->in_plane, known->name));
+    if (json.contains("hidden")) {
+      if (!json["hidden"].is_boolean()) source_.refuse(below(path, "hidden"), "true or false is expected");
+      o.hidden = json["hidden"];
+    }
     require_shape(o, path);
     out_.all.push_back(std::move(o));
   }
@@ -108,7 +114,7 @@ class ObjectReader {
   void fields(const Json& json, const Path& path, const TypeSpec& type, Object& o) {
     std::vector<std::string> allowed = {type.name};
     for (const FieldSpec& f : type.fields) allowed.push_back(f.name);
-    source_.only(json, path, allowed);
+    source_.only(json, path, allowed, in_any);
     for (const FieldSpec& f : type.fields) {
       if (!json.contains(f.name) && f.optional) continue;
       const Json& value = source_.member(json, path, f.name);
@@ -134,7 +140,7 @@ class ObjectReader {
 
   /// Reads "normals", and as many numbers "lo" and "hi".
   void slabs(const Json& json, const Path& path, Object& o) {
-    source_.only(json, path, {"kdop", "normals", "lo", "hi"});
+    source_.only(json, path, {"kdop", "normals", "lo", "hi"}, in_any);
     const Path to = below(path, "normals");
     const Json& normals = source_.list(source_.member(json, path, "normals"), to, 1, most_slabs, "normals");
     for (std::size_t i = 0; i < normals.size(); ++i) {
@@ -158,7 +164,7 @@ class ObjectReader {
     if (o.type != Type::triangle) allowed.push_back("file");
     if (mesh) allowed.push_back("triangles");
     if (spec(o.type).with_at) allowed.push_back("at");
-    source_.only(json, path, allowed);
+    source_.only(json, path, allowed, in_any);
     const int given = json.contains("points") + json.contains("rings") + json.contains("file");
     if (given != 1) {
       allowed.erase(allowed.begin());

@@ -79,12 +79,19 @@ KeptFile::KeptFile(const std::string& path) : path_(path), text_(viz::read_regul
 
 std::string KeptFile::folder() const { return std::filesystem::path(path_).parent_path().string(); }
 
-void KeptFile::save(const viz::Parameters& parameters) {
+void KeptFile::require_same() const {
   if (viz::read_regular_file(path_) != text_)
     throw viz::FileError(fmt::format(
         "cannot write '{}': somebody has changed it since it was opened. Ctrl+C copies these numbers", path_));
-  const File file = read_scene(text_, folder());
-  const std::string text = with_numbers(text_, file, parameters);
+}
+
+void KeptFile::save(const viz::Parameters& parameters) {
+  require_same();
+  write(with_numbers(text_, read_scene(text_, folder()), parameters));
+}
+
+void KeptFile::write(const std::string& text) {
+  require_same();
   viz::write_file(path_, text);
   text_ = text;
 }

@@ -17,9 +17,14 @@ class KeptFile {
   explicit KeptFile(const std::string& path);
   /// Writes the numbers. Throws viz::BadInput, or viz::FileError if somebody has changed the file, which then stays.
   void save(const viz::Parameters&);
+  /// Writes another text in the file's place, as save() does.
+  void write(const std::string& text);
   std::string folder() const;
 
  private:
+  /// Throws viz::FileError if somebody has changed the file.
+  void require_same() const;
+
   std::string path_, text_;  ///< as it was read or written last
 };
 

@@ -74,11 +74,13 @@ std::vector<Role> roles_of_all(const File& file) {
   return roles;
 }
 
-viz::Scene scene_picture(const Context& context, const std::vector<Role>& roles, const std::vector<std::size_t>& lit) {
+viz::Scene scene_picture(const Context& context, ObjectPictures& pictures, const std::vector<Role>& roles,
+                         const std::vector<std::size_t>& lit) {
   viz::Scene scene;
   const bool few = context.file.objects.size() <= most_with_all_handles;
   for (std::size_t i = 0; i < context.file.objects.size(); ++i) {
     const Object& o = context.object(i);
+    if (o.hidden) continue;
     const auto at = std::ranges::find(lit, i);
     Role role = lit.empty() ? roles[i] : usual_role(o.type);
     if (!lit.empty() && at == lit.end()) {
@@ -86,10 +88,11 @@ viz::Scene scene_picture(const Context& context, const std::vector<Role>& roles,
       role = Role::muted;
     }
     if (lit.size() == 2 && at != lit.end()) role = at == lit.begin() ? Role::first : Role::second;
-    std::ranges::move(drawn(context.numbers, o, context.room, role), std::back_inserter(scene.items));
     const HandlesOf which =
         few || (at != lit.end() && lit.size() <= most_with_all_handles) ? HandlesOf::all : HandlesOf::points;
-    std::ranges::move(handles(context.numbers, o, context.room, role, which), std::back_inserter(scene.handles));
+    const ObjectPictures::Picture& picture = pictures.of(context.numbers, o, i, context.room, role, which);
+    std::ranges::copy(picture.items, std::back_inserter(scene.items));
+    std::ranges::copy(picture.handles, std::back_inserter(scene.handles));
   }
   const bool too_many = context.file.objects.size() > most_in_all_pictures;
   if (too_many && lit.empty())

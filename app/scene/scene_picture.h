@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/scene/answered.h"
+#include "app/scene/object_pictures.h"
 #include "viz/scene.h"
 
 namespace isect::program::scene {
@@ -14,7 +15,8 @@ namespace isect::program::scene {
 std::vector<viz::Role> roles_of_all(const File&);
 
 /// Draws the objects asked about, `lit`, in colour and the others as lines in grey, unless there are too many. Without
-/// any, all are drawn in `roles`, those of roles_of_all.
-viz::Scene scene_picture(const Context&, const std::vector<viz::Role>& roles, const std::vector<std::size_t>& lit);
+/// any, all are drawn in `roles`, those of roles_of_all. Hidden ones are left out.
+viz::Scene scene_picture(const Context&, ObjectPictures&, const std::vector<viz::Role>& roles,
+                         const std::vector<std::size_t>& lit);
 
 }  // namespace isect::program::scene

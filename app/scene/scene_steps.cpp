@@ -31,6 +31,8 @@ std::string how_many(const Object& o) {
 constexpr std::ptrdiff_t most_steps_of_pairs = 200;
 /// The most of their answers in full.
 constexpr std::size_t most_told = 12;
+/// The most objects that the first step names.
+constexpr std::size_t most_listed = 200;
 /// The most answers on the card of all answers.
 constexpr std::size_t most_rows = 36;
 
@@ -42,11 +44,13 @@ class Walker {
   };
 
  public:
-  Walker(const File& file, const viz::Parameters& parameters)
-      : context_{file, {parameters, file.flat}, room({parameters, file.flat}, file.objects)},
+  Walker(const File& file, const viz::Parameters& parameters, Known& known)
+      : known_(known),
+        context_{file, {parameters, file.flat}, known.pictures.room({parameters, file.flat}, file.objects)},
         roles_(roles_of_all(file)) {}
 
-  viz::Walk made(PairAnswers& pairs) {
+  viz::Walk made() {
+    PairAnswers& pairs = known_.pairs;
     const auto asked_of_pairs = std::ranges::count_if(
         context_.file.asked, [](const Asked& asked) { return std::holds_alternative<PairAsked>(asked); });
     viz::Walk walk;
@@ -116,18 +120,34 @@ class Walker {
     return out;
   }
 
-  viz::Step all_objects() const {
+  /// Returns all objects by name or, if they are many, how many there are of each type.
+  std::string listed_objects() const {
+    const std::vector<Object>& all = context_.file.objects;
+    std::string list;
+    if (all.size() <= most_listed) {
+      for (const Object& o : all)
+        list += fmt::format("{}{} {}{}", list.empty() ? "" : ", ", in_words(o.type, context_.file.flat),
+                            shown_name(o.name), how_many(o));
+      return list;
+    }
+    for (const TypeSpec& type : types()) {
+      const auto count = std::ranges::count(all, type.type, &Object::type);
+      const std::string words = in_words(type.type, context_.file.flat);
+      const bool hisses = words.ends_with("x") || words.ends_with("sh");
+      if (count > 0)
+        list += fmt::format("{}{} {}{}", list.empty() ? "" : ", ", count, words, count == 1 ? "" : hisses ? "es" : "s");
+    }
+    return fmt::format("{} objects: {}", all.size(), list);
+  }
+
+  viz::Step all_objects() {
     viz::Step step;
     step.slug = "objects";
     step.title = context_.file.title;
-    std::string list;
-    for (const Object& o : context_.file.objects)
-      list += fmt::format("{}{} {}{}", list.empty() ? "" : ", ", in_words(o.type, context_.file.flat),
-                          shown_name(o.name), how_many(o));
-    step.caption = fmt::format("The scene holds {}.", list);
+    step.caption = fmt::format("The scene holds {}.", listed_objects());
     for (const Object& o : context_.file.objects)
       if (!o.note.empty()) step.caption += fmt::format(" {}: {}", shown_name(o.name), viz::as_markup(o.note));
-    step.scene = scene_picture(context_, roles_, {});
+    step.scene = scene_picture(context_, known_.pictures, roles_, {});
     return step;
   }
 
@@ -135,7 +155,7 @@ class Walker {
     viz::Step step;
     step.slug = answer.slug, step.title = answer.title, step.caption = answer.caption, step.formula = answer.formula;
     step.verdict = answer.verdict, step.values = answer.values;
-    step.scene = scene_picture(context_, roles_, answer.lit);
+    step.scene = scene_picture(context_, known_.pictures, roles_, answer.lit);
     std::ranges::move(answer.items, std::back_inserter(step.scene.items));
     rows_.push_back({step.title, answer.verdict.text + (answer.formula.empty() ? "" : ": " + answer.formula),
                      answer.verdict.kind == viz::Verdict::Kind::no});
@@ -240,6 +260,7 @@ class Walker {
     return step;
   }
 
+  Known& known_;
   Context context_;
   std::vector<Role> roles_;  ///< of all objects, where none is asked about
   std::vector<Row> rows_;
@@ -247,12 +268,14 @@ class Walker {
 
 }  // namespace
 
-viz::Walk steps_of_scene(const File& file, const viz::Parameters& parameters, PairAnswers& kept) {
-  return Walker(file, parameters).made(kept);
+viz::Walk steps_of_scene(const File& file, const viz::Parameters& parameters, Known& known) {
+  known.move_to(file, parameters);
+  return Walker(file, parameters, known).made();
 }
 
 void each_answer(const File& file, const std::function<void(Json)>& take) {
-  Walker(file, file.parameters).each_answer(take);
+  Known nothing;
+  Walker(file, file.parameters, nothing).each_answer(take);
 }
 
 Json answers(const File& file) {

@@ -2,12 +2,12 @@
 // The steps of a scene's lesson: its objects, then a step for each question, then all answers.
 
 #include "app/scene/file.h"
-#include "app/scene/pair_answers.h"
+#include "app/scene/known.h"
 #include "viz/lesson.h"
 
 namespace isect::program::scene {
 
-/// Returns the walk with these numbers, to which `kept` must have moved.
-viz::Walk steps_of_scene(const File&, const viz::Parameters&, PairAnswers& kept);
+/// Returns the walk with these numbers. `known`: of the walk before, whose objects it had in the same order.
+viz::Walk steps_of_scene(const File&, const viz::Parameters&, Known& known);
 
 }  // namespace isect::program::scene

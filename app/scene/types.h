@@ -62,4 +62,13 @@ const TypeSpec& spec(Type);
 /// Returns what else files may call it in the plane: "circle"; empty if nothing.
 std::string other_name(const TypeSpec&);
 
+/// Where a new object stands, about how far it reaches from there, and whether it lies in the plane.
+struct Start {
+  viz::Vec3 middle = viz::Vec3::Zero();
+  double size = 1;
+  bool flat = false;
+};
+/// Returns a new object as files have it, in numbers that add up without rounding. (types/starts.cpp)
+Json start_of(Type, const std::string& name, const Start&);
+
 }  // namespace isect::program::scene

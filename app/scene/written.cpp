@@ -46,6 +46,7 @@ constexpr const char* before =
 constexpr const char* after =
     "A plane is where normal . x + d = 0. An obb reaches from center as far as half tells along u, v and, in space,\n"
     "w: axes of length 1 at right angles. angle is in degrees, from bottom to top. at moves all points of its object.\n"
+    "\"hidden\": true in any object leaves it out of the picture, not out of the answers.\n"
     "Files, named from the scene's folder, as other programs write them; up to 1,000,000 points, and as many "
     "triangles:\n"
     "  .csv .tsv .txt     a point a row: two or three numbers; or, below a first row of names, the columns x, y (and "

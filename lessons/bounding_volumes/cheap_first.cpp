@@ -147,7 +147,9 @@ class Teller {
             test_.rejected   ? 1
             : test_.accepted ? 3
                              : 2,
-            test_.rejected ? "The volume misses b, so its contents do too. No triangle is tested."
+            test_.rejected ? "The volume misses b, so its contents do too. No triangle is tested.\n"
+                             "A no to objects that meet would be a false negative. A volume that contains its object "
+                             "gives none."
             : test_.accepted
                 ? "The volume lies in b, so its contents do too. No triangle is tested."
                 : "The volume and b overlap. That decides nothing about the object: the overlap is only potential.",
@@ -185,22 +187,21 @@ class Teller {
                             : "OUTSIDE: b lies in the void");
     if (!meets) script_.refuse(5, {});
     if (!meets && !within) script_.refuse(6, {});
-    Step& step =
-        add("verdict",
-            meets    ? "A true overlap"
-            : within ? "Containment"
-                     : "A false positive",
-            meets    ? 5
-            : within ? 6
-                     : 7,
-            meets    ? "The volume's test was not wasted: for most pairs of a scene it is the last one."
-            : within ? said_of_side("inside") +
-                           "A test of triangles alone would call this OUTSIDE. Of two closed surfaces that do "
-                           "not meet, either may contain the other: test a point of each."
-                     : said_of_side("outside") +
-                           "So only the void of the volume met it. Less void means fewer false positives. That "
-                           "is why tightness counts.",
-            true, true);
+    Step& step = add("verdict",
+                     meets    ? "A true overlap"
+                     : within ? "Containment"
+                              : "A false positive",
+                     meets    ? 5
+                     : within ? 6
+                              : 7,
+                     meets    ? "The volume's test was not wasted: for most pairs of a scene it is the last one."
+                     : within ? said_of_side("inside") +
+                                    "A test of triangles alone would call this OUTSIDE. Of two closed surfaces that do "
+                                    "not meet, either may contain the other: test a point of each."
+                              : said_of_side("outside") +
+                                    "So only the void of the volume met it: a yes of the cheap test, though a and b do "
+                                    "not meet. Less void means fewer false positives. That is why tightness counts.",
+                     true, true);
     step.decides = true;
   }
 

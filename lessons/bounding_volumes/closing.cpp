@@ -41,8 +41,8 @@ const Closing& closing() {
           "A sphere keeps 4 numbers, an AABB 6, a *k*-DOP *k*, an OBB 15. A test that finds an overlap takes 11, 6, "
           "*k* and about 250 operations.",
       .choose =
-          "AABB by default. Sphere for bodies that rotate often; OBB or *k*-DOP for long or tilted bodies close to "
-          "others.",
+          "AABB by default. Sphere for round bodies that rotate often; OBB or *k*-DOP for long or tilted bodies close "
+          "to others.",
       .used =
           "Broad phase of physics engines, frustum and occlusion culling, nodes of hierarchies for ray tracing on "
           "the GPU.",
@@ -67,7 +67,7 @@ const Closing& closing() {
           {"A box with half-lengths **h** is turned by a matrix *M*. Find the half-lengths of the AABB around it.",
            "On axis *i* it is the sum of |*M_{ij}*| *h_j* over *j*. That takes nine products. Around an object in the "
            "box it is looser than fitting the object's vertices again. Round such bounds outwards: a volume that "
-           "rounding made too small may reject what meets its object."},
+           "rounding made too small may reject what meets its object: a false negative."},
           {"An object is translated by **v**. What changes in its sphere, AABB, OBB and *k*-DOP?",
            "The centre of the sphere and of the OBB moves by **v**, and so do both corners of the AABB. The bounds of "
            "slab *i* grow by **n**_i · **v**. Nothing is fitted again."},

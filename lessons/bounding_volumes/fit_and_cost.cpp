@@ -100,8 +100,8 @@ class Fit {
         0, 0, "Sphere: a centre and a radius",
         "It holds every point **x** within the radius *r* of the centre **c**; *r* reaches to the farthest vertex.\n"
         "When the object turns, only the centre moves with it.\n"
-        "Void is what of a volume the object leaves empty, told in volumes of the object.\n"
-        "The empty share is a part of the volume itself: of this sphere, " +
+        "Void is what of a volume the object leaves empty: here told in volumes of the object.\n"
+        "As a part of the volume itself it is the empty share: of this sphere, " +
             in_percent(part_that_is_void(all_[0])) + ".",
         radius(fitted_.ball, farthest(mesh_, fitted_.ball)), "|**x** − **c**| ≤ *r*");
   }

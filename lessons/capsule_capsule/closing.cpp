@@ -27,8 +27,8 @@ const Closing& closing() {
           "Two capsules meet if and only if their segments come within *r*_a + *r*_b. In the plane they cross, or "
           "an end is nearest.",
       .cost =
-          "Constant: four orientations, then four distances from a point to a segment at most. The textbook "
-          "method takes two divisions at most.",
+          "Constant. In the plane: four orientations, then four distances from a point to a segment at most. The "
+          "textbook method takes two divisions at most.",
       .choose =
           "For long, round bodies that rotate: only two endpoints are rotated. For flat bodies use oriented "
           "boxes, for short ones balls.",

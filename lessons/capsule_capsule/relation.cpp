@@ -23,8 +23,9 @@ std::string because(const Setup& s) {
 }
 
 std::string end_caption(const Setup& s) {
-  const std::string segments = "A capsule of radius 0 is a segment. Its interior is all of it but its ends.\n",
-                    missed = "\nIf a common point is not a double, methods that compute it may miss it.";
+  const std::string
+      segments = "A capsule of radius 0 is a segment. Its interior, taken along it, is all of it but its ends.\n",
+      missed = "\nIf a common point is not a double, methods that compute it may miss it.";
   switch (s.truth) {
     case Relation::disjoint:
       return "The segments are more than *R* apart: a gap is left.\n"

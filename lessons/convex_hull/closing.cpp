@@ -37,8 +37,8 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "The hull is the intersection of all convex sets that contain the points. Its boundary goes round once "
-          "and turns left at every vertex.",
+          "The hull is the intersection of all convex sets that contain the points. Where it has an area, its "
+          "boundary goes round once and turns left at every vertex.",
       .cost =
           "O(*n* lg *n*) for the sort. The scan is linear, as a point leaves a chain at most once. Output-sensitive "
           "methods take O(*n* lg *h*) for *h* vertices.",
@@ -52,6 +52,10 @@ const Closing& closing() {
                   "Processing Letters* 9, 1979, pages 216–219.",
                   "David Kirkpatrick and Raimund Seidel, The Ultimate Planar Convex Hull Algorithm?, *SIAM Journal on "
                   "Computing* 15, 1986, pages 287–299.",
+                  "Donald Knuth, *The Art of Computer Programming*, volume 3, 2nd edition, 1998, section 5.3.1: "
+                  "minimum-comparison sorting.",
+                  "Michael Ben-Or, Lower Bounds for Algebraic Computation Trees, *Symposium on Theory of Computing*, "
+                  "1983, pages 80–86.",
                   "Timothy Chan, Optimal Output-Sensitive Convex Hull Algorithms in Two and Three Dimensions, "
                   "*Discrete & Computational Geometry* 16, 1996, pages 361–368.",
                   "Franco Preparata and Michael Shamos, *Computational Geometry: An Introduction*, 1985, chapter 3.",
@@ -73,7 +77,12 @@ const Closing& closing() {
            "most 2*n* steps."},
           {"Why does no method find every hull faster than it sorts?",
            "Map the numbers *x* to the parabola *y* = *x*^2. All points are vertices, and the hull lists them in "
-           "order. That is the worst case. Where only *h* of the points are vertices, Kirkpatrick and Seidel's and "
+           "order. That is the worst case.\n"
+           "There are *n*! orders, and each comparison has an answer that leaves at least half of those still "
+           "possible. So at worst sorting takes lg(*n*!) comparisons or more: of order *n* lg *n* (Knuth). Signs of "
+           "polynomials "
+           "of bounded degree, such as orientations, do not lower that order (Ben-Or).\n"
+           "Where only *h* of the points are vertices, Kirkpatrick and Seidel's and "
            "Chan's methods take O(*n* lg *h*): output-sensitive time."},
           {"Rounding makes one orientation wrong. What can happen to the hull?",
            "It may lose a true vertex or keep a dent, so that it is not convex. An exact predicate for the orientation "

@@ -200,17 +200,18 @@ class Teller {
     const bool same = m.area - area_ <= 1e-12 * m.area;  // the areas are rounded
     const double empty = same ? 0 : m.area - area_;
     script_.value(m.name, m.area, "area", Role::second);
-    Step& step =
-        add(m.slug, std::string("Against the ") + m.name, -1,
-            fmt::format("The {} is kept in {} numbers, the hull in {}.\n", m.name, m.numbers, 2 * hull_.size()) +
-                (same ? "Both have the same area, so it leaves no void beyond the hull."
-                 : m.numbers < 2 * hull_.size()
-                     ? "Its area outside the hull is void: the price of fewer numbers and a simpler test."
-                     : "Its area outside the hull is void: the price of a simpler test.") +
-                (what == Bounding::obb && area_ > 0
-                     ? "\nOne of its sides lies along an edge of the hull; rotating calipers find it in O(*n*)."
-                     : ""),
-            area_ > 0 ? fmt::format("void = {} = {} × the hull", shown(empty), shown(empty / area_)) : "");
+    Step& step = add(
+        m.slug, std::string("Against the ") + m.name, -1,
+        fmt::format("The {} is kept in {} numbers, the hull in {}.\n", m.name, m.numbers, 2 * hull_.size()) +
+            (same ? "Both have the same area, so it leaves no void beyond the hull."
+             : m.numbers < 2 * hull_.size()
+                 ? "Its area outside the hull is void, the hull taken as the object: the price of fewer numbers and a "
+                   "simpler test."
+                 : "Its area outside the hull is void, the hull taken as the object: the price of a simpler test.") +
+            (what == Bounding::obb && area_ > 0
+                 ? "\nOne of its sides lies along an edge of the hull; rotating calipers find it in O(*n*)."
+                 : ""),
+        area_ > 0 ? fmt::format("void = {} = {} × the hull", shown(empty), shown(empty / area_)) : "");
     step.question =
         Question{fmt::format("How large is the {}, compared with the hull?", m.name),
                  {"just as large", "up to twice as large", "more than twice as large"},

@@ -28,9 +28,8 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "**p** lies inside if and only if a ray from it crosses an odd number of edges. Half-open edges give the "
-          "count of a "
-          "ray raised by *ε*, which meets no vertex.",
+          "Off the boundary **p** lies inside if and only if a ray from it crosses an odd number of edges. Half-open "
+          "edges give the count of a ray raised by *ε*, which meets no vertex.",
       .cost =
           "O(*n*): two comparisons for each edge, and one orientation where it straddles the ray's line. No "
           "preprocessing.",

@@ -156,8 +156,9 @@ class HalfOpen : Teller {
                 ", as for the next place on the ray raised by *ε*.\n" +
                 (counts_as_inside() ? "Of the highest vertex it would say OUT: boundary points come out either way.\n"
                                     : "") +
-                "So it would give **p** to just one of several polygons side by side, as filling of pixels "
-                "requires. Closed ones would fill such a pixel twice, open ones not at all.");
+                "Where polygons side by side leave no gap around **p**, counting by exact signs gives it to just one. "
+                "Filling of pixels requires that. Closed ones would fill such a pixel more than once, open ones "
+                "not at all.");
     step.decides = true;
   }
 

@@ -58,6 +58,10 @@ const Closing& closing() {
            "21, 1985, pages 55–61.",
            "Brian Mirtich, *Impulse-based Dynamic Simulation of Rigid Body Systems*, dissertation, University of "
            "California at Berkeley, 1996: conservative advancement.",
+           "Ming Lin and John Canny, A Fast Algorithm for Incremental Distance Calculation, *IEEE International "
+           "Conference on Robotics and Automation*, 1991, pages 1008–1014.",
+           "Brian Mirtich, V-Clip: Fast and Robust Polyhedral Collision Detection, *ACM Transactions on Graphics* 17, "
+           "1998, pages 177–208.",
            "John C. Hart, Sphere Tracing: A Geometric Method for the Antialiased Ray Tracing of Implicit Surfaces, "
            "*The Visual Computer* 12, 1996, pages 527–545.",
            "Inigo Quilez, Soft Shadows in Raymarched SDFs, *iquilezles.org*."},
@@ -79,7 +83,13 @@ const Closing& closing() {
            {{"p_b", "0,1,0"}, {"q_b", "3,1,0"}}},
           {"Move a corner of the box b, until two corners are nearest.",
            "A gap on each axis does it. With the lower corner (0.75, 1, 1) there are three, if the upper one is above "
-           "it.",
+           "it.\n"
+           "For convex polyhedra that move little, Lin and Canny test the last pair of nearest features. If it is not "
+           "nearest any more, they walk to neighbours of its features until it is. Where bodies penetrate, the "
+           "walk may cycle (Mirtich).\n"
+           "The pair is right while each of its points lies in the region of the other's feature. If the bodies have "
+           "moved by less than a feature, a step or two is enough, however many there are: O(1). With dents the walk "
+           "may stop at a pair that is not nearest. So compare it with all pairs, now and then.",
            "faces",
            now_corners,
            {{"b_min", "0.75,1,1"}, {"b_max", "2.5,2,2"}}},

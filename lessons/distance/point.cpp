@@ -48,11 +48,14 @@ class PointTeller : Teller {
     along_ = e.along.value, length2_ = e.length2.value;
     script_.value(along_name, along_);
     script_.value(length_name, length2_);
-    Step& dot = add("dot", "Two dot products", 0,
-                    "(**c** − **p**_a) · **d** tells how far **c** lies along **d**, seen from **p**_a.\n"
-                    "It counts in lengths of **d**, times **d** · **d**. So it needs no division yet.",
-                    fmt::format("{} = {}", along_name, shown(along_)));
     const bool a_point = s_.a.p == s_.a.q;  // has one place, and nothing to ask
+    Step& dot =
+        add("dot", "Two dot products", 0,
+            a_point ? "**d** is 0, so both dot products are 0. Line 2 then takes *t* = 0, and nothing is divided."
+                    : "(**c** − **p**_a) · **d** tells how far **c** lies along **d**, seen from **p**_a.\n"
+                      "Divided by **d** · **d** it is the *t* of the nearest point of the line. That division "
+                      "can wait.",
+            fmt::format("{} = {}", along_name, shown(along_)));
     if (!a_point) ask_for_dot(dot);
 
     const bool first = along_ <= 0, second = !first && along_ >= length2_;

@@ -105,7 +105,8 @@ class SegmentsTeller : Teller {
         add("on-b", "Nearest to that point", 4,
             point ? "b is a point: its only place is *t*_b = 0. The numerator is 0, too: then the code takes 0, and "
                     "does not divide."
-                  : "Now the point of a is fixed. The line of b is nearest to it at *t*_b, which is not clamped yet.",
+                  : "Now the point of a is fixed. The line of b is nearest to it at *t*_b, which is not clamped yet.\n"
+                    "*t*_b is a quotient. If **d**_b were 0, the code would take *t*_b = 0, and not divide by 0.",
             "*t*_b = " + shown(point ? 0 : place));
     if (!point) ask_for_place(step, at, numerator, place, clamped);
     known_.ways.clear();

@@ -205,7 +205,8 @@ class Building {
                                 {{n, "That counts the leaves alone."},
                                  {2 * n, "That counts as many inner nodes as leaves."},
                                  {n * (n - 1) / 2, "That counts the pairs of boxes."}},
-                                "A binary tree with *n* leaves has *n* − 1 inner nodes.");
+                                "Each inner node has two children, and each node but the root is a child. So a tree "
+                                "with *n* leaves has *n* − 1 inner nodes.");
   }
 
   const Tree tree_;

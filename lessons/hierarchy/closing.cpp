@@ -79,15 +79,18 @@ const Closing& closing() {
            one_test,
            {{"q", "3,-3,0"}}},
           {"All boxes have the same centre, but different sizes. What does a hierarchy gain? And what does one large "
-           "box do to a tree of small ones?",
+           "box do to a tree of small ones, or to a uniform grid?",
            "Nothing for rays through the centre: all nodes overlap there, so no node is ruled out by its box alone. "
            "One large box makes each node that holds it as large. Test it by itself, or cut it in two. Equal centres "
-           "leave no cut: a build must then split by count, or make a leaf, to end. The cells of a uniform grid are "
-           "about as large as a typical object: no size is typical of these.",
+           "leave no cut: a build must then split by count, or make a leaf, to end. A grid lists each box in all "
+           "cells that it meets, and its cells are about as large as a typical box. In small cells a large box is "
+           "listed "
+           "very often. Cells as large as it list many small boxes each, and all their pairs are tested.",
            "large"},
           {"A box of the tree moves. How is the tree updated without a rebuild?",
            "Refit: from its leaf upwards each node takes the box around its children. That is O(depth), but the nodes "
-           "may come to overlap. If all boxes move, it takes each node once, children first: O(*n*)."},
+           "may come to overlap. Not refitted, a node need not contain what has moved: a query that misses its old box "
+           "may lose a hit. If all boxes move, it takes each node once, children first: O(*n*)."},
           {"A node has perimeter 10. Its parts have perimeters 4 and 8, with 6 and 2 boxes; a visit costs 2. Split or "
            "leaf?",
            "The split costs 2 + (4 · 6 + 8 · 2) / 10 = 6, and a leaf 8 tests. Split. A whole query costs *N*_v *C*_v + "

@@ -54,8 +54,10 @@ const Closing& closing() {
            {{"b_max", "1"}}},
           {"Derive the test for overlap by negating *a*_{min} > *b*_{max} or *b*_{min} > *a*_{max}.",
            "De Morgan: *a*_{min} ≤ *b*_{max} and *b*_{min} ≤ *a*_{max}. Both > become ≤, and \"or\" becomes \"and\".\n"
-           "That holds for numbers. With a NaN neither > nor ≤ holds: the first form then says OVERLAP, the second one "
-           "not."},
+           "Open intervals do not contain their ends. Two that are not empty are disjoint if and only if *a*_{min} ≥ "
+           "*b*_{max} or *b*_{min} ≥ *a*_{max}.\n"
+           "That holds for numbers. With a NaN neither > nor ≤ holds: the first form of the test for overlap "
+           "then says OVERLAP, the second one not."},
           {"Allen counts 13 relations of two proper intervals. Which of them are one relation here?",
            "Disjoint: before, after. Touching: meets, met by. Overlapping: overlaps, overlapped by.\n"
            "a inside b: starts, during, finishes. b inside a: started by, contains, finished by. Equals stands alone."},

@@ -42,8 +42,6 @@ const Closing& closing() {
            "Christer Ericson, *Real-Time Collision Detection*, 2005, section 5.5: dynamic intersection tests.",
            "Brian Mirtich, *Impulse-based Dynamic Simulation of Rigid Body Systems*, dissertation, University of "
            "California at Berkeley, 1996: conservative advancement.",
-           "Ming Lin and John Canny, A Fast Algorithm for Incremental Distance Calculation, *IEEE International "
-           "Conference on Robotics and Automation*, 1991, pages 1008–1014: nearest features from step to step.",
            "Erin Catto, Continuous Collision, *Game Developers Conference*, 2013."},
       .exercises = {
           {"Drag **b** until the boxes slide along each other: they touch, and do not overlap.",
@@ -57,25 +55,14 @@ const Closing& closing() {
            "seen",
            tunnel,
            {{"v_b", "-8,0,0"}}},
-          {"Balls of radius 1 start at (0, 0) and (10, 0), with velocities (2, 0) and (−3, 0). When do they meet? And "
-           "a test finds a ball's centre inside a box: which way is out?",
-           "The relative speed is 5. Of the distance 10 only 8 must be covered, as *R* = 2. So *t* = 8 / 5 = 1.6.\n"
-           "Clamped to the box, such a centre stays where it is: the difference is 0, and has no direction. Take the "
-           "face that is least far from it. The face's outward normal is that of the contact; the depth is that "
-           "distance plus the radius. Moved out by the depth, the ball just touches the box."},
+          {"Balls of radius 1 start at (0, 0) and (10, 0), with velocities (2, 0) and (−3, 0). When do they meet?",
+           "The relative speed is 5. Of the distance 10 only 8 must be covered, as *R* = 2. So *t* = 8 / 5 = 1.6."},
           {"Why is the test of two boxes that of a ray against slabs?",
            "Seen from a, **b** is a point on a ray along **d**, once a is expanded by b: their Minkowski sum. On each "
            "axis that box is a slab, and *t*_1 and *t*_2 are where the ray enters and leaves it."},
-          {"With the bound along the line of centres, why does no step pass the contact? And how is the distance of "
-           "convex polyhedra found again after a step?",
+          {"With the bound along the line of centres, why does no step pass the contact?",
            "The distance is a convex function of *t*. The step ends where its tangent is 0, and a tangent lies nowhere "
-           "above such a function. It is Newton's method, and converges quadratically unless b grazes a.\n"
-           "Keep the two features, corners, edges or faces, that contain the nearest points. They stay right while "
-           "each of both points lies in the other feature's region (Lin and Canny). Else step to the neighbour on "
-           "whose side it lies. If the bodies have moved by less than a feature, a step or two is enough, however many "
-           "there are: O(1).\n"
-           "Bodies that share points have no such pair, and the walk may circle: limit its steps. With dents it may "
-           "stop at a pair that is not nearest. So compare it with all pairs, now and then."},
+           "above such a function. It is Newton's method, and converges quadratically unless b grazes a."},
       }};
   return closing;
 }

@@ -66,7 +66,9 @@ const Closing& closing() {
            "Each coordinate may be off by 1, a difference by 2, a distance by 2 · √3. A little more than 3.46 will "
            "do."},
           {"0 and −0 have different bits. What must a hash table of points do?",
-           "IEEE 754 compares values, so both are equal. The hash must map −0 to 0 before it takes the bits."},
+           "IEEE 754 compares values, so both are equal. The hash must map −0 to 0 before it takes the bits.\n"
+           "To find points within a tolerance, hash cells of that width. A near point may lie in a neighbouring cell: "
+           "in space 3 · 3 · 3 = 27 cells are looked up."},
       }};
   return closing;
 }

@@ -146,9 +146,11 @@ class Teller {
     if (!e.holds) return script_.refuse(3, {});
     known_.wall = true;
     add("parallel", "Parallel", 3,
-        fmt::format("**n** · **{}** = 0: the line is parallel to the wall. The quotient would divide by zero.\n"
-                    "If **n** · **o** + *D* = 0, the line lies in the wall.",
-                    letter(s_)),
+        fmt::format(
+            "**n** · **{}** = 0: the line is parallel to the wall. The quotient would divide by zero.\n"
+            "If **n** · **o** + *D* = 0, the line lies in the wall. Then every *t* of the range counts, so HIT comes "
+            "without one.",
+            letter(s_)),
         fmt::format("**n** · **{}** = 0", letter(s_)));
   }
   void say(const ray_plane::InRange<C>&) {}  // part of the verdict

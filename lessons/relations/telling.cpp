@@ -190,13 +190,13 @@ class Teller {
                     "The note calls it partial intersection.",
             Focus::settled);
     step.decides = true;
-    step.question =
-        Question{"Which points do they share?",
-                 {"boundary points only", "interior points, too"},
-                 touch ? 0 : 1,
-                 pair_.kind == Kind::polygons
-                     ? "A point is interior if a small disc around it, in the polygon's plane, lies in the set."
-                     : "A point is interior if a small ball around it lies in the set."};
+    step.question = Question{
+        "Which points do they share?",
+        {"boundary points only", "interior points, too"},
+        touch ? 0 : 1,
+        pair_.kind == Kind::polygons
+            ? "A point is interior if a small disc around it, in the polygon's plane, lies in the set."
+            : "A point is interior if a small ball around it lies in the set. Of a flat set take a disc in its plane."};
   }
 
   const Pair pair_;

@@ -58,8 +58,7 @@ const CaseMap& cases() {
       moved,
       "The centre moves over *x* and *y*; its *z* and the radius are fixed.\n"
       "Face, edge, corner: where the box's point nearest to **c** lies. Expanded only: where the expanded box errs, as "
-      "its "
-      "corners are square."};
+      "its edges and corners are not round."};
   return map;
 }
 

@@ -39,8 +39,9 @@ const Closing& closing() {
           "Light culling in tiles and clusters, explosions and triggers in games, range queries: neighbours within a "
           "radius.",
       .bug =
-          "The box expanded by *r*. Its corners are square where those of the Minkowski sum are round: false "
-          "positives.",
+          "The box expanded by *r*. Where the Minkowski sum is round, at edges and corners, it accepts balls that "
+          "miss: "
+          "false positives.",
       .bug_preset = "corner-miss",
       .reading =
           {"Lecture note *Intersection Detection*, sphere and box.",
@@ -48,7 +49,7 @@ const Closing& closing() {
            "Christer Ericson, *Real-Time Collision Detection*, 2005, section 5.2.5: testing sphere against AABB."},
       .exercises = {
           {"Find a ball that the expanded box accepts, and the exact test rejects.",
-           "Bring **c** near a corner: within *r* on each axis, and farther than *r* in total.",
+           "Bring **c** near an edge or a corner: within *r* on each axis, and farther than *r* in total.",
            "corner",
            shortcut_errs,
            {{"c", "1.25,2,-2"}}},
@@ -60,9 +61,13 @@ const Closing& closing() {
           {"Box from (0, 0, 0) to (4, 2, 2), ball at (6, 1, 4), *r* = 3. Which point is nearest, and do they meet?",
            "Clamped: (4, 1, 2). The squared distance is 4 + 0 + 4 = 8 ≤ 9, so they meet. It lies on an edge. An "
            "oriented box is one in its own frame: the dot products of **c**, seen from its centre, with its axes are "
-           "coordinates there. Clamp them to ± its half-lengths, and go back."},
+           "coordinates there. Clamp them to ± its half-lengths, and go back.\n"
+           "**c** − **p** is the direction in which to push the ball out. If **c** lies in the box, it is 0: then the "
+           "face nearest to **c** gives the direction. The depth is *r* − |**c** − **p**|, and in the box *r* plus the "
+           "distance to that face. Moved so far, the ball just touches."},
           {"How much larger is the expanded box than the Minkowski sum, at one corner?",
-           "A cube *r*^3 instead of an eighth of a ball: *r*^3 (1 − π/6), about half of the cube."},
+           "A cube *r*^3 instead of an eighth of a ball: *r*^3 (1 − π/6), about half of the cube. "
+           "Along an edge it is *r*^2 (1 − π/4) for each unit of length."},
           wrong_line(),
       }};
   return closing;

@@ -164,7 +164,7 @@ class Teller {
         return (s_.box.lo.array() == s_.box.hi.array()).any() ? "They share points, but none is interior to both."
                                                               : "They share boundary points, but no interior point.";
       case Relation::a_inside_b:
-        return "On every axis, both ends of the interval are at least *r* away from **c**.";
+        return "On every axis **c** lies in the interval, at least *r* away from both ends.";
       case Relation::b_inside_a:
         return "Even the farthest corner lies in the ball.";
       case Relation::equal:

@@ -10,6 +10,7 @@ done
 [ -z "$live" ] || [ -f "$live" ] ||
   { echo "skipped: no $live: ./run book makes it, where Debian's emscripten is or can be installed"; exit 77; }
 rm -rf "$scratch"
+playlist=$here/../../examples/playlists/ray-and-ball.json
 if [ -n "$live" ]; then
   ! command -v emcc >/dev/null || told=$(cmake --build "$(dirname "$live")" --target isect scenes 2>&1) ||
     { echo "$told"; exit 1; }
@@ -21,10 +22,14 @@ if [ -n "$live" ]; then
   node "$here/progress.mjs" "$scratch/site"
   node "$here/habits.mjs" "$scratch/site" "$isect"
   node "$here/hands.mjs" "$scratch/site" "$isect"
-  exec node "$here/live.mjs" "$scratch/site" "$isect"
+  node "$here/live.mjs" "$scratch/site" "$isect"
+  "$isect" book --live "$live" --playlist "$playlist" --out "$scratch/hour" >/dev/null
+  exec node "$here/hour.mjs" "$scratch/hour"
 fi
 "$isect" book --out "$scratch/site" >/dev/null
 node "$here/light.mjs" "$scratch/site"
 node "$here/sizes.mjs" "$scratch/site"
 node "$here/progress.mjs" "$scratch/site"
-exec node "$here/pages.mjs" "$scratch/site"
+node "$here/pages.mjs" "$scratch/site"
+"$isect" book --playlist "$playlist" --out "$scratch/hour" >/dev/null
+exec node "$here/hour.mjs" "$scratch/hour"

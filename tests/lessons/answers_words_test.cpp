@@ -127,8 +127,9 @@ TEST_CASE("a bowl's hull has a lid, and a grid leaves nearly all pairs where one
   CHECK(listed[49] == 900);
 }
 
-TEST_CASE("moved out of a box by its face that is least far, a ball touches it, and by no less", "[words]") {
-  CHECK(solved_with("moving-bodies", "Moved out by the depth, the ball just touches the box."));
+TEST_CASE("moved out of a box by as much as is told, a ball touches it, and by no less", "[words]") {
+  CHECK(
+      solved_with("sphere-aabb", "in the box r plus the distance to that face. Moved so far, the ball just touches."));
   bench::Random random = random_of("ways out");
   for (int k = 0; k < 100; ++k) {
     const Vec3 half(random.uniform(0.5, 3), random.uniform(0.5, 3), random.uniform(0.5, 3));
@@ -147,6 +148,9 @@ TEST_CASE("moved out of a box by its face that is least far, a ball touches it, 
     const double depth = least + r;
     CHECK(gap(c + depth * n) == Approx(r));
     for (int j = 0; j < 50; ++j) CHECK(gap(c + 0.99 * depth * random.heading<3>()) < r);
+    const Vec3 outside = c + (least + 0.25 * r) * n, nearest = outside.cwiseMax(-half).cwiseMin(half);
+    const Vec3 f = outside - nearest;
+    CHECK(gap(outside + (r - f.norm()) * f.normalized()) == Approx(r));
   }
 }
 
@@ -182,8 +186,8 @@ struct Features {
 }  // namespace
 
 TEST_CASE("features are followed in a step or two, however many there are; with dents they mislead", "[words]") {
-  CHECK(solved_with("moving-bodies", "a step or two is enough, however many there are: O(1)"));
-  CHECK(solved_with("moving-bodies", "With dents it may stop at a pair that is not nearest."));
+  CHECK(solved_with("distance", "a step or two is enough, however many there are: O(1)"));
+  CHECK(solved_with("distance", "With dents the walk may stop at a pair that is not nearest."));
   for (const int n : {8, 64, 512}) {
     Features round;
     for (int i = 0; i < n; ++i) round.ring.emplace_back(std::cos(full_turn * i / n), std::sin(full_turn * i / n));

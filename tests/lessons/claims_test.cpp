@@ -61,10 +61,6 @@ const std::vector<Claims>& claims() {
       {"hierarchy",
        {{"The cheapest is taken", "rivals_test"},
         {"Where boxes overlap little, most objects are never tested", "volumes_test, on the costs as n grows"}}},
-      {"moving-bodies",
-       {{"the nearest points", "the points between which a distance is taken"},
-        {"at a pair that is not nearest", "answers_words_test"},
-        {"nearest features from step to step", "what the work cited is about"}}},
       {"obb-obb", {{"or comes nearest to one", "rivals_test"}, {"The tightest one is drawn", "rivals_test"}}},
       {"picking", {{"The nearest object is the one that the eye sees", "what a ray from the eye is for"}}},
       {"ray-polygon", {{"Always dropping the same coordinate", "the bug that the card names"}}},
@@ -86,6 +82,7 @@ const std::vector<Claims>& claims() {
       {"sphere-aabb",
        {{"nearest point", "rivals_test"},
         {"point nearest to (c|the centre)", "rivals_test"},
+        {"the face nearest to c", "asked_words_test"},
         {"Which point is nearest", "the exercise asks"}}},
       {"sphere-sphere", {{"nearest to each other along it", "the triangle inequality"}}}};
   return all;

@@ -530,6 +530,39 @@ TEST_CASE("what a step shows can be brought into view in the reader's own direct
   CHECK(player.camera().goal().azimuth == azimuth);
 }
 
+TEST_CASE("another version of a lesson takes its place in the list, and undo brings back the one before", "[player]") {
+  Lesson edited = disc, again = disc;
+  edited.title = "edited", again.title = "edited again";
+  edited.presets.front().parameters.at("r") = 2.5;
+  Player player(both, {}, true);
+  player.go_to(2);
+  player.remember("drag");
+  player.edit("p", Vec3(0.25, 0, 0));
+  player.end_action();
+  orbit(player, {10, 0});
+  player.end_action();
+  const Camera view = player.camera().goal();
+  player.show_version(edited);
+  player.show_version(again);
+  CHECK(&player.lesson() == &again);
+  CHECK(player.lessons().front() == &again);
+  CHECK(player.index() == 2);
+  CHECK(player.camera().goal() == view);
+  player.open(ball);
+  player.open(again);
+  CHECK(player.lessons().front() == &again);
+  for (int i = 0; i < 3; ++i) REQUIRE(player.undo());
+  CHECK(&player.lesson() == &edited);
+  CHECK(player.lessons().front() == &edited);
+  CHECK(radius_of(player) == 2.5);
+  REQUIRE(player.undo());
+  CHECK(&player.lesson() == &disc);
+  CHECK(point_of(player, "p") == Vec3(0.25, 0, 0));
+  REQUIRE(player.redo());
+  CHECK(&player.lesson() == &edited);
+  CHECK(radius_of(player) == 2.5);
+}
+
 TEST_CASE("a view nobody has moved follows the window's shape, one that was moved does not", "[player]") {
   Player player(both, {}, true);
   player.set_aspect(2);

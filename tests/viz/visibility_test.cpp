@@ -212,4 +212,29 @@ TEST_CASE("each part of a segment among many balls is hidden or not, as its poin
   CHECK(hides > 200);
 }
 
+TEST_CASE("balls that are seen apart hide nothing of each other, in either projection", "[visibility]") {
+  for (const bool perspective : {false, true}) {
+    const View view = view_of(perspective);
+    Chance chance(11);
+    int apart = 0, together = 0;
+    for (int i = 0; i < 600; ++i) {
+      const auto place = [&] { return Vec3(chance.any(-6, 6), chance.any(-6, 6), chance.any(-6, 6)); };
+      const Ball a = {place(), chance.any(0.1, 1.5)}, b = {place(), chance.any(0.1, 1.5)};
+      if (!seen_apart(view, a.center, a.radius, b.center, b.radius)) {
+        ++together;
+        continue;
+      }
+      ++apart;
+      for (int k = 0; k < 24; ++k) {
+        const Vec3 way(chance.any(-1, 1), chance.any(-1, 1), chance.any(-1, 1));
+        CHECK_FALSE(hidden(a.center + a.radius * way.normalized(), view, {{b}, {}, {}}));
+      }
+      Occluders all;
+      all.balls = {a, b};
+      CHECK(around_ball(all, 0, &view).balls.size() == 1);
+    }
+    CHECK((apart > 200 && together > 50));
+  }
+}
+
 }  // namespace visibility_test

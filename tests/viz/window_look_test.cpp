@@ -562,7 +562,9 @@ TEST_CASE("with the panels hidden nothing overlaps, and nothing is cut, at any s
   for (const Lesson* lesson : isect::lessons::all_lessons()) {
     window.player().open(*lesson);
     walk(window, width, height);
-    CHECK(window.rect("scene").height() > 0.49f * height);
+    const float time =
+        window.has("time") ? window.rect("time").height() : 0;  // bodies that move have a line below them
+    CHECK(window.rect("scene").height() + time > 0.49f * height);
   }
 }
 

@@ -229,7 +229,7 @@ TEST_CASE("Ctrl+S writes a scene back into its file, says what failed, and saves
   scene.made_from = "{}";
   std::vector<Parameters> written;
   bool full = false;
-  const auto write = [&](const Parameters& p) {
+  const auto write = [&](const Lesson&, const Parameters& p) {
     if (full) throw FileError("cannot write 's.json': no room");
     written.push_back(p);
     scene.presets.front().parameters = p;
@@ -272,7 +272,7 @@ TEST_CASE("Ctrl+S writes a scene back into its file, says what failed, and saves
 TEST_CASE("a scene that was changed and not saved is left at the second time only", "[window]") {
   Lesson scene = disc;
   scene.made_from = "{}";
-  const auto write = [&](const Parameters& p) { scene.presets.front().parameters = p; };
+  const auto write = [&](const Lesson&, const Parameters& p) { scene.presets.front().parameters = p; };
   const std::vector<const Lesson*> lessons = {&scene, &ball};
   WindowDriver window(lessons, 1280, 800, {}, {}, {.reduced_motion = true, .save_scene = write});
   CHECK(window.ui.may_close());

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "app/playlist_file.h"
+#include "app/scene/editor.h"
 #include "app/scene/lesson.h"
 #include "lessons/course.h"
 #include "lessons/lessons.h"
@@ -145,7 +146,10 @@ class Drive {
     std::vector<const Lesson*> all = lessons::all_lessons();
     if (!lesson.made_from.empty()) {
       all.push_back(&lesson);
-      options.save_scene = [&](const Parameters& p) { program::scene::keep(lesson, ISECT_EXAMPLE_SCENES, p); };
+      options.save_scene = [](const Lesson& scene, const Parameters& p) {
+        program::scene::keep(scene, ISECT_EXAMPLE_SCENES, p);
+      };
+      options.scene_editor = program::scene::editor();
     } else if (chance(0.3)) {
       options.playlist = hour_;
       settings.hours = {{hour_.file, below(hour_.stops.size()), -1}};

@@ -15,10 +15,9 @@ namespace {
 bool same(const Ball& a, const Ball& b) { return a.center == b.center && a.radius == b.radius; }
 
 /// Returns the circle in space whose picture is the ball's outline.
-std::vector<Stretch> silhouette(const Canvas& c, int index) {
-  const Ball& b = c.occluders.balls[index];
+std::vector<Stretch> silhouette(const Canvas& c, const Occluders& around, const Ball& b) {
   const Rim circle = rim(b, c.view);
-  Occluders others = around_ball(c.occluders, index);
+  Occluders others = around;
   std::erase_if(others.balls, [&](const Ball& other) { return same(other, b); });
   return stretches(circle.middle, circle.u, circle.v, c.view, others, -1);
 }
@@ -48,14 +47,14 @@ void draw_ball(Canvas& c, int index) {
   }
 
   const Vec3 u = b.radius * Vec3::UnitX(), v = b.radius * Vec3::UnitZ();
-  const Occluders around = around_ball(c.occluders, index);
+  const Occluders around = around_ball(c.occluders, index, &c.view);
   const auto own = std::find_if(around.balls.begin(), around.balls.end(), [&](const Ball& o) { return same(o, b); });
   c.curve(stretches(b.center, u, v, c.view, around, static_cast<int>(own - around.balls.begin())), ink.with_alpha(0.75),
           s.hidden * 1.1, false);
   if (alone(c.occluders))
     c.lines.emplace_back(Stroke{rim, ink, s.outline, {0, 0}, true});
   else
-    c.curve(silhouette(c, index), ink, s.outline, false);
+    c.curve(silhouette(c, around, b), ink, s.outline, false);
   std::vector<Vec2> points = flatten(rim, 0.5);
   points.push_back(points.front());
   c.block(points, s.outline / 2, true);

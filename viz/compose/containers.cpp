@@ -25,6 +25,13 @@ bool contains(const Capsule<double, 3>& capsule, const Vec3& center, double radi
   return (center - capsule.p - along * axis).norm() + radius <= (1 + drawn_in) * capsule.radius;
 }
 
+Vec3 middle_of_body(const Shell& solid) { return solid.middle; }
+Vec3 middle_of_body(const Ball& ball) { return ball.center; }
+Vec3 middle_of_body(const Capsule<double, 3>& capsule) { return (capsule.p + capsule.q) / 2; }
+double reach_of_body(const Shell& solid) { return solid.size; }
+double reach_of_body(const Ball& ball) { return ball.radius; }
+double reach_of_body(const Capsule<double, 3>& capsule) { return (capsule.q - capsule.p).norm() / 2 + capsule.radius; }
+
 double size_of(const Shell& solid) { return solid.size; }
 double size_of(const Ball& ball) { return ball.radius; }
 double size_of(const Capsule<double, 3>& capsule) { return capsule.radius; }
@@ -43,9 +50,10 @@ Occluders without(const Occluders& all, const auto& holds, int solid = -1, int c
 
 }  // namespace
 
-Occluders around_ball(const Occluders& all, int index) {
+Occluders around_ball(const Occluders& all, int index, const View* view) {
   const Ball& own = all.balls[index];
   const auto holds = [&](const auto& body) {
+    if (view && seen_apart(*view, own.center, own.radius, middle_of_body(body), reach_of_body(body))) return true;
     if constexpr (std::is_same_v<decltype(body), const Ball&>)  // an equal ball does not contain it
       return relate(Sphere<double, 3>{own.center, own.radius}, Sphere<double, 3>{body.center, body.radius}) ==
              Relation::a_inside_b;
@@ -55,10 +63,13 @@ Occluders around_ball(const Occluders& all, int index) {
   return without(all, holds);
 }
 
-Occluders around_solid(const Occluders& all, int index, const std::vector<Vec3>& vertices, bool itself) {
+Occluders around_solid(const Occluders& all, int index, const std::vector<Vec3>& vertices, bool itself,
+                       const View* view) {
+  const Shell& own = all.solids[index];
   const auto holds = [&](const auto& body) {
-    return &body != static_cast<const void*>(&all.solids[index]) &&
-           std::ranges::all_of(vertices, [&](const Vec3& p) { return contains(body, p, 0); });
+    if (&body == static_cast<const void*>(&own)) return false;
+    if (view && seen_apart(*view, own.middle, own.size, middle_of_body(body), reach_of_body(body))) return true;
+    return std::ranges::all_of(vertices, [&](const Vec3& p) { return contains(body, p, 0); });
   };
   return without(all, holds, itself ? -1 : index);
 }

@@ -99,8 +99,9 @@ void draw_solid(Canvas& c, const Solid& solid, int index) {
   faces(c, solid, shell);
   const double width = solid.role == Role::hit ? c.sizes().shared : c.sizes().outline;
   const bool shared = solid.role == Role::hit, fine = shell.edges.size() > fine_from;
-  const Occluders around = shared ? c.occluders : around_solid(c.occluders, index, solid.vertices);
-  const Occluders others = fine && !shared ? around_solid(c.occluders, index, solid.vertices, false) : Occluders{};
+  const Occluders around = shared ? c.occluders : around_solid(c.occluders, index, solid.vertices, true, &c.view);
+  const Occluders others =
+      fine && !shared ? around_solid(c.occluders, index, solid.vertices, false, &c.view) : Occluders{};
   for (const Shell::Edge& edge : shell.edges) {
     if (!is_edge(shell, edge)) continue;
     if (solid.round && is_bend(shell, edge) && !is_silhouette(shell, edge, c.view)) continue;

@@ -237,6 +237,22 @@ Shell shell(const Solid& solid) {
   return result;
 }
 
+bool seen_apart(const View& view, const Vec3& center, double radius, const Vec3& other, double other_radius) {
+  constexpr double more = 1.001;
+  if (!view.camera().perspective) {
+    const Vec3 between = other - center, across = between - between.dot(view.forward()) * view.forward();
+    return across.norm() > more * (radius + other_radius) + 1e-9 * (center.norm() + other.norm());
+  }
+  const Vec3 a = center - view.eye(), b = other - view.eye();
+  const double far_a = a.norm(), far_b = b.norm();
+  if (!(far_a > more * radius) || !(far_b > more * other_radius)) return false;
+  // The balls are seen in cones; of half the angles the sines are the radii by the distances.
+  const double sine_a = more * radius / far_a, sine_b = more * other_radius / far_b;
+  const double cosine_a = std::sqrt(1 - sine_a * sine_a), cosine_b = std::sqrt(1 - sine_b * sine_b);
+  const double cosine_of_both = cosine_a * cosine_b - sine_a * sine_b;
+  return cosine_of_both > 0 && a.dot(b) / (far_a * far_b) < cosine_of_both - 1e-9;
+}
+
 bool lies_behind(const Polygon<double, 3>& screen, const View& view, const Occluders& all) {
   if ((all.balls.empty() && all.solids.empty() && all.capsules.empty()) || screen.rings.empty() ||
       screen.rings[0].empty())

@@ -47,13 +47,17 @@ struct Occluders {
 // drawn as if that were not there. What reaches out of it is hidden as far as it is inside.
 
 /// Return what hides ball, solid or capsule number `index`: all except the bodies that contain it wholly. `itself`: the
-/// solid itself counts, too, as it does for its far edges.
-Occluders around_ball(const Occluders&, int index);
-Occluders around_solid(const Occluders&, int index, const std::vector<Vec3>& vertices, bool itself = true);
+/// solid itself counts, too, as it does for its far edges. `view`: what this sees apart from it is left out, too.
+Occluders around_ball(const Occluders&, int index, const View* view = nullptr);
+Occluders around_solid(const Occluders&, int index, const std::vector<Vec3>& vertices, bool itself = true,
+                       const View* view = nullptr);
 Occluders around_capsule(const Occluders&, int index, bool itself = true);
 /// Returns what hides lines between these points, or the area between them: all except the bodies that contain them,
 /// off their surface; a line on a surface is no content. Nothing if no body does: this is cheap.
 std::optional<Occluders> around_contents(const Occluders&, const std::vector<Vec3>& points);
+
+/// Whether the eye sees two balls apart, by more than the possible rounding: then neither hides any of the other.
+bool seen_apart(const View&, const Vec3& center, double radius, const Vec3& other, double other_radius);
 
 /// Whether all bodies, if there are any, stand before the screen's plane or on it: no part of any is behind it.
 bool lies_behind(const Polygon<double, 3>& screen, const View&, const Occluders&);

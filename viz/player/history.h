@@ -1,6 +1,7 @@
 #pragma once
 // What a reader can undo, and do again.
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace isect::viz {
 /// A reader's choices: lesson, parameters, step.
 struct Chosen {
   std::size_t lesson = 0;
+  const Lesson* version = nullptr;  ///< a scene as it was after an edit; null: the lesson as the list has it
   Parameters parameters;
   std::string origin;  ///< the preset loaded last
   // The walk of another setting shows the corresponding step: its outcome for an outcome, else the step of the same
@@ -32,6 +34,7 @@ struct Memory {
   bool with_step = false;  ///< the change chose a step, too
 };
 
+/// A copy is cheap: it shares what is remembered.
 class History {
  public:
   bool can_undo() const { return !past_.empty(); }
@@ -42,13 +45,14 @@ class History {
   void remember(const std::string& action, Memory);
   void end_action() { action_.clear(); }
   /// Return the state before the last change, or the one that undo() left; there must be one. `now` takes its place.
-  Memory undo(Memory now) { return travel(past_, undone_, std::move(now)); }
-  Memory redo(Memory now) { return travel(undone_, past_, std::move(now)); }
+  Memory undo(Memory now) { return end_action(), travel(past_, undone_, std::move(now)); }
+  Memory redo(Memory now) { return end_action(), travel(undone_, past_, std::move(now)); }
 
  private:
-  Memory travel(std::vector<Memory>& from, std::vector<Memory>& to, Memory now);
+  using Memories = std::vector<std::shared_ptr<const Memory>>;
+  static Memory travel(Memories& from, Memories& to, Memory now);
 
-  std::vector<Memory> past_, undone_;
+  Memories past_, undone_;
   std::string action_;
 };
 

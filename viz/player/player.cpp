@@ -44,18 +44,22 @@ void Player::choose(int step) {
 
 /// Changes the lesson or its parameters; nothing else does.
 void Player::show(Chosen next, bool same_lesson) {
-  const Lesson& lesson = *lessons_[next.lesson];
+  if (!next.version) next.version = lessons_[next.lesson];
+  lessons_[next.lesson] = next.version;
+  const Lesson& lesson = *next.version;
+  const bool same_version = same_lesson && &played_->lesson() == &lesson;
   const bool asks = quiz_.asked(), chooses = asks && !quiz_.asks_more();
   quiz_ = {};
-  played_ = std::make_shared<PlayedWalk>(lesson, next.parameters, same_lesson ? played_->overview() : nullptr);
+  played_ = std::make_shared<PlayedWalk>(lesson, next.parameters, same_version ? played_->overview() : nullptr);
   ++walks_;
-  if (!same_lesson) exercise_.reset();
   chosen_ = std::move(next);
   show_step(step_in(walk(), chosen_));
   ask(asks);
   if (chooses) quiz_.show_choices();
   motion_.end();
   ++revision_;
+  if (same_version) return;
+  exercise_.reset();
   if (same_lesson) return;
   camera_.pin(false);
   camera_.jump(opening_view(), false);
@@ -234,6 +238,18 @@ void Player::reread() {
   played_->reread();
   if (!played_->preset_id().empty()) chosen_.origin = played_->preset_id();
   ++revision_;
+}
+
+void Player::show_version(const Lesson& version) {
+  all_or_nothing([&](Player& next) {
+    next.remember("");
+    Chosen chosen = chosen_;
+    chosen.version = &version;
+    chosen.parameters = version.presets.front().parameters;
+    chosen.origin = version.presets.front().id;
+    next.quiz_.close();
+    next.show(std::move(chosen), true);
+  });
 }
 
 void Player::restart() {

@@ -115,6 +115,9 @@ class Player {
   void restart();
   /// Reads the lesson again, which has other presets now.
   void reread();
+  /// Shows an edited version of the scene on show in its place, at its first preset and at the same step; undo() brings
+  /// back this one. Both must outlive the player. The reader's view stays.
+  void show_version(const Lesson&);
   void edit(const std::string& name, const Setting&);
   void set_parameters(Parameters);
   /// Drags a handle. Returns the condition that forbids it, if any: then nothing moves.
@@ -169,6 +172,7 @@ class Player {
     action(next);
     *this = std::move(next);
   }
+  /// `same_lesson`: the same, or another version of it.
   void show(Chosen, bool same_lesson);
   void show_step(int);
   void choose(int step);  ///< of the walk that is shown

@@ -5,11 +5,12 @@
 namespace isect::viz {
 
 void Player::follow(const Player& lead, const Parameters& parameters) {
-  if (chosen_.lesson != lead.chosen_.lesson || parameters != chosen_.parameters) {
+  const bool same_lesson = chosen_.lesson == lead.chosen_.lesson;
+  if (!same_lesson || chosen_.version != lead.chosen_.version || parameters != chosen_.parameters) {
     all_or_nothing([&](Player& next) {
       Chosen chosen = lead.chosen_;
       chosen.parameters = parameters;
-      next.show(std::move(chosen), chosen_.lesson == lead.chosen_.lesson);
+      next.show(std::move(chosen), same_lesson);
     });
   }
   chosen_.choose_step(lead.chosen_);

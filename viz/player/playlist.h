@@ -22,6 +22,9 @@ struct Stop {
   std::string fault = {};          ///< why it can't be opened, naming line and field; empty: it can
 };
 
+/// Returns "steps 3–6" or "step 3"; nothing for all steps.
+std::string steps_in_words(const Stop&);
+
 struct Playlist {
   std::string title = {};  ///< markup; may be empty
   std::string file = {};   ///< that it was read from: its whole path

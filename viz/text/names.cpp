@@ -147,12 +147,24 @@ std::vector<std::string> keys(const std::vector<Name>& names) {
   return all;
 }
 
+std::set<std::string> names_of(const Lesson& lesson) {
+  std::set<std::string> all;
+  for (const Parameter& p : lesson.parameters)
+    for (const Name& name : names_in(p.label)) all.insert(name.key);
+  return all;
+}
+
 std::set<std::string> names_of(const Lesson& lesson, const Walk& walk) {
+  std::set<std::string> all = names_of(lesson);
+  all.merge(names_of(walk));
+  return all;
+}
+
+std::set<std::string> names_of(const Walk& walk) {
   std::set<std::string> all;
   const auto take = [&](const std::string& markup) {
     for (const Name& name : names_in(markup)) all.insert(name.key);
   };
-  for (const Parameter& p : lesson.parameters) take(p.label);
   for (const Step& step : walk.steps) {
     take(step.caption), take(step.formula);
     for (const Value& v : step.values) take(v.name);

@@ -24,7 +24,9 @@ std::vector<Name> names_in_line(const std::string& text, const std::set<std::str
 /// Returns the keys of some names, each once.
 std::vector<std::string> keys(const std::vector<Name>&);
 
-/// Returns all names that the lesson's knobs and the walk's markup and pictures use.
+/// Return all names that the lesson's knobs use, that the walk's markup and pictures use, and both.
+std::set<std::string> names_of(const Lesson&);
+std::set<std::string> names_of(const Walk&);
 std::set<std::string> names_of(const Lesson&, const Walk&);
 
 /// Returns "0.25", "(1, 2)" in the plane, "(1, 2, 0)" in space, or the word.

@@ -36,7 +36,7 @@ void order_tiles(Column& c, const OrderAsked& asked, AnswerField& field) {
     const bool taken = place != std::string::npos;
     filled(r, p.hovered ? ink.hovered : ink.frame);
     if (p.hovered || taken) outlined(r, ink.first);
-    text(c.ui.fonts.small, r.left + 9, r.middle_y(), packed(ink.muted), std::string(1, letter));
+    text(c.ui.fonts.body, r.left + 9, r.middle_y(), packed(ink.muted), std::string(1, letter));
     rich_line(c.ui, words, r.left + beside_letter, r.middle_y());
     if (taken)
       text(c.ui.fonts.bold, r.right - 8, r.middle_y(), packed(ink.first),

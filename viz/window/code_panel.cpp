@@ -26,7 +26,7 @@ namespace {
 
 constexpr float padding = 20, code_top = 46, code_top_of_two = 14;
 constexpr float code_left = 42, row_pitch = 18;  ///< of a line's words; distance between rows of a long line
-constexpr float said_room = 38;                  ///< for "yes" or "no" beside a line
+constexpr float said_room = 40;                  ///< for "yes" or "no" beside a line
 
 /// A line of pseudocode on as many rows as it takes, the later ones indented further.
 struct CodeLine {
@@ -38,28 +38,16 @@ struct CodeLine {
   float height(float pitch) const { return pitch + pitch_of_rows * static_cast<float>(rows.size() - 1); }
 };
 
-/// Returns all lines of the walk, in a smaller font where that saves rows or ends them better. A line whose condition
-/// may fail has room for its "yes" or "no".
+/// Returns all lines of the walk. A line whose condition may fail has room for its "yes" or "no".
 std::vector<CodeLine> code_lines(const Ui& ui, const Walk& walk, float width) {
-  const auto lines_in = [&](ImFont* font) {
-    std::vector<CodeLine> lines;
-    for (const std::string& words : walk.pseudocode) {
-      const bool asks =
-          has_condition(words) || words.find("if ") != std::string::npos || words.find("else") != std::string::npos;
-      lines.push_back({rows_of_line(words, font, width - code_left - (asks ? said_room : 6)), font});
-    }
-    return lines;
-  };
-  const auto cost_of = [](const std::vector<CodeLine>& lines) {
-    std::pair<std::size_t, int> rows_and_harm;
-    for (const CodeLine& line : lines) {
-      rows_and_harm.first += line.rows.size();
-      rows_and_harm.second += harm_of(line.rows);
-    }
-    return rows_and_harm;
-  };
-  std::vector<CodeLine> large = lines_in(ui.fonts.mono), small = lines_in(ui.fonts.mono_small);
-  return cost_of(large) <= cost_of(small) ? large : small;
+  ImFont* const font = ui.fonts.mono;
+  std::vector<CodeLine> lines;
+  for (const std::string& words : walk.pseudocode) {
+    const bool asks =
+        has_condition(words) || words.find("if ") != std::string::npos || words.find("else") != std::string::npos;
+    lines.push_back({rows_of_line(words, font, width - code_left - (asks ? said_room : 6)), font});
+  }
+  return lines;
 }
 
 float height_of(const std::vector<CodeLine>& lines, float pitch) {
@@ -135,13 +123,13 @@ void code_line(Player& player, Ui& ui, int line, const CodeLine& words, float pi
   if (parted) parted_mark(ui, "parted line", r, lit);
   const Colour& ink = lit ? c.on_highlight : has(step.untaken, line) ? c.muted : c.text;
   float y = r.top + pitch / 2;
-  const float number = r.left + 26;
+  const float number = r.left + 30;
   const Rect place{r.left, std::max(r.top, ImGui::GetWindowPos().y), r.right,
                    std::min(r.bottom, ImGui::GetWindowPos().y + ImGui::GetWindowHeight())};
   const std::vector<std::string> subject = subject_of_line(player.walk().pseudocode[line], ui.names);
   if (p.hovered) ui.light.point(subject, place);
   if (ui.focus.name() == "line " + std::to_string(line + 1)) ui.light.hold(subject, place);
-  text(ui.fonts.mono_small, number, y, packed(lit ? c.on_highlight : c.muted), std::to_string(line + 1), 1);
+  text(ui.fonts.mono, number, y, packed(lit ? c.on_highlight : c.muted), std::to_string(line + 1), 1);
   const std::optional<bool> said = said_at(player, line);
   ImGui::PushClipRect({number + 8, r.top}, {r.right - (said ? words.beside : 4), r.bottom}, true);
   for (const std::string& row : words.rows) {
@@ -153,7 +141,7 @@ void code_line(Player& player, Ui& ui, int line, const CodeLine& words, float pi
   y = r.top + pitch / 2;
   if (said) {
     const std::string word = said_at_line(said);
-    ImFont* const font = words.font == ui.fonts.mono_large ? ui.fonts.bold : ui.fonts.small;
+    ImFont* const font = words.font == ui.fonts.mono_large ? ui.fonts.bold : ui.fonts.body;
     text(font, r.right - 12, y, packed(lit ? c.on_highlight : *said ? c.hit : c.miss), word, 1);
     ui.rects[word + " " + std::to_string(line + 1)] = {r.right + 4 - words.beside, y - 9, r.right - 8, y + 9};
   }
@@ -196,7 +184,7 @@ CodeLine laid_out_alone(const Player& player, const Ui& ui, float width) {
   const std::string words = unindented(player.walk().pseudocode[line]);
   const float room = width - code_left - (said_at(player, line) ? beside + 6 : 10);
   CodeLine laid_out;
-  for (ImFont* const font : {ui.fonts.mono_large, ui.fonts.mono, ui.fonts.mono_small}) {
+  for (ImFont* const font : {ui.fonts.mono_large, ui.fonts.mono}) {
     laid_out = {rows_of_line(words, font, room), font, font == ui.fonts.mono_large ? 26.0f : 20.0f, beside};
     const auto fits = [&](const std::string& row) { return text_width(font, row) <= room; };
     if (std::ranges::all_of(laid_out.rows, fits)) break;
@@ -217,7 +205,7 @@ void current_line(Player& player, Ui& ui, const Rect& r) {
 void parted_mark(Ui& ui, const std::string& name, const Rect& r, bool lit) {
   ui.rects[name] = r;
   outlined(r, ui.palette.miss, 1.5f, 5);
-  text(ui.fonts.small, r.left + 7, r.middle_y(), packed(lit ? ui.palette.on_highlight : ui.palette.miss), "≠", 0.5f);
+  text(ui.fonts.body, r.left + 7, r.middle_y(), packed(lit ? ui.palette.on_highlight : ui.palette.miss), "≠", 0.5f);
 }
 
 void code_panel(Player& player, Ui& ui, const Rect& r, const Parted* parted) {
@@ -229,7 +217,7 @@ void code_panel(Player& player, Ui& ui, const Rect& r, const Parted* parted) {
   const float heading = r.top + 32;
   if (!lines.empty() && !parted) text(ui.fonts.bold, r.left + padding, heading, packed(ui.palette.text), "Pseudocode");
   if (player.shown().counters.early_out && !parted)
-    text(ui.fonts.small, r.right - padding, heading, packed(ui.palette.fresh_text), "early out", 1);
+    text(ui.fonts.body, r.right - padding, heading, packed(ui.palette.fresh_text), "early out", 1);
   const float code_bottom = r.top + top + f.code_height;
   code(player, ui, lines, {r.left + 10, r.top + top, r.right - 10, code_bottom}, f.code_pitch,
        parted ? parted->line : -1);

@@ -113,6 +113,7 @@ std::vector<OutOfView> out_of_view(const Player& player, const Ui& ui, const Vie
   const TextBox box = box_of(scene);
   std::vector<OutOfView> all;
   for (const Handle& h : player.scene().handles) {
+    if (!draws_handles(player.scene())) break;
     const Projected p = view.project(h.at);
     if (!p.at.allFinite() || (p.depth > 0 && is_within(p.at, box))) continue;
     // What lies behind the eye appears on the other side of the picture's middle.

@@ -35,7 +35,7 @@ void next_lesson_button(Column& c, Player& player, Toast& toast) {
   const std::string words = "Next: " + plain(short_title(*next_lesson(player)));
   const Rect r{c.x, c.y, c.x + c.width, c.y + Column::button_height + 4};
   const bool pressed = chip(ui, "next lesson", r, fitted(ui.fonts.body, words, c.width - 20), true);
-  text(ui.fonts.small, r.middle_x(), r.bottom + 12, packed(ui.palette.muted), "→ or N goes there, too", 0.5f);
+  text(ui.fonts.body, r.middle_x(), r.bottom + 12, packed(ui.palette.muted), "→ or N goes there, too", 0.5f);
   c.y = r.bottom + 22;
   if (pressed) open_next_lesson(player, toast);
 }

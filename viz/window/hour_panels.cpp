@@ -13,18 +13,6 @@ namespace {
 
 constexpr float stop_row = 46;
 
-/// Returns "steps 3–6"; nothing for all of them.
-std::string steps_of(const Stop& stop) {
-  if (stop.whole || stop.steps.empty()) return {};
-  const int first = stop.steps.front() + 1, last = stop.steps.back() + 1;
-  if (first == last) return "step " + std::to_string(first);
-  if (last - first + 1 == static_cast<int>(stop.steps.size()))
-    return "steps " + std::to_string(first) + "–" + std::to_string(last);
-  std::string all;
-  for (const int step : stop.steps) all += (all.empty() ? "steps " : ", ") + std::to_string(step + 1);
-  return all;
-}
-
 /// Returns "Ray and sphere: tangent", without the preset while it may answer an open question of this lesson.
 std::string title_of(const Stop& stop, const Player& player) {
   if (!stop.lesson) return stop.name.empty() ? "A stop" : stop.name;
@@ -49,10 +37,10 @@ bool row_of_stop(WindowSession& s, int i, const Rect& r) {
   text(ui.fonts.bold, left - 12, r.top + 14, packed(c.muted), std::to_string(i + 1), 1);
   text(ui.fonts.body, left, r.top + 14, packed(stop.fault.empty() ? c.text : c.miss),
        fitted(ui.fonts.body, title_of(stop, s.player), room));
-  std::string below = steps_of(stop);
+  std::string below = steps_in_words(stop);
   if (!stop.note.empty()) below += (below.empty() ? "" : " · ") + plain(stop.note);
   if (!stop.fault.empty()) below = "can't be opened: " + stop.fault;
-  text(ui.fonts.small, left, r.top + 33, packed(c.muted), fitted(ui.fonts.small, below, room));
+  text(ui.fonts.body, left, r.top + 33, packed(c.muted), fitted(ui.fonts.body, below, room));
   return p.clicked;
 }
 

@@ -24,6 +24,7 @@ enum Code : int {
   home = 268,
   end = 269,
   f1 = 290,
+  f2 = 291,
   f6 = 295,
   f11 = 300,
   f12 = 301,
@@ -82,11 +83,12 @@ inline constexpr Code tab = ImGuiKey_Tab, left = ImGuiKey_LeftArrow, right = ImG
                       down = ImGuiKey_DownArrow, page_up = ImGuiKey_PageUp, page_down = ImGuiKey_PageDown,
                       home = ImGuiKey_Home, end = ImGuiKey_End, insert = ImGuiKey_Insert, del = ImGuiKey_Delete,
                       backspace = ImGuiKey_Backspace, space = ImGuiKey_Space, enter = ImGuiKey_Enter,
-                      escape = ImGuiKey_Escape, keypad_enter = ImGuiKey_KeypadEnter, f1 = ImGuiKey_F1, f6 = ImGuiKey_F6,
-                      f11 = ImGuiKey_F11, f12 = ImGuiKey_F12, a = ImGuiKey_A, c = ImGuiKey_C, o = ImGuiKey_O,
-                      q = ImGuiKey_Q, s = ImGuiKey_S, zero = ImGuiKey_0, minus = ImGuiKey_Minus, equal = ImGuiKey_Equal,
-                      plus = ImGuiKey_Equal, keypad_0 = ImGuiKey_Keypad0, keypad_minus = ImGuiKey_KeypadSubtract,
-                      keypad_plus = ImGuiKey_KeypadAdd, v = ImGuiKey_V, x = ImGuiKey_X, y = ImGuiKey_Y, z = ImGuiKey_Z;
+                      escape = ImGuiKey_Escape, keypad_enter = ImGuiKey_KeypadEnter, f1 = ImGuiKey_F1, f2 = ImGuiKey_F2,
+                      f6 = ImGuiKey_F6, f11 = ImGuiKey_F11, f12 = ImGuiKey_F12, a = ImGuiKey_A, c = ImGuiKey_C,
+                      o = ImGuiKey_O, q = ImGuiKey_Q, s = ImGuiKey_S, zero = ImGuiKey_0, minus = ImGuiKey_Minus,
+                      equal = ImGuiKey_Equal, plus = ImGuiKey_Equal, keypad_0 = ImGuiKey_Keypad0,
+                      keypad_minus = ImGuiKey_KeypadSubtract, keypad_plus = ImGuiKey_KeypadAdd, v = ImGuiKey_V,
+                      x = ImGuiKey_X, y = ImGuiKey_Y, z = ImGuiKey_Z;
 
 inline constexpr Code silent[][2] = {{ImGuiKey_Tab, ImGuiKey_Backspace},
                                      {ImGuiKey_Enter, ImGuiKey_Escape},

@@ -256,7 +256,8 @@ void save_back(WindowSession& s) {
     return;
   }
   attempt(s.toast, [&] {
-    s.scene_file.save(s.player.parameters());
+    s.scene_file.save(s.player.lesson(), s.player.parameters());
+    s.scene_file.written = &s.player.lesson();
     s.player.reread();
     s.toast.say("Saved into the scene's file");
   });
@@ -264,8 +265,9 @@ void save_back(WindowSession& s) {
 
 bool may_leave(WindowSession& s) {
   if (s.review) leave_review(s);
-  const bool saved =
-      !keeps_file(s) || !s.player.played().preset_id().empty() || s.scene_file.told_unsaved == s.player.revision();
+  const bool edited = s.scene_file.written && s.scene_file.written != &s.player.lesson();
+  const bool as_in_file = !s.player.played().preset_id().empty() && !edited;
+  const bool saved = !keeps_file(s) || as_in_file || s.scene_file.told_unsaved == s.player.revision();
   if (saved) return true;
   s.scene_file.told_unsaved = s.player.revision();
   s.toast.complain("This scene is not saved: Ctrl+S saves it; Ctrl+Q once more leaves it as its file is");

@@ -19,10 +19,12 @@ float buttons(float height) { return height < 700 ? 64 : 88; }
 }  // namespace
 
 WindowLayout window_layout(float width, float height) {
-  // 304 and 344 from 1280 px on; a smaller window takes a little from both, and most from the scene.
-  const float lesson = std::round(std::clamp(width * 0.2375f, 256.0f, 304.0f));
-  const float code = std::round(std::clamp(width * 0.26875f, 304.0f, 344.0f));
-  constexpr float least_scene = 400, scene_share = 0.56f;
+  // 304 and 344 of 1280 px. A smaller window takes a little from both, and most from the scene; in a very large one
+  // lines would be too long to read.
+  constexpr float most = 560;
+  const float lesson = std::round(std::clamp(width * 0.2375f, 256.0f, most));
+  const float code = std::round(std::clamp(width * 0.26875f, 304.0f, most));
+  constexpr float least_scene = 400, scene_share = 0.58f;
   const float bottom = height - buttons(height), right = width - code;
   WindowLayout at{.top = {0, 0, width, bar},
                   .lesson = {0, bar, lesson, bottom},

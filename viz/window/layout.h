@@ -1,6 +1,6 @@
 #pragma once
-// Where the parts of the window lie: bars of fixed height, panels of almost fixed width, and all the rest for the
-// scene. In a narrow window the lesson's panel lies below the scene.
+// Where the parts of the window lie: bars of fixed height, panels that are a share of the width, with a least and a
+// most, and all the rest for the scene. In a narrow window the lesson's panel lies below the scene.
 
 #include <string>
 #include <vector>

@@ -87,13 +87,13 @@ void told_known(Column& c, const Player& player) {
   const std::vector<Value> besides = known_besides(known, *player.quiz().asked());
   const float top = c.y;
   told_values(c, {known.begin() + static_cast<std::ptrdiff_t>(besides.size()), known.end()});
-  if (!besides.empty()) c.paragraph(given_text(besides), c.ui.palette.text, 15, 23);
+  if (!besides.empty()) c.paragraph(given_text(besides), c.ui.palette.text, body_size, 23);
   c.ui.rects["known values"] = {c.x, top, c.x + c.width, c.y};
 }
 
 /// Draws the line and the values of one of two panes.
 void told_pane(Column& c, Player& player, const char* name) {
-  c.paragraph(name, c.ui.palette.muted, 13, 19);
+  c.paragraph(name, c.ui.palette.muted, body_size, 21);
   told_line(c, player);
   told_values(c, values_in_use(player.walk(), player.step()));
   c.y += 4;

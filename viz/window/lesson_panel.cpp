@@ -9,7 +9,9 @@
 #include "viz/walk/closing.h"
 #include "viz/window/column.h"
 #include "viz/window/map_view.h"
+#include "viz/window/objects_panel.h"
 #include "viz/window/panels.h"
+#include "viz/window/scene_names.h"
 
 namespace isect::viz {
 namespace {
@@ -94,12 +96,13 @@ void lesson_text(const LessonPanel& panel, const Rect& r, bool fresh, bool low) 
     }
     if (!step.source.empty() && step.slug != closing_slug) {  // there all sources stand at the end
       c.y += 8;
-      c.paragraph(step.source, ink.muted, 13, 19);
+      c.paragraph(step.source, ink.muted, body_size, 21);
     }
     erratum(c, player, panel.words.before_fault, panel.toast);
   }
   question(c, player, panel.words.answer, fresh);
   way_back(c, player, panel.words.before_fault);
+  if (panel.answers) scene_answers(c, player);
   if (step.slug == closing_slug)
     ending(c, panel);
   else
@@ -121,6 +124,7 @@ std::vector<Hint> hints_of(const Player& player, bool map) {
   if (player.step().slug == case_map_slug || map) hints.push_back({Role::text, "drag over the map"});
   std::map<Role, std::vector<std::string>> by_role;
   for (const Handle& h : player.scene().handles) {
+    if (by_role[h.role].size() > most_in_a_hint) continue;  // a scene may have thousands
     std::string label = h.parameter;
     for (const Parameter& p : player.lesson().parameters)
       if (p.name == h.parameter && !p.label.empty()) label = p.label;
@@ -132,6 +136,7 @@ std::vector<Hint> hints_of(const Player& player, bool map) {
     Hint hint = {role, "drag "};
     for (const std::string& label : labels) hint.markup += (&label == &labels.front() ? "" : " or ") + label;
     if (labels.size() > most_in_a_hint) hint.markup = "drag any of these handles";
+    if (!draws_handles(player.scene())) hint.markup = "drag an object at its middle: a ring shows there";
     hints.push_back(hint);
   }
   const Scene& scene = player.scene();

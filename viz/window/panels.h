@@ -18,6 +18,7 @@ struct LessonPanel {
   StepWords& words;
   Requests& requests;
   Toast& toast;
+  bool answers = false;  ///< the list of objects has the place of the values: the panel shows them, and all answers
 };
 /// Draws what the lesson says here, its question, its parameters and what can be dragged. (lesson_panel.cpp)
 void lesson_panel(const LessonPanel&, const Rect&);

@@ -16,6 +16,8 @@ namespace isect::viz {
 namespace {
 
 constexpr float field_height = 32;
+/// With more parameters only the fields in view are drawn, and all labels have the same room.
+constexpr std::size_t many_parameters = 200;
 
 /// The fields of the parameters, and the player that they change.
 struct Form {
@@ -85,7 +87,7 @@ std::optional<double> number_field(const Form& form, const std::string& name, co
   }
   const std::string id = "##" + name;
   constexpr ImGuiSliderFlags by_hand = ImGuiSliderFlags_NoInput;
-  const std::string format = format_for(form.ui.fonts.small, value, r.width() - 6, slider ? 5 : 4);
+  const std::string format = format_for(form.ui.fonts.body, value, r.width() - 6, slider ? 5 : 4);
   const bool changed = slider ? ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &value, &p.drag_lo, &p.drag_hi,
                                                     format.c_str(), by_hand)
                               : ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &value,
@@ -116,11 +118,8 @@ float refusal(const Form& form, const std::string& name, float x, float y, float
   const std::string field = "parameter " + name;
   if (form.fields.refused.revision != form.player.revision()) return 0;
   if (form.fields.refused.field != field && !form.fields.refused.field.starts_with(field + ".")) return 0;
-  const Paragraph p{.markup = as_markup(form.fields.refused.why),
-                    .width = width,
-                    .size = 13,
-                    .line_pitch = 18,
-                    .colour = form.ui.palette.miss};
+  const Paragraph p{
+      .markup = as_markup(form.fields.refused.why), .width = width, .line_pitch = 19, .colour = form.ui.palette.miss};
   const ImVec2 size = rich(form.ui, p, {x, y});
   form.ui.rects["refused " + form.fields.refused.field] = {x, y, x + width, y + size.y};
   return size.y + 6;
@@ -152,14 +151,14 @@ float choice(Player& player, Ui& ui, Toast& toast, const Parameter& p, const std
     std::string title = c;
     for (const Method& m : player.played().methods())
       if (p.name == player.lesson().group_by && m.choice == c) title = plain(m.title);
-    title = fitted(ui.fonts.small, title, r.width() - 18);
-    const float width = text_width(ui.fonts.small, title) + 18;
+    title = fitted(ui.fonts.body, title, r.width() - 18);
+    const float width = text_width(ui.fonts.body, title) + 18;
     if (x > r.left && x + width > r.right) {
       x = r.left;
       y += 30;
     }
     const Rect chip_rect{x, y, x + width, y + 26};
-    if (chip(ui, "parameter " + p.name + "." + c, chip_rect, title, c == value, ui.fonts.small))
+    if (chip(ui, "parameter " + p.name + "." + c, chip_rect, title, c == value))
       attempt(toast, [&] { p.name == player.lesson().group_by ? player.load_method(c) : player.edit(p.name, c); });
     x += width + 6;
   }
@@ -178,24 +177,31 @@ void without_effect(Ui& ui, const Parameter& p, const Rect& r) {
 const std::string& label_of(const Parameter& p) { return p.label.empty() ? p.name : p.label; }
 
 float label_width(Ui& ui, const Lesson& lesson) {
+  constexpr float most = 96;
+  if (lesson.parameters.size() > many_parameters) return most;
   float widest = 40;
   for (const Parameter& p : lesson.parameters)
     widest = std::max(widest, ui.texts.size_of({.markup = label_of(p), .colour = ui.palette.text}).x);
-  return std::min(widest + 12, 96.0f);
+  return std::min(widest + 12, most);
 }
 
 }  // namespace
 
 float parameter_fields(Player& player, Ui& ui, Fields& fields, Toast& toast, float x, float y, float width) {
   const Form form{player, ui, fields};
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2{6, 5});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2{6, 4});
   ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 8);
   ImGui::PushStyleColor(ImGuiCol_SliderGrab, packed(ui.palette.first, 0.65));
-  ImGui::PushFont(ui.fonts.small);
   const Parameters now = player.parameters();  // a field may change the player's own during this loop
   const float labels = label_width(ui, player.lesson());
+  const float view = ImGui::GetWindowPos().y, end = view + ImGui::GetWindowHeight();
   for (const Parameter& p : player.lesson().parameters) {
     if (!now.contains(p.name)) continue;
+    const bool far_off = y + 2 * field_height < view || y > end + field_height;
+    if (far_off && player.lesson().parameters.size() > many_parameters) {  // those of a scene of a thousand objects
+      y += field_height;
+      continue;
+    }
     const Setting& value = now.at(p.name);
     const Rect r{x + labels, y, x + width, y + 26};
     ImGui::PushClipRect({x, y}, {r.left - 4, y + field_height}, true);
@@ -210,7 +216,6 @@ float parameter_fields(Player& player, Ui& ui, Fields& fields, Toast& toast, flo
   }
   ImGui::SetCursorScreenPos({x, y});
   ImGui::Dummy({1, 4});
-  ImGui::PopFont();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);
   return y + 4;

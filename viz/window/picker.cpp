@@ -26,7 +26,7 @@ void draw_score(Ui& ui, const Score& score, const std::string& lesson, float rig
   const Palette& c = ui.palette;
   float x = right;
   if (!score.answers.empty())
-    x -= 20 + text(ui.fonts.small, x, y, packed(chosen ? c.on_first : c.muted),
+    x -= 20 + text(ui.fonts.body, x, y, packed(chosen ? c.on_first : c.muted),
                    std::to_string(score.right()) + " of " + std::to_string(score.answers.size()) + " right", 1);
   const bool all_right = !score.answers.empty() && score.right() == static_cast<int>(score.answers.size());
   if (score.finished) tick(x, y, 12, packed(chosen ? c.on_first : all_right ? c.hit : c.muted));
@@ -52,7 +52,7 @@ Press row_of_list(Ui& ui, const Settings& settings, const PickerRow& row, const 
   if (p.hovered || chosen) filled(r, chosen ? c.first : c.hovered, 5);
   const auto score = row.lesson ? settings.scores.find(row.lesson->id) : settings.scores.end();
   const bool marked = score != settings.scores.end() && (score->second.finished || !score->second.answers.empty());
-  const float marks = marked ? 116.0f : 0.0f;
+  const float marks = marked ? 134.0f : 0.0f;
   const std::string words = row.lesson ? plain(row.lesson->title) : name.substr(std::string("saved ").size());
   text(ui.fonts.body, r.left + 8, r.middle_y(), packed(chosen ? c.on_first : c.text),
        fitted(ui.fonts.body, words, r.width() - 16 - marks));
@@ -101,13 +101,13 @@ void foot(Ui& ui, Picker& picker, const Lesson& l, const std::string& near, cons
   outlined(picture, c.rule, 1, 0);
   const float left = picture.right + 16, room = r.right - left;
   text(ui.fonts.bold, left, r.top + 12, packed(c.text), fitted(ui.fonts.bold, plain(l.title), room));
-  const Paragraph words{.markup = l.summary, .width = room, .size = 13, .line_pitch = 19, .colour = c.text};
-  const float end = r.top + 30 + rich(ui, words, {left, r.top + 26}).y;
-  const Paragraph others{.markup = near, .width = room, .size = 13, .line_pitch = 19, .colour = c.muted};
+  const Paragraph words{.markup = l.summary, .width = room, .line_pitch = 20, .colour = c.text};
+  const float end = r.top + 28 + rich(ui, words, {left, r.top + 24}).y;
+  const Paragraph others{.markup = near, .width = room, .line_pitch = 20, .colour = c.muted};
   if (end + ui.texts.size_of(others).y < r.bottom - 22) rich(ui, others, {left, end});
   const std::string keys = "↓ and ↑ choose, Enter opens, Escape closes";
-  const bool roomy = text_width(ui.fonts.small, keys + legend) < room - beside_progress;
-  text(ui.fonts.small, left, r.bottom - 10, packed(c.muted), roomy ? keys + legend : keys);
+  const bool roomy = text_width(ui.fonts.body, keys + legend) < room - beside_progress;
+  text(ui.fonts.body, left, r.bottom - 10, packed(c.muted), roomy ? keys + legend : keys);
 }
 
 /// Returns the heading that begins the second column, so that the longer one is as short as possible; null: none.

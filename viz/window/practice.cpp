@@ -20,7 +20,7 @@ constexpr float button_sides = 28;  ///< beside its words, both
 void program_lines(Column& c, const Exercise& e) {
   if (e.program.empty()) return;
   constexpr float pitch = 20, beside_number = 34;
-  ImFont* const font = c.ui.fonts.mono_small;
+  ImFont* const font = c.ui.fonts.mono;
   const Palette& ink = c.ui.palette;
   const float top = c.y += 6;
   const int columns = static_cast<int>((c.width - beside_number) / text_width(font, "0"));
@@ -53,11 +53,11 @@ void begin_exercise(Player& player, Focus& focus, Toast& toast, int index) {
 }  // namespace
 
 bool Column::button(const std::string& name, const std::string& words, float& from) {
-  ImFont* font = ui.fonts.body;
-  if (text_width(font, words) + button_sides > width) font = ui.fonts.small;
-  const float wide = text_width(font, words) + button_sides;
+  const std::string label = fitted(ui.fonts.body, words, width - button_sides);
+  const float wide = text_width(ui.fonts.body, label) + button_sides;
   if (from > x && from + wide > x + width) from = x, y += button_height + 6;
-  const bool pressed = chip(ui, name, {from, y, from + wide, y + button_height}, words, false, font);
+  const bool pressed = chip(ui, name, {from, y, from + wide, y + button_height}, label, false);
+  if (label != words && ImGui::IsItemHovered()) tooltip(ui, words);
   from += wide + 8;
   return pressed;
 }

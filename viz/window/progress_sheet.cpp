@@ -19,15 +19,15 @@ std::string share_of(int part, int whole) { return std::to_string(part) + " of "
 struct Ends {
   float seen, right, solved;
 };
-Ends ends_in(const Rect& r) { return {r.right - 162, r.right - 82, r.right - 8}; }
+Ends ends_in(const Rect& r) { return {r.right - 174, r.right - 92, r.right - 8}; }
 
 /// Draws the names of the columns.
 void progress_names(const Ui& ui, const Rect& r) {
   const ImU32 ink = packed(ui.palette.muted);
   const Ends at = ends_in(r);
-  text(ui.fonts.small, at.seen, r.middle_y(), ink, "steps seen", 1);
-  text(ui.fonts.small, at.right, r.middle_y(), ink, "right", 1);
-  text(ui.fonts.small, at.solved, r.middle_y(), ink, "exercises", 1);
+  text(ui.fonts.body, at.seen, r.middle_y(), ink, "steps seen", 1);
+  text(ui.fonts.body, at.right, r.middle_y(), ink, "right", 1);
+  text(ui.fonts.body, at.solved, r.middle_y(), ink, "exercises", 1);
 }
 
 /// Draws a lesson's row. Returns whether it was pressed.
@@ -42,10 +42,10 @@ bool progress_line(Ui& ui, const LessonProgress& p, const Rect& r, bool now) {
   text(ui.fonts.body, left, r.middle_y(), packed(begun ? c.text : c.muted),
        fitted(ui.fonts.body, plain(short_title(*p.lesson)), at.seen - 76 - left));
   const ImU32 ink = packed(c.text);
-  if (p.of > 0) text(ui.fonts.small, at.seen, r.middle_y(), ink, share_of(p.seen, p.of), 1);
-  if (p.answered > 0) text(ui.fonts.small, at.right, r.middle_y(), ink, share_of(p.right, p.answered), 1);
+  if (p.of > 0) text(ui.fonts.body, at.seen, r.middle_y(), ink, share_of(p.seen, p.of), 1);
+  if (p.answered > 0) text(ui.fonts.body, at.right, r.middle_y(), ink, share_of(p.right, p.answered), 1);
   if (p.exercises > 0)
-    text(ui.fonts.small, at.solved, r.middle_y(), packed(p.solved > 0 ? c.text : c.muted),
+    text(ui.fonts.body, at.solved, r.middle_y(), packed(p.solved > 0 ? c.text : c.muted),
          share_of(p.solved, p.exercises), 1);
   return pressed.clicked;
 }
@@ -59,7 +59,7 @@ bool progress_review(Ui& ui, const Settings& settings, int number, const Rect& r
   const auto kept = settings.record.reviews.find(number);
   const bool taken = kept != settings.record.reviews.end();
   text(ui.fonts.bold, r.left + 24, r.middle_y(), packed(taken ? c.text : c.muted), name);
-  text(ui.fonts.small, ends_in(r).right, r.middle_y(), packed(taken ? c.text : c.muted),
+  text(ui.fonts.body, ends_in(r).right, r.middle_y(), packed(taken ? c.text : c.muted),
        taken ? share_of(kept->second.right, kept->second.of) : std::string("not taken"), 1);
   return p.clicked;
 }
@@ -142,7 +142,7 @@ void progress_sheet(WindowSession& s, const Rect& window) {
 
   const float y = at.y + height - 18;
   const bool saved = chip(ui, "save progress", {at.x, y - 17, at.x + 150, y + 17}, "Save as JSON", false);
-  text(ui.fonts.small, at.x + 166, y, packed(ui.palette.muted), "Enter opens a lesson or a review, Escape closes");
+  text(ui.fonts.body, at.x + 166, y, packed(ui.palette.muted), "Enter opens a lesson or a review, Escape closes");
   if (saved) s.requests.save_progress = true;
   if (pressed.lesson) attempt(s.toast, [&] { s.player.open(*pressed.lesson); });
   if (pressed.review > 0) s.requests.review = pressed.review;

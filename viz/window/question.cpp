@@ -35,8 +35,7 @@ bool choice_button(Ui& ui, const Choice& choice, double size_of_words, const Rec
   if (choice.open && p.hovered) outlined(r, c.first);
   if (!choice.open && (choice.right || choice.chosen)) outlined(r, choice.right ? c.hit : c.miss);
   const float y = r.middle_y();
-  ImFont* const letter = size_of_words > 15 ? ui.fonts.body : ui.fonts.small;
-  if (choice.open) text(letter, r.left + 9, y, packed(c.muted), std::string(1, choice.key));
+  if (choice.open) text(ui.fonts.body, r.left + 9, y, packed(c.muted), std::string(1, choice.key));
   if (!choice.open && choice.right) tick(r.left + 13, y, 11, packed(c.hit));
   if (!choice.open && !choice.right && choice.chosen) cross(r.left + 13, y, 11, packed(c.miss));
   const bool quiet = !choice.open && !choice.right && !choice.chosen;
@@ -131,7 +130,7 @@ void told_answer(Column& c, const Answered& answered, const std::vector<int>& wh
   c.x -= 22, c.width += 22;
   c.ui.rects["what came of it"] = {c.x, begin, c.x + c.width, c.y};
   const Rect again{c.x + c.width - 92, begin - 1, c.x + c.width, begin + 23};
-  if (chip(c.ui, "numbers again", again, "Again (Y)", false, c.ui.fonts.small)) field.other = true;
+  if (chip(c.ui, "numbers again", again, "Again (Y)", false)) field.other = true;
   if (ImGui::IsItemHovered()) tooltip(c.ui, "The same question with other numbers");
   c.paragraph(answered.question->prompt, ink.muted);
   if (!answered.told.empty()) {

@@ -57,7 +57,7 @@ const ReviewPrompt* not_right(Column& c, const Player& player, const Reviewing& 
     if (review.results[i] == true) continue;
     c.y += 16;
     c.paragraph(prompt.asks, ink.text);
-    c.paragraph(review.results[i] ? "Not right. It returns first." : "Skipped.", ink.muted, 13, 19);
+    c.paragraph(review.results[i] ? "Not right. It returns first." : "Skipped.", ink.muted, body_size, 21);
     c.y += 6;
     float x = c.x;
     const std::string where = title_of_lesson(player, prompt.lesson) + ", step " + std::to_string(prompt.step + 1);
@@ -216,10 +216,10 @@ void reviews_sheet(WindowSession& s, const Rect& window) {
     text(ui.fonts.bold, r.left + 8, y + 16, packed(c.text), review_title(number));
     const auto kept = s.settings.record.reviews.find(number);
     if (kept != s.settings.record.reviews.end())
-      text(ui.fonts.small, r.right - 8, y + 16, packed(c.muted),
+      text(ui.fonts.body, r.right - 8, y + 16, packed(c.muted),
            right_of(kept->second.right, static_cast<std::size_t>(kept->second.of)), 1);
-    text(ui.fonts.small, r.left + 8, y + 36, packed(c.muted),
-         fitted(ui.fonts.small, titles_of(lessons_of_review(s.player.lessons(), number)), r.width() - 16));
+    text(ui.fonts.body, r.left + 8, y + 36, packed(c.muted),
+         fitted(ui.fonts.body, titles_of(lessons_of_review(s.player.lessons(), number)), r.width() - 16));
     if (!p.clicked) continue;
     s.requests.review = number;
     ImGui::CloseCurrentPopup();

@@ -57,18 +57,17 @@ void failure(Ui& ui, SaveSheet& sheet, const Settings& settings, const std::stri
   const std::size_t quoted = sheet.failed.rfind("': ");  // cannot write 'a/file': the reason
   const std::string why = quoted == sheet.failed.npos ? sheet.failed : sheet.failed.substr(quoted + 3);
   text(ui.fonts.bold, r.left, r.top + 10, packed(c.miss), "Nothing can be written there");
-  text(ui.fonts.small, r.left, r.top + 30, packed(c.text),
-       fitted(ui.fonts.small, why + ". Choose another folder:", r.width()));
+  text(ui.fonts.body, r.left, r.top + 30, packed(c.text),
+       fitted(ui.fonts.body, why + ". Choose another folder:", r.width()));
   const float below = r.top + 40;
   ui.rects["refused folder"] = {r.left, r.top, r.right, below};
   float x = r.left;
   const std::vector<std::string> others = other_folders(whole_folder(sheet, settings, usual), usual);
   for (std::size_t i = 0; i < others.size(); ++i) {
-    const std::string words = fitted(ui.fonts.small, others[i], 150);
-    const float width = text_width(ui.fonts.small, words) + 20;
+    const std::string words = fitted(ui.fonts.body, others[i], 150);
+    const float width = text_width(ui.fonts.body, words) + 20;
     const Rect at{x, below + 4, x + width, below + 30};
-    if (chip(ui, "folder " + std::to_string(i + 1), at, words, false, ui.fonts.small))
-      sheet.folder = others[i], sheet.failed.clear();
+    if (chip(ui, "folder " + std::to_string(i + 1), at, words, false)) sheet.folder = others[i], sheet.failed.clear();
     if (ImGui::IsItemHovered()) tooltip(ui, others[i]);
     x += width + 6;
   }
@@ -123,14 +122,14 @@ void place_fields(Ui& ui, SaveSheet& sheet, const Settings& settings, const std:
   if (sheet.folder != folder) sheet.failed.clear();  // it is another one, which may do
   y += 24;
   if (!wrong.empty()) {
-    text(ui.fonts.small, left, y + 8, packed(c.miss), wrong);
+    text(ui.fonts.body, left, y + 8, packed(c.miss), wrong);
     ui.rects["refused name"] = {left, y, r.right, y + 16};
   } else if (!sheet.failed.empty()) {
     failure(ui, sheet, settings, usual, {left, y, r.right, r.bottom});
   } else {
     const std::string name = given_name(sheet, settings);
     const std::string file = (sheet.progress ? "File: " : "Figure: ") + (name.empty() ? stem : name) + "." + ending;
-    text(ui.fonts.small, left, y + 8, packed(c.muted), fitted(ui.fonts.small, file, r.right - left));
+    text(ui.fonts.body, left, y + 8, packed(c.muted), fitted(ui.fonts.body, file, r.right - left));
   }
 }
 

@@ -88,7 +88,7 @@ void choices_of_figure(SaveSheet& sheet, Ui& ui, Settings& settings, const ImVec
   }
   other_width(sheet, ui, settings, {x + 80, y - 15, x + 150, y + 15});
   if (const std::string why = sheet.width_wrong; !why.empty()) {
-    const float width = text(ui.fonts.small, at.x + 80, y + 28, packed(c.miss), why);
+    const float width = text(ui.fonts.body, at.x + 80, y + 28, packed(c.miss), why);
     ui.rects["refused width"] = {at.x + 80, y + 20, at.x + 80 + width, y + 36};
   }
 }
@@ -121,7 +121,7 @@ void save_buttons(const Player& player, Ui& ui, const SaveSheet& sheet, bool rea
     ImGui::CloseCurrentPopup();
   }
   if (!sheet.progress) setting_button(player, ui, ready, to_file, requests, {x + 120, y - 18, x + 260, y + 18});
-  text(ui.fonts.small, x + (sheet.progress ? 126 : 276), y, packed(ui.palette.muted), "Enter saves");
+  text(ui.fonts.body, x + (sheet.progress ? 126 : 276), y, packed(ui.palette.muted), "Enter saves");
 }
 
 }  // namespace

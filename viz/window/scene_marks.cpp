@@ -48,7 +48,7 @@ void verdict_sign(Verdict::Kind kind, float x, float y, ImU32 ink) {
 
 Rect projection_rect(const Player& player, const Ui& ui, const Rect& scene) {
   const char* name = player.camera().goal().perspective ? "perspective" : "orthographic";
-  const float width = text_width(ui.fonts.small, name);
+  const float width = text_width(ui.fonts.body, name);
   return {scene.right - 28 - width, scene.bottom - 38, scene.right - 12, scene.bottom - 10};
 }
 
@@ -79,12 +79,12 @@ std::string alarm_words(const Player& player) {
   return fmt::format("{} of {} methods {}", differ, said.size(), differ == 1 ? "differs" : "differ");
 }
 
-float alarm_width(const Player& player, const Ui& ui) { return 46 + text_width(ui.fonts.small, alarm_words(player)); }
+float alarm_width(const Player& player, const Ui& ui) { return 46 + text_width(ui.fonts.body, alarm_words(player)); }
 
 /// Returns the verdict on one line if there is room, else on several.
 Paragraph verdict_words(const Player& player, Ui& ui, const Rect& scene, const std::string& verdict) {
   Paragraph words{.markup = verdict, .colour = ui.palette.text};
-  if (is_low(scene)) words.size = 13, words.line_pitch = 19;
+  if (is_low(scene)) words.line_pitch = 19;
   const float alarm = is_low(scene) && has_alarm(player) ? alarm_width(player, ui) + 12 : 0;
   const float room = scene.width() - 60 - 2 * edge(scene) - alarm;
   if (ui.texts.size_of(words).x > room) words.width = room;
@@ -169,7 +169,7 @@ void alarm_chip(const Player& player, Ui& ui, const Rect& scene) {
   filled(r, ui.palette.window, 8);
   outlined(r, ui.palette.miss, 1.5f, 8);
   cross(r.left + 20, r.middle_y(), 11, packed(ui.palette.miss));
-  text(ui.fonts.small, r.left + 40, r.middle_y(), packed(ui.palette.text), alarm_words(player));
+  text(ui.fonts.body, r.left + 40, r.middle_y(), packed(ui.palette.text), alarm_words(player));
   if (!ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) return;
   std::string all;
   for (const Opinion& o : player.played().opinions())
@@ -235,7 +235,7 @@ float changed_room(const Player& player) {
 }
 
 static Rect changed_rect(const Player& player, const Ui& ui, const Rect& scene) {
-  const float left = scene.right - 28 - text_width(ui.fonts.small, "changed"), right = scene.right - 12;
+  const float left = scene.right - 28 - text_width(ui.fonts.body, "changed"), right = scene.right - 12;
   if (const float room = changed_room(player); room > 0) return {left, scene.bottom - room, right, scene.bottom - 2};
   if (shows_cases(player.scene()) && !is_low(scene))  // beside the verdict, above all numbers
     return {left, scene.top + 26, right, scene.top + 50};
@@ -250,7 +250,7 @@ void changed_mark(Player& player, Ui& ui, Toast& toast, const Rect& scene) {
 void changed_text(const Player& player, const Ui& ui, const Rect& scene) {
   if (!player.played().preset_id().empty()) return;
   const Rect r = changed_rect(player, ui, scene);
-  text(ui.fonts.small, r.right - 8, r.middle_y(), packed(ui.palette.fresh_text), "changed", 1);
+  text(ui.fonts.body, r.right - 8, r.middle_y(), packed(ui.palette.fresh_text), "changed", 1);
   if (ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
     tooltip(ui, "Parameters were changed by hand. Here or R: back to the preset. Ctrl+Z: one change back");
 }
@@ -269,7 +269,7 @@ void projection_text(const Player& player, Ui& ui, const Rect& scene, const std:
   const bool hovered = ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r));
   const Palette& c = ui.palette;
   const char* name = player.camera().goal().perspective ? "perspective" : "orthographic";
-  text(ui.fonts.small, r.right - 8, r.middle_y(), packed(hovered ? c.text : c.muted), name, 1);
+  text(ui.fonts.body, r.right - 8, r.middle_y(), packed(hovered ? c.text : c.muted), name, 1);
 }
 
 namespace {
@@ -313,12 +313,19 @@ void pin_text(const Player& player, const Ui& ui, const Rect& scene) {
 void toast(Ui& ui, const Toast& toast, const Rect& scene) {
   if (toast.seconds_left <= 0) return;
   const Colour& ink = toast.error ? ui.palette.miss : ui.palette.hit;
-  ImFont* font = ui.fonts.small;
+  ImFont* font = ui.fonts.body;
   const float room = std::min(scene.width() - 40, 560.0f), size = font->FontSize * font->Scale;
   const ImVec2 words = font->CalcTextSizeA(size, room - 56, room - 56, toast.text.c_str());
   const float width = words.x + 56, height = words.y + 22;
   const float left = std::round(scene.middle_x() - width / 2), top = std::round(scene.bottom - 68 - height);
-  const Rect r{left, top, left + width, top + height};
+  Rect r{left, top, left + width, top + height};
+  for (const char* mark : {"tripod", "changed", "pin", "projection"}) {  // above what stands in the lower corners
+    const auto found = ui.rects.find(mark);
+    if (found == ui.rects.end()) continue;
+    const Rect& at = found->second;
+    const bool meets = at.left < r.right && r.left < at.right && at.top < r.bottom + 4 && r.top < at.bottom;
+    if (meets) r.bottom = std::round(at.top - 4), r.top = r.bottom - height;
+  }
   ui.rects["message"] = r;
   filled(r, ui.palette.window, 8);
   outlined(r, ink, 1.5f, 8);

@@ -80,7 +80,8 @@ const Cases* map_of(const Player& player) {
 
 /// Whether a drawing has so many facets or corners that it is drawn coarser while it moves.
 bool has_much(const Drawing& drawing) {
-  constexpr std::size_t many_facets = 10'000, many_corners = 8000;
+  constexpr std::size_t many_facets = 10'000, many_corners = 8000, many_shapes = 3000;
+  if (drawing.shapes.size() > many_shapes) return true;
   std::size_t facets = 0, corners = 0;
   for (const Shape& shape : drawing.shapes)
     if (const Facets* mesh = std::get_if<Facets>(&shape)) {
@@ -111,7 +112,7 @@ void SceneView::draw(const ScenePane& s, const Rect& r, const View& view) {
   if (const Scene* before = s.player.motion().before()) scene = between(*before, scene, s.player.motion().share());
   const Cases* const map = map_of(s.player);
   Composed composed = map ? compose_map(*map, own.corner(), own.width(), own.height(), ink)
-                          : compose(scene, own, ink, s.pane != Pane::fixed);
+                          : compose(scene, own, ink, s.pane != Pane::fixed && draws_handles(scene));
   drawing.shapes = std::move(composed.shapes);
   labels_ = std::move(composed.labels);
   if (scene.axis && !scene.chart) {
@@ -323,6 +324,8 @@ void SceneView::take_or_release(const ScenePane& s, const View& view, bool hover
 void SceneView::handles_and_names(const ScenePane& s, const Rect& r, const View& view, bool hovered, bool active) {
   for (const Handle& h : s.handles()) {
     const Vec2 at = view.project(h.at).at;
+    if (!draws_handles(s.player.scene()) && !r.contains(static_cast<float>(at.x()), static_cast<float>(at.y())))
+      continue;
     const float x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
     const Rect grip{x - hit_area, y - hit_area, x + hit_area, y + hit_area};
     s.ui.rects["handle " + h.id()] = grip;

@@ -86,12 +86,12 @@ void told(Ui& ui, const std::string& side, const Step& step, int line, int value
   std::string words = line < 0 ? "" : "line " + std::to_string(line + 1);
   if (value >= 0) words += (words.empty() ? "" : ", ") + plain(step.values[value].name);
   if (words.empty() || right - left < 60) return;
-  words = fitted(ui.fonts.small, "≠ " + words, right - left);
-  const Rect r{right - text_width(ui.fonts.small, words) - 6, y - 14, right + 6, y + 14};
+  words = fitted(ui.fonts.body, "≠ " + words, right - left);
+  const Rect r{right - text_width(ui.fonts.body, words) - 6, y - 14, right + 6, y + 14};
   const Press p = line < 0 ? Press{} : press(ui, side + "differs", r);
   if (p.hovered) filled(r, ui.palette.hovered);
   if (p.clicked) ui.focus.take(side + "line " + std::to_string(line + 1));
-  text(ui.fonts.small, right, y, packed(ui.palette.miss), words, 1);
+  text(ui.fonts.body, right, y, packed(ui.palette.miss), words, 1);
 }
 
 /// Draws what stands above the panes. Returns whether the second one is to be closed.

@@ -1,6 +1,7 @@
 #include "viz/window/sheets.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -12,6 +13,9 @@
 
 namespace isect::viz {
 namespace {
+
+constexpr ImGuiWindowFlags sheet_flags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar |
+                                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
 
 std::string lower(std::string s) {
   std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -26,9 +30,13 @@ bool begin_sheet(Ui& ui, const char* name, const Rect& window, float width, floa
                window.middle_y() + h / 2};
   ImGui::SetNextWindowPos(top_left(r));
   ImGui::SetNextWindowSize({w, h});
-  if (!ImGui::BeginPopup(name)) return false;
+  if (!ImGui::BeginPopupModal(name, nullptr, sheet_flags)) return false;
   ui.rects[name] = r;
-  if (key_down(key::escape)) ImGui::CloseCurrentPopup();
+  ImGui::GetCurrentContext()->DimBgRatio = 1;  // at once: where nothing moves, no further frame is drawn
+  const ImVec2& mouse = ImGui::GetIO().MousePos;
+  const bool pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+  const bool beside = pressed && !r.contains(mouse.x, mouse.y) && !ImGui::IsWindowAppearing();
+  if (beside || key_down(key::escape)) ImGui::CloseCurrentPopup();
   return true;
 }
 

@@ -11,7 +11,8 @@ namespace isect::viz {
 /// Whether a key was pressed in an open sheet; the press that opened it does not count.
 inline bool key_down(key::Code code) { return ImGui::IsKeyPressed(code, false) && !ImGui::IsWindowAppearing(); }
 
-/// Opens in the middle of the window; Escape or a click beside it closes it. Returns whether it is open.
+/// Opens in the middle of the window, which is dimmed behind it and takes no click; Escape or a click beside it closes
+/// it. Returns whether it is open.
 bool begin_sheet(Ui&, const char* name, const Rect& window, float width, float height);
 /// Draws the field for `words` to search for, which has the keyboard. Returns whether Enter was pressed in it.
 bool search_field(Ui&, std::string& words, const char* hint);

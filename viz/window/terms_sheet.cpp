@@ -24,7 +24,7 @@ void terms_sheet(Player& player, Ui& ui, std::string& searched, const Course& co
     if (p.hovered) filled(r, c.card, 5);
     text(ui.fonts.bold, r.left + 8, y + 16, packed(c.text), term.name);
     for (const Lesson* l : player.lessons())
-      if (l->id == term.lesson) text(ui.fonts.small, r.right - 8, y + 16, packed(c.muted), plain(l->title), 1);
+      if (l->id == term.lesson) text(ui.fonts.body, r.right - 8, y + 16, packed(c.muted), plain(l->title), 1);
     rich(ui, meaning, {r.left + 8, y + 28});
     if (p.clicked) chosen = &term;
     y = r.bottom + 2;

@@ -41,7 +41,6 @@ std::string chip_label(const Preset& preset, std::size_t number, bool named) {
 
 /// The chips of the presets in a row: with names while there is room for them.
 struct Chips {
-  ImFont* font;
   float gap;
   int chosen = -1;
   std::vector<float> wide, widths;
@@ -56,10 +55,10 @@ Chips chips_in(const Player& player, const Ui& ui, const std::vector<const Prese
   constexpr float narrow = 30;
   Chips chips;
   for (const bool roomy : {true, false}) {
-    chips = {roomy ? ui.fonts.body : ui.fonts.small, roomy ? 8.0f : 6.0f, -1, {}, {}};
+    chips = {roomy ? 8.0f : 6.0f, -1, {}, {}};
     for (std::size_t i = 0; i < group.size(); ++i) {
       if (group[i]->id == player.played().preset_id()) chips.chosen = static_cast<int>(i);
-      chips.wide.push_back(text_width(chips.font, chip_label(*group[i], i + 1, true)) + (roomy ? 24 : 16));
+      chips.wide.push_back(text_width(ui.fonts.body, chip_label(*group[i], i + 1, true)) + (roomy ? 24 : 16));
     }
     chips.widths = chips.wide;
     if (chips.total() <= room) return chips;
@@ -75,7 +74,7 @@ void draw_chips(Player& player, Ui& ui, Toast& toast, const std::vector<const Pr
     const bool whole = chips.widths[i] == chips.wide[i];
     const Rect r{x, y - 15, x + chips.widths[i], y + 15};
     if (chip(ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, whole && !player.quiz().asked()),
-             static_cast<int>(i) == chips.chosen, chips.font))
+             static_cast<int>(i) == chips.chosen))
       attempt(toast, [&] { player.load(*group[i]); });
     if (ImGui::IsItemHovered() && player.quiz().asked())
       tooltip(ui, "It is named once the question is answered");

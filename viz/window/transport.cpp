@@ -73,7 +73,7 @@ void buttons(WindowSession& s, float middle, float y) {
     tooltip(ui, "Speed of play");
   }
   const int i = std::clamp(static_cast<int>(std::lround(player.clock().speed() * 2)) - 1, 0, 3);
-  text(ui.fonts.small, speed.middle_x(), y, packed(ui.palette.muted), speeds[i], 0.5f);
+  text(ui.fonts.body, speed.middle_x(), y, packed(ui.palette.muted), speeds[i], 0.5f);
 
   const Rect map{speed.right + 12, y - 18, speed.right + 56, y + 18};
   if (icon_button(ui, "show map", map, Icon::map, shows_map(player, s.settings), has_map(player)))
@@ -93,9 +93,9 @@ void buttons(WindowSession& s, float middle, float y) {
 void key_hints(const Ui& ui, float right, float room, float y) {
   float x = right;
   for (const char* hint : {"F1 keys", "space play", "← → step"}) {
-    const float width = text_width(ui.fonts.small, hint);
+    const float width = text_width(ui.fonts.body, hint);
     if (right - (x - width) > room) return;
-    text(ui.fonts.small, x, y, packed(ui.palette.muted), hint, 1);
+    text(ui.fonts.body, x, y, packed(ui.palette.muted), hint, 1);
     x -= width + 18;
   }
 }

@@ -33,13 +33,11 @@ ImFont* load(const std::string& pattern, double size, double scale) {
 }  // namespace
 
 UiFonts load_fonts(double scale) {
-  return {.body = load("DejaVu Sans", 15, scale),
-          .small = load("DejaVu Sans", 13, scale),
-          .bold = load("DejaVu Sans:bold", 15, scale),
-          .heading = load("DejaVu Sans:bold", 19, scale),
-          .mono = load("DejaVu Sans Mono", 15, scale),
-          .mono_small = load("DejaVu Sans Mono", 13, scale),
-          .mono_large = load("DejaVu Sans Mono", 20, scale)};
+  return {.body = load("DejaVu Sans", body_size, scale),
+          .bold = load("DejaVu Sans:bold", body_size, scale),
+          .heading = load("DejaVu Sans:bold", heading_size, scale),
+          .mono = load("DejaVu Sans Mono", body_size, scale),
+          .mono_large = load("DejaVu Sans Mono", large_size, scale)};
 }
 
 }  // namespace isect::viz

@@ -5,8 +5,11 @@
 
 namespace isect::viz {
 
+/// px of the layout: one scale for everything that is read; nothing is smaller than the body but names in pictures.
+constexpr double body_size = 15, heading_size = 19, large_size = 20;
+
 struct UiFonts {
-  ImFont *body, *small, *bold, *heading, *mono, *mono_small, *mono_large;
+  ImFont *body, *bold, *heading, *mono, *mono_large;
 };
 
 /// Fills the atlas of the current Dear ImGui context; `scale`: framebuffer pixels per px. Throws

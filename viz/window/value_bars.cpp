@@ -70,9 +70,9 @@ void unit_key(Ui& ui, const std::vector<UnitBars>& units, float left, float righ
   constexpr float sample = 18, gap = 6, apart = 14;
   for (std::size_t i = units.size(); i-- > 0;) {
     const std::string name = plain(units[i].unit);
-    const float begin = right - text_width(ui.fonts.small, name) - gap - sample;
+    const float begin = right - text_width(ui.fonts.body, name) - gap - sample;
     if (begin < left) return;
-    text(ui.fonts.small, right, y, packed(ui.palette.muted), name, 1);
+    text(ui.fonts.body, right, y, packed(ui.palette.muted), name, 1);
     fill_bar(units[i].fill, {begin, y - 4, begin + sample, y + 4}, ui.palette.muted);
     ui.rects["unit " + name] = {begin, y - 8, right, y + 8};
     right = begin - apart;
@@ -90,7 +90,7 @@ void value_bar(const Ui& ui, const UnitBars& unit, const Value& v, float x0, flo
 
 void comparison_bar(const Ui& ui, const Comparison& comparison, const UnitBars* unit, float x0, float x1, float y) {
   const Palette& c = ui.palette;
-  if (unit) x1 -= 8 + text(ui.fonts.small, x1, y, packed(c.muted), plain(unit->unit), 1);
+  if (unit) x1 -= 8 + text(ui.fonts.body, x1, y, packed(c.muted), plain(unit->unit), 1);
   BarScale scale;
   scale.take(comparison.left);
   scale.take(comparison.right);

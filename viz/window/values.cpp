@@ -15,7 +15,7 @@
 namespace isect::viz {
 namespace {
 
-/// Heights of the block's parts: rule with the heading; a line of the comparison's meaning.
+/// Heights of the block's parts: rule with the heading; a further row of the comparison's condition or meaning.
 constexpr float block_heading = 36, meaning_pitch = 19;
 
 /// Breaks words into as few lines as fit into `room`.
@@ -23,7 +23,7 @@ std::vector<std::string> lines_of(const Ui& ui, const std::string& words, float 
   std::vector<std::string> lines;
   std::istringstream in(words);
   for (std::string word; in >> word;)
-    if (!lines.empty() && text_width(ui.fonts.small, lines.back() + " " + word) <= room)
+    if (!lines.empty() && text_width(ui.fonts.body, lines.back() + " " + word) <= room)
       lines.back() += " " + word;
     else
       lines.push_back(word);
@@ -42,27 +42,31 @@ std::vector<Comparison> inequalities(const Comparison& c) { return c.parts.empty
 /// Heights of the card's parts: its head; a part of the condition; a bar.
 constexpr float card_head = 34, part_head = 22, bar_room = 28;
 
-ImFont* font_of_condition(const Ui& ui, const Comparison& c, float room) {
-  ImFont* font = ui.fonts.mono;
-  for (ImFont* narrower : {ui.fonts.mono_small, ui.fonts.small})
-    if (text_width(font, plain(c.text)) + 27 + text_width(ui.fonts.small, "false") > room) font = narrower;
-  return font;
+/// Returns a condition as a line of code, on as many rows as it takes; "true" or "false" has room after the last one.
+std::vector<std::string> condition_rows(const Ui& ui, const Comparison& c, float room) {
+  return rows_of_line(plain(c.text), ui.fonts.mono, room - 27 - text_width(ui.fonts.body, "false"));
+}
+
+/// Returns the height of the condition's rows after the first.
+float more_rows(const Ui& ui, const Comparison& c, float room) {
+  return meaning_pitch * static_cast<float>(condition_rows(ui, c, room).size() - 1);
 }
 
 /// Whether the meaning stands beside the condition.
 bool on_one_line(const Ui& ui, const Comparison& c, float room) {
-  return text_width(font_of_condition(ui, c, room), plain(c.text)) + 41 + text_width(ui.fonts.small, "false") +
-             text_width(ui.fonts.small, plain(c.meaning)) <=
-         room;
+  const std::vector<std::string> rows = condition_rows(ui, c, room);
+  return rows.size() == 1 && text_width(ui.fonts.mono, rows.front()) + 41 + text_width(ui.fonts.body, "false") +
+                                     text_width(ui.fonts.body, plain(c.meaning)) <=
+                                 room;
 }
 
 float card_height(const Ui& ui, const Comparison& c, float width) {
   const float room = width - 32;
-  float height = card_head + 10;
+  float height = card_head + 10 + more_rows(ui, c, room);
   if (!on_one_line(ui, c, room))
     height += meaning_pitch * static_cast<float>(lines_of(ui, plain(c.meaning), room).size());
   for (const Comparison& part : inequalities(c))
-    height += (c.parts.empty() ? 0 : part_head) + bar_room +
+    height += (c.parts.empty() ? 0 : part_head + more_rows(ui, part, room)) + bar_room +
               meaning_pitch * static_cast<float>(lines_of(ui, in_full(part), room).size());
   return height;
 }
@@ -85,9 +89,7 @@ void value_row(Ui& ui, const Value& v, const std::string& digits, const std::vec
   const Palette& c = ui.palette;
   const float y = r.middle_y();
   const float room = number - text_width(ui.fonts.mono, digits) - 8 - (r.left + 10);
-  ImFont* font = ui.fonts.mono;
-  for (ImFont* narrower : {ui.fonts.mono_small, ui.fonts.small})
-    if (text_width(font, plain(v.name)) > room) font = narrower;
+  ImFont* const font = text_width(ui.fonts.mono, plain(v.name)) > room ? ui.fonts.body : ui.fonts.mono;
   const std::string name = fitted(font, plain(v.name), room);
   const std::vector<std::string> names = keys(names_in(v.name));
   if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) ui.light.point(names, r);
@@ -103,7 +105,7 @@ void value_row(Ui& ui, const Value& v, const std::string& digits, const std::vec
   const float right = r.right - 10;
   if (v.fresh) {
     outlined({r.left, r.top + 1, r.right, r.bottom - 1}, c.fresh, 1.5f, 5);
-    const float width = text(ui.fonts.small, right - 2, y, packed(c.fresh_text), "new", 1);
+    const float width = text(ui.fonts.body, right - 2, y, packed(c.fresh_text), "new", 1);
     ui.rects["new " + name] = {right - 2 - width, y - 7, right - 2, y + 7};
   }
   const auto unit = std::ranges::find(units, v.unit, &UnitBars::unit);
@@ -111,13 +113,19 @@ void value_row(Ui& ui, const Value& v, const std::string& digits, const std::vec
   if (unit != units.end() && room_for_bar) value_bar(ui, *unit, v, number + 26, right - beside_bar, y);
 }
 
-/// Draws a condition, and whether it is true. Returns where that ends.
-float truth(Ui& ui, const Comparison& c, ImFont* font, float x, float y) {
+/// Draws a condition from the row around y down, and after its last row whether it is true.
+void truth(Ui& ui, const Comparison& c, float x, float y, float room) {
   const Colour& ink = c.holds ? ui.palette.hit : ui.palette.miss;
-  const float end = x + text(font, x, y, packed(ui.palette.text), plain(c.text)) + 10;
-  lights_in(ui, font, x, y, plain(c.text));
+  ImFont* const font = ui.fonts.mono;
+  float end = x;
+  y -= meaning_pitch;
+  for (const std::string& row : condition_rows(ui, c, room)) {
+    y += meaning_pitch;
+    end = x + text(font, x, y, packed(ui.palette.text), row) + 10;
+    lights_in(ui, font, x, y, row);
+  }
   (c.holds ? tick : ring)(end + 6, y, 13, packed(ink));
-  return end + 17 + text(ui.fonts.small, end + 17, y, packed(ink), c.holds ? "true" : "false");
+  text(ui.fonts.body, end + 17, y, packed(ink), c.holds ? "true" : "false");
 }
 
 /// Draws the condition with its sign, its meaning, and both sides of each of its inequalities as bars. The meaning
@@ -130,27 +138,28 @@ void comparison_card(Ui& ui, const Step& step, const Comparison& comparison, con
   const std::vector<std::string> names = keys(names_in(comparison.text));
   if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) ui.light.point(names, r);
   if (focused(ui, "comparison", r)) ui.light.hold(names, r);
-  const float y = r.top + 20, x0 = r.left + 16, x1 = r.right - 16;
-  truth(ui, comparison, font_of_condition(ui, comparison, x1 - x0), x0, y);
+  const float y = r.top + 20, x0 = r.left + 16, x1 = r.right - 16, room = x1 - x0;
+  truth(ui, comparison, x0, y, room);
   const std::string meaning = plain(comparison.meaning);
-  float bar_y = r.top + 45;
+  float bar_y = r.top + 45 + more_rows(ui, comparison, room);
   const auto lines = [&](const std::string& words, const Colour& ink) {
-    for (const std::string& line : lines_of(ui, words, x1 - x0)) {
-      text(ui.fonts.small, x0, bar_y - 4, packed(ink), line);
+    for (const std::string& line : lines_of(ui, words, room)) {
+      text(ui.fonts.body, x0, bar_y - 4, packed(ink), line);
       bar_y += meaning_pitch;
     }
   };
-  if (on_one_line(ui, comparison, x1 - x0))
-    text(ui.fonts.small, x1, y, packed(c.muted), meaning, 1);
+  if (on_one_line(ui, comparison, room))
+    text(ui.fonts.body, x1, y, packed(c.muted), meaning, 1);
   else
     lines(meaning, c.muted);
   ui.rects["meaning"] = {x0, r.top + 8, x1, bar_y - 10};
   int part_number = 0;
   for (const Comparison& part : inequalities(comparison)) {
     if (!comparison.parts.empty()) {
-      truth(ui, part, ui.fonts.mono_small, x0, bar_y - 2);
-      ui.rects["condition " + std::to_string(++part_number)] = {x0, bar_y - 10, x1, bar_y + 8};
-      bar_y += part_head;
+      const float more = more_rows(ui, part, room);
+      truth(ui, part, x0, bar_y - 2, room);
+      ui.rects["condition " + std::to_string(++part_number)] = {x0, bar_y - 10, x1, bar_y + 8 + more};
+      bar_y += part_head + more;
     }
     if (const std::string numbers = in_full(part); !numbers.empty()) {
       const float top = bar_y - 10;
@@ -207,28 +216,33 @@ void values_block(Ui& ui, const Step& step, const Rect& r, float pitch, const Pa
 void operations_block(Ui& ui, const Counters& n, const Rect& r) {
   const Palette& c = ui.palette;
   ui.rects["operations"] = r;
-  const std::pair<const char*, int> all[] = {
-      {"mul", n.mul}, {"add", n.add}, {"div", n.div}, {"sqrt", n.sqrt}, {"cmp", n.compare}};
-  std::vector<std::pair<const char*, int>> counts;
-  std::ranges::copy_if(all, std::back_inserter(counts), [](const auto& count) { return count.second > 0; });
+  struct Count {
+    const char *name, *sign;
+    int count;
+  };
+  const Count all[] = {
+      {"mul", "×", n.mul}, {"add", "+", n.add}, {"div", "÷", n.div}, {"sqrt", "√", n.sqrt}, {"cmp", "<", n.compare}};
+  std::vector<Count> counts;
+  std::ranges::copy_if(
+      all, std::back_inserter(counts), [](int count) { return count > 0; }, &Count::count);
   if (counts.empty()) return;
   rule(ui, r.left + 10, r.right - 10, r.top);
   if (r.height() > 50) text(ui.fonts.bold, r.left + 10, r.top + 16, packed(c.text), "Operations");
   const float y = r.bottom - 18;
-  // In equal shares, or closer together if one is wider; large numbers in a smaller font, or in thousands.
+  // In equal shares, or closer together if one is wider; where there is no room, in thousands, or with signs as names.
   const float room = r.width() - 20, share = room / 5, least_gap = 8;
-  ImFont* font = ui.fonts.mono;
+  bool signs = false;
   std::vector<std::string> numbers;
   float widest = 0, sum = 0;
-  for (const auto& [narrower, thousands] : {std::pair{ui.fonts.mono, false},
-                                            {ui.fonts.mono_small, false},
-                                            {ui.fonts.small, false},
-                                            {ui.fonts.small, true}}) {
-    font = narrower, widest = sum = 0;
+  const auto label_of = [&](const Count& count) { return signs ? count.sign : count.name; };
+  for (const auto& [by_sign, thousands] :
+       {std::pair{false, false}, std::pair{false, true}, std::pair{true, false}, std::pair{true, true}}) {
+    signs = by_sign, widest = sum = 0;
     numbers.clear();
-    for (const auto& [name, count] : counts) {
-      numbers.push_back(thousands && count >= 10'000 ? fmt::format("{:.0f} k", count / 1e3) : std::to_string(count));
-      const float width = text_width(ui.fonts.small, name) + 6 + text_width(font, numbers.back());
+    for (const Count& one : counts) {
+      numbers.push_back(thousands && one.count >= 10'000 ? fmt::format("{:.0f} k", one.count / 1e3)
+                                                         : std::to_string(one.count));
+      const float width = text_width(ui.fonts.body, label_of(one)) + 6 + text_width(ui.fonts.mono, numbers.back());
       widest = std::max(widest, width), sum += width;
     }
     if (sum + least_gap * static_cast<float>(counts.size() - 1) <= room) break;
@@ -237,12 +251,12 @@ void operations_block(Ui& ui, const Counters& n, const Rect& r) {
   float x = r.left + 10;
   std::string told = "Operations up to this step:";
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    const auto& [name, count] = counts[i];
-    const float width = text(ui.fonts.small, x, y, packed(c.muted), name);
-    const float end = x + width + 6 + text(font, x + width + 6, y, packed(c.text), numbers[i]);
-    ui.rects[std::string("count ") + name] = {x, y - 9, end, y + 9};
+    const Count& one = counts[i];
+    const float width = text(ui.fonts.body, x, y, packed(c.muted), label_of(one));
+    const float end = x + width + 6 + text(ui.fonts.mono, x + width + 6, y, packed(c.text), numbers[i]);
+    ui.rects[std::string("count ") + one.name] = {x, y - 9, end, y + 9};
     x = widest + least_gap <= share ? x + share : end + gap;
-    told += fmt::format(" {} {}{}", name, count, i + 1 < counts.size() ? "," : "");
+    told += fmt::format(" {} {}{}", one.name, one.count, i + 1 < counts.size() ? "," : "");
   }
   if (ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r))) tooltip(ui, told);
 }

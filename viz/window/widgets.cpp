@@ -166,7 +166,7 @@ void light_up(Ui& ui, const Rect& r, double strength, bool bright) {
 void tell_sum(Ui& ui, const Rect& window) {
   constexpr double patience = 3;  // like a tooltip
   if (ui.sum.empty() || (!ui.light.by_keyboard() && ui.pointer_rest > patience)) return;
-  ImFont* const font = ui.fonts.small;
+  ImFont* const font = ui.fonts.body;
   const float size = font->FontSize * font->Scale, most = 420;
   const ImVec2 words = font->CalcTextSizeA(size, most, most, ui.sum.c_str());
   const Rect& at = ui.light.at();
@@ -201,8 +201,8 @@ bool focused(Ui& ui, const std::string& name, const Rect& r) {
   ImGuiWindow* const window = ImGui::GetCurrentWindow();
   std::string root = window->RootWindow->Name;
   if (root.starts_with(ui.side)) root.erase(0, ui.side.size());
-  constexpr const char* parts[] = {"top bar", "lesson panel", "lecture", "pane heads",
-                                   "scene",   "time",         "map",     "code panel"};
+  constexpr const char* parts[] = {"top bar", "lesson panel", "lecture",    "pane heads",   "scene",
+                                   "time",    "map",          "code panel", "objects panel"};
   const int part = static_cast<int>(std::find(std::begin(parts), std::end(parts), root) - std::begin(parts));
   if (!ui.focus.offer(ui.side + name, part, window->RootWindow->Flags & ImGuiWindowFlags_Popup)) return false;
   const ImRect clip = window->ClipRect;
@@ -262,9 +262,7 @@ void tooltip(const Ui& ui, const std::string& s) {
   constexpr double patience = 3;  // a resting pointer must not cover the text forever while the keys step
   if (ui.pointer_rest > patience) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{10, 7});
-  ImGui::PushFont(ui.fonts.small);
   ImGui::SetTooltip("%s", s.c_str());
-  ImGui::PopFont();
   ImGui::PopStyleVar();
 }
 

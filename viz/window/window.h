@@ -10,6 +10,7 @@
 #include "viz/lesson.h"
 #include "viz/player/playlist.h"
 #include "viz/player/reader_state.h"
+#include "viz/scene_editor.h"
 
 namespace isect::viz {
 
@@ -19,11 +20,13 @@ struct NoDisplay : std::runtime_error {
 };
 
 /// Opens the window at `at` and returns when it is closed. Messages for the user, such as that a state file is damaged,
-/// are shown there and passed to `say`. `save_scene` writes a setting into the scene file of the lesson, which is then
-/// as if made from that; null: there is no file. `playlist`: the window goes through it, from where it was left, and
-/// not to `at`; its lessons are among the others. Throws NoDisplay.
+/// are shown there and passed to `say`. `save_scene` writes a lesson's scene with this setting into its file; the
+/// lesson is then as if made from that; null: there is no file. `playlist`: the window goes through it, from where it
+/// was left, and not to `at`; its lessons are among the others. `editor`: lists and changes the objects of scenes; an
+/// empty one lists none. Throws NoDisplay.
 void show(const std::vector<const Lesson*>&, const Course&, const ReaderState& at,
           const std::function<void(const std::string&)>& say = {},
-          const std::function<void(const Parameters&)>& save_scene = {}, const Playlist& playlist = {});
+          const std::function<void(const Lesson&, const Parameters&)>& save_scene = {}, const Playlist& playlist = {},
+          const SceneEditor& editor = {});
 
 }  // namespace isect::viz

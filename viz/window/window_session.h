@@ -14,6 +14,7 @@
 #include "viz/formats/formats.h"
 #include "viz/player/hour.h"
 #include "viz/player/player.h"
+#include "viz/scene_editor.h"
 #include "viz/walk/review.h"
 #include "viz/window/widgets.h"
 
@@ -106,9 +107,29 @@ struct Requests {
 
 /// The file of the scene that the lesson is made from.
 struct SceneFile {
-  /// Writes the setting into it, from which the lesson is then made; null: there is no file.
-  std::function<void(const Parameters&)> save = {};
+  /// Writes the lesson with this setting into it, from which the lesson is then made; null: there is no file.
+  std::function<void(const Lesson&, const Parameters&)> save = {};
   std::optional<unsigned> told_unsaved = {};  ///< revision of a scene that was unsaved when the reader wanted to close
+  const Lesson* written = nullptr;  ///< the version of the scene that it holds; null: nobody has edited the scene
+};
+
+/// The list of a scene's objects. (objects_panel.cpp)
+struct ObjectsPanel {
+  const Lesson* of = nullptr;             ///< the version that is listed
+  std::vector<SceneObject> objects = {};  ///< its objects
+  std::vector<std::size_t> found = {};    ///< those with the words that are searched for, in their order
+  std::string search = {}, searched = {};
+  std::vector<std::string> chosen = {};       ///< at most two names
+  std::vector<std::string> asked_about = {};  ///< those that `questions` are about
+  std::vector<SceneQuestion> questions = {};
+  std::string to_see = {};  ///< the object whose row is to come into view
+  int drawn = 0;            ///< rows of the last frame
+  /// A name that is being typed.
+  struct Renaming {
+    std::string object, text;
+    int frames = 0;      ///< without the keyboard, so far
+    bool begun = false;  ///< the field has the keyboard
+  } renaming = {};
 };
 
 /// The sheet that saves figures, with the figure as it would save it: that is drawn between two frames.
@@ -225,6 +246,8 @@ struct WindowSession {
   const Course& course;
   std::string figures;  ///< folder for saved figures
   SceneFile scene_file = {};
+  SceneEditor scene_editor = {};
+  ObjectsPanel objects = {};
   bool panels = true, full_screen = false;  ///< without panels it is a lecture
   bool dark = false;                        ///< a lecturer has made the screen dark
   Requests requests = {};

@@ -12,7 +12,9 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "viz/formats/files.h"
@@ -23,6 +25,7 @@
 #include "viz/window/key_codes.h"
 #include "viz/window/lesson_picture.h"
 #include "viz/window/map_view.h"
+#include "viz/window/objects_panel.h"
 #include "viz/window/panels.h"
 #include "viz/window/save_figure.h"
 #include "viz/window/saving.h"
@@ -90,7 +93,8 @@ struct WindowUi::Impl {
                 .settings = settings,
                 .course = course,
                 .figures = options.figures,
-                .scene_file = {.save = options.save_scene}},
+                .scene_file = {.save = options.save_scene},
+                .scene_editor = options.scene_editor},
         scene(gl, options.scale, options.draw_scene, options.place_names),
         map(gl, options.scale, options.draw_scene),
         panes(gl, options.scale, options.draw_scene) {
@@ -176,7 +180,10 @@ struct WindowUi::Impl {
   void learn_names() {
     if (names_of_revision == player.revision() && !ui.names.empty()) return;
     names_of_revision = player.revision();
-    ui.names = names_of(player.lesson(), player.walk());
+    if (std::exchange(names_of_lesson, &player.lesson()) != &player.lesson())
+      names_of_knobs = names_of(player.lesson());
+    ui.names = names_of(player.walk());
+    ui.names.insert(names_of_knobs.begin(), names_of_knobs.end());
   }
 
   WindowLayout layout() {
@@ -197,7 +204,7 @@ struct WindowUi::Impl {
   /// Shows all between the two bars.
   void show_step(const WindowLayout& at) {
     const ScenePane pane{player, ui, session.toast, session.requests.zoom};
-    const LessonPanel lesson{player, ui, settings, session.fields, session.step_words, session.requests, session.toast};
+    LessonPanel lesson{player, ui, settings, session.fields, session.step_words, session.requests, session.toast};
     if (session.review) return show_review(at, pane, lesson);
     if (shows_fault(session)) {
       panes.leave(player, settings);
@@ -221,7 +228,9 @@ struct WindowUi::Impl {
       scene.show(pane, at.scene);
     }
     if (!session.panels) return lecture(player, ui, session.step_words, at.lesson);
+    lesson.answers = lists_objects(session);
     lesson_panel(lesson, at.lesson);
+    if (lesson.answers && lists_objects(session)) return objects_panel(session, at.code);
     code_panel(player, ui, at.code);
   }
 
@@ -233,6 +242,8 @@ struct WindowUi::Impl {
   bool drawing;
   bool preparing = false;  ///< part of what the next step shows is still to be made
   unsigned names_of_revision = 0;
+  const Lesson* names_of_lesson = nullptr;
+  std::set<std::string> names_of_knobs = {};  ///< that lesson's: a scene may have thousands
   double density, size = 1;
   Ui ui;
   Course course;

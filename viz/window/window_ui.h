@@ -9,6 +9,7 @@
 #include "viz/compose/compose.h"
 #include "viz/course.h"
 #include "viz/gl/renderer.h"
+#include "viz/scene_editor.h"
 #include "viz/window/window_session.h"
 
 namespace isect::viz {
@@ -25,9 +26,10 @@ struct WindowOptions {
   double texts_a_frame = std::numeric_limits<double>::infinity();
   std::string figures = "figures";
   Course course = {};
-  /// Writes a setting into the file from which the lesson is made; null: there is none.
-  std::function<void(const Parameters&)> save_scene = {};
+  /// Writes the lesson's scene with a setting into its file; null: there is none.
+  std::function<void(const Lesson&, const Parameters&)> save_scene = {};
   Playlist playlist = {};  ///< to be gone through, from where the settings left it, and not from `at`; empty: none
+  SceneEditor scene_editor = {};  ///< lists and changes the objects of scenes
 };
 
 class WindowUi {

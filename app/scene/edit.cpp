@@ -1,0 +1,188 @@
+#include "app/scene/edit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "app/scene/list_text.h"
+#include "app/scene/source.h"
+#include "viz/text/spelling.h"
+
+namespace isect::program::scene {
+
+namespace {
+
+std::string name_of(const Json& object) {
+  const std::string field = type_field(object);
+  return field.empty() || !object[field].is_string() ? std::string() : object[field].get<std::string>();
+}
+
+std::vector<std::string> names_in(const Json& scene) {
+  std::vector<std::string> names;
+  for (const Json& object : scene["objects"]) names.push_back(name_of(object));
+  return names;
+}
+
+std::size_t index_of(const Source& source, const std::string& name) {
+  const std::vector<std::string> names = names_in(source.json());
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end())
+    source.refuse({"objects"}, fmt::format("no object is called \"{}\"{}", name,
+                                           spelling::instead(name, names, "there are " + spelling::listed(names))));
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+/// Throws viz::BadInput if it is no scene at all.
+Source source_of(const std::string& text) {
+  Source source(text);
+  if (!source.json().is_object() || !source.json().contains("objects") || !source.json()["objects"].is_array())
+    source.refuse({}, "\"objects\" is missing");
+  return source;
+}
+
+/// A place in a question where a name of an object stands. `list`: that of the names, if there may be any number.
+struct NamePlace {
+  std::string path, list = {};
+  std::size_t index = 0, count = 0;
+};
+
+/// Returns the places below `path` where this name stands in a question.
+std::vector<NamePlace> places_of(const Json& asked, const std::string& path, const std::string& name) {
+  std::vector<NamePlace> places;
+  const auto look = [&](const Json& value, const std::string& at) {
+    if (value == name) places.push_back({at});
+    if (!value.is_array()) return;
+    for (std::size_t i = 0; i < value.size(); ++i)
+      if (value[i] == name) places.push_back({fmt::format("{}/{}", at, i), at, i, value.size()});
+  };
+  if (asked.is_array()) look(asked, path);
+  if (!asked.is_object()) return places;
+  for (const char* field : {"first hit", "fit", "clip", "to", "hierarchy", "walk", "ray"})
+    if (asked.contains(field) && asked[field] != "all") look(asked[field], path + "/" + field);
+  return places;
+}
+
+/// Removes a name from a question about three objects or more, else the question.
+void remove_name(std::string& text, std::size_t question, const std::vector<NamePlace>& places) {
+  if (places.size() == 1 && places[0].count > 2)
+    remove_entry(text, places[0].list, places[0].index);
+  else
+    remove_entry(text, "/ask", question);
+}
+
+}  // namespace
+
+std::string type_field(const Json& object) {
+  for (const TypeSpec& type : types())
+    for (const std::string& field : {type.name, other_name(type)})
+      if (!field.empty() && object.is_object() && object.contains(field)) return field;
+  return {};
+}
+
+std::string on_one_line(const Json& json) {
+  std::string all;
+  if (json.is_object()) {
+    for (const auto& [key, value] : json.items())
+      all += (all.empty() ? "" : ", ") + Json(key).dump() + ": " + on_one_line(value);
+    return "{" + all + "}";
+  }
+  if (json.is_array()) {
+    for (const Json& value : json) all += (all.empty() ? "" : ", ") + on_one_line(value);
+    return "[" + all + "]";
+  }
+  return json.is_number_float() ? viz::to_text(json.get<double>()) : json.dump();
+}
+
+std::string free_name(const std::string& text) {
+  const std::vector<std::string> names = names_in(source_of(text).json());
+  for (int round = 0;; ++round)
+    for (char letter = 'A'; letter <= 'Z'; ++letter) {
+      const std::string name = letter + (round == 0 ? std::string() : std::to_string(round));
+      if (std::ranges::find(names, name) == names.end()) return name;
+    }
+}
+
+std::string with_object(const std::string& text, Type type, const std::string& name, const Start& start) {
+  const Source source = source_of(text);
+  std::string now = text;
+  add_entry(now, "/objects", source.json()["objects"].size(), on_one_line(start_of(type, name, start)));
+  return now;
+}
+
+std::string without_object(const std::string& text, const std::string& name) {
+  const Source source = source_of(text);
+  const std::size_t index = index_of(source, name);
+  std::string now = text;
+  const Json ask = source.json().contains("ask") ? source.json()["ask"] : Json();
+  for (std::size_t i = ask.is_array() ? ask.size() : 0; i-- > 0;) {
+    const std::vector<NamePlace> places = places_of(ask[i], fmt::format("/ask/{}", i), name);
+    if (!places.empty()) remove_name(now, i, places);
+  }
+  remove_entry(now, "/objects", index);
+  return now;
+}
+
+std::string with_name(const std::string& text, const std::string& name, const std::string& now) {
+  const Source source = source_of(text);
+  const std::size_t index = index_of(source, name);
+  const Spans spans(text);
+  std::vector<Spans::Span> found;
+  const auto take = [&](const std::string& path) {
+    if (const Spans::Span* span = spans.at(path)) found.push_back(*span);
+  };
+  take(fmt::format("/objects/{}/{}", index, type_field(source.json()["objects"][index])));
+  if (source.json().contains("ask") && source.json()["ask"].is_array())
+    for (std::size_t i = 0; i < source.json()["ask"].size(); ++i)
+      for (const NamePlace& place : places_of(source.json()["ask"][i], fmt::format("/ask/{}", i), name))
+        take(place.path);
+  std::ranges::sort(found, std::ranges::greater{}, &Spans::Span::begin);  // the last one first
+  std::string out = text;
+  for (const Spans::Span& span : found) out.replace(span.begin, span.end - span.begin, Json(now).dump());
+  return out;
+}
+
+std::string with_hidden(const std::string& text, const std::string& name, bool hidden) {
+  const Source source = source_of(text);
+  const std::size_t index = index_of(source, name);
+  const Spans spans(text);
+  std::string now = text;
+  static const std::string field = ", \"hidden\": ";
+  if (const Spans::Span* was = spans.at(fmt::format("/objects/{}/hidden", index))) {
+    const bool ours = was->begin >= field.size() && now.compare(was->begin - field.size(), field.size(), field) == 0;
+    if (!hidden && ours)
+      now.erase(was->begin - field.size(), was->end - was->begin + field.size());
+    else
+      now.replace(was->begin, was->end - was->begin, hidden ? "true" : "false");
+  } else if (hidden) {
+    const Json& object = source.json()["objects"][index];
+    now.insert(spans.at(fmt::format("/objects/{}/{}", index, type_field(object)))->end, field + "true");
+  }
+  return now;
+}
+
+std::string with_question(const std::string& text, const Json& asked) {
+  const Source source = source_of(text);
+  const Json& scene = source.json();
+  const std::string entry = on_one_line(asked);
+  std::string now = text;
+  if (!scene.contains("ask")) {
+    const Spans::Span objects = *Spans(text).at("/objects");
+    const std::size_t begin = line_begin(text, objects.begin);
+    const std::size_t key = text.find_first_not_of(" \t", begin);
+    const bool own_line = begin > 0 && text[key] == '"';
+    put_behind(now, objects.end, own_line ? std::optional(text.substr(begin, key - begin)) : std::nullopt,
+               "\"ask\": [" + entry + "]");
+    return now;
+  }
+  if (scene["ask"] == "all pairs")
+    source.refuse({"ask"}, asked.is_array() ? "all pairs are asked already"
+                                            : "all pairs are asked; other questions stand in a list");
+  if (!scene["ask"].is_array()) source.refuse({"ask"}, "a list of questions is expected, or \"all pairs\"");
+  for (std::size_t i = 0; i < scene["ask"].size(); ++i)
+    if (scene["ask"][i] == asked) source.refuse({"ask", std::to_string(i)}, "this is asked already");
+  add_entry(now, "/ask", scene["ask"].size(), entry);
+  return now;
+}
+
+}  // namespace isect::program::scene

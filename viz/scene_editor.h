@@ -1,0 +1,56 @@
+#pragma once
+// How the window lists and changes the objects of a scene that was made from a file. Whoever knows such files gives the
+// functions (app/scene/editor.h); here nothing reads or writes one.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "viz/lesson.h"
+
+namespace isect::viz {
+
+/// An object of a scene.
+struct SceneObject {
+  std::string name;
+  std::string shown;  ///< its name as markup
+  std::string type;   ///< in words: "circle"
+  bool hidden = false;
+};
+
+/// A type of objects that can be added.
+struct SceneType {
+  std::string id;
+  std::string words;
+};
+
+/// A question that can be added.
+struct SceneQuestion {
+  std::string id;
+  std::string words;  ///< plain text
+};
+
+/// A change that a reader asks for.
+struct SceneEdit {
+  enum class Kind { add, remove, rename, hide, show, ask };
+  Kind kind = Kind::add;
+  std::string what = {};       ///< the object's name; what is added: the id of a type or of a question
+  std::string name = {};       ///< of the object that is added; the new one of an object that is renamed
+  Vec3 middle = Vec3::Zero();  ///< where an object that is added stands
+  double size = 1;             ///< and about how far it reaches from there
+};
+
+struct SceneEditor {
+  /// Returns the objects in their order; none if the lesson is no scene that can be changed. Null: no lesson can.
+  std::function<std::vector<SceneObject>(const Lesson&)> objects = {};
+  std::function<std::vector<SceneType>(const Lesson&)> types = {};
+  /// Returns a name for a new object.
+  std::function<std::string(const Lesson&)> free_name = {};
+  /// Returns the questions about one object or about two. Those that are asked already are left out.
+  std::function<std::vector<SceneQuestion>(const Lesson&, const std::vector<std::string>& names)> questions = {};
+  /// Returns the scene with these numbers and one change, as long-lived as the one before. Throws BadInput, which says
+  /// why the change is refused.
+  std::function<const Lesson&(const Lesson&, const Parameters&, const SceneEdit&)> edited = {};
+};
+
+}  // namespace isect::viz

@@ -1,0 +1,25 @@
+#pragma once
+// What a reader does to the list of a scene's objects: each change shows another version of the scene.
+
+#include <string>
+
+#include "viz/window/window_session.h"
+
+namespace isect::viz {
+
+/// Lists the objects of the scene on show, if that is not done yet: none if it can't be changed.
+void list_anew(WindowSession&);
+/// Shows the scene after a change. Returns whether it was not refused; why it was is told.
+bool change_scene(WindowSession&, const SceneEdit&);
+/// Chooses an object, or lets it go; of three the one chosen first is let go.
+void choose_object(ObjectsPanel&, const std::string& name);
+/// Adds an object in the middle of what is seen.
+void add_object_of(WindowSession&, const std::string& type);
+void remove_object(WindowSession&, const std::string& name);
+/// Shows the field in which a name is typed.
+void begin_renaming(ObjectsPanel&, const std::string& name);
+void rename_object(WindowSession&, const std::string& name, const std::string& now);
+/// Adds a question, and goes to its answer.
+void ask_about_chosen(WindowSession&, const std::string& question);
+
+}  // namespace isect::viz
