@@ -62,11 +62,15 @@ const Closing& closing() {
            "**d** = (8, 2). Left: *t* ≥ 1/4. Right: *t* ≤ 3/4. Top: *t* ≤ 1/2. Bottom: *t* ≥ −1/2. Kept: 1/4 to 1/2, "
            "from (0, 1.5) to (2, 2). In space a third slab cuts the same range. A ray begins with [0, ∞) in place of "
            "[0, 1]."},
-          {"How many vertices can a triangle have after four sides have cut it? And why do renderers clip at the near "
-           "plane before they project?",
-           "Seven: a cut of a convex polygon adds at most one vertex. A triangle can keep a part of each of its three "
-           "sides, and of the box's four. Projection divides by the depth *z*. Points behind the eye, *z* < 0, would "
-           "come out mirrored, and at *z* = 0 the division fails."},
+          {"How many vertices can a triangle have after four sides have cut it? What does each edge put out? And why "
+           "do renderers clip at the near plane before they project?",
+           "Seven: a cut of a convex polygon adds at most one vertex. A line crosses a convex outline twice at most, "
+           "so a cut that adds two vertices removes at least one. A triangle can keep a part of each of its three "
+           "sides, and of the box's four.\n"
+           "Let no vertex lie on the side. An edge from in to in puts out its end; from in to out, the crossing. From "
+           "out to in it puts out the crossing, then its end; from out to out, nothing.\n"
+           "Projection divides by *w*, for an eye in perspective the depth in front of it. Points behind the eye, *w* "
+           "< 0, would come out mirrored, and at *w* = 0 the division fails."},
           {"Why do slabs by reciprocals lose a segment along the top, but not along the bottom? And what do exchanged "
            "arguments change?",
            "*d* = 0 makes 1/*d* = ∞, and ∞ times the distance 0 is NaN. With NaN none of <, ≤, > and ≥ holds, so min "

@@ -49,7 +49,8 @@ const Closing& closing() {
       .exercises = {
           {"Drag box 0 until it overlaps no other box.",
            "Some axis must separate it from each of the others. Separating axes need convex shapes: cut a body with "
-           "dents into convex parts (a compound), and test each pair of parts.",
+           "dents into convex parts (a compound), and test each pair of parts. The hull alone would fill the dents: a "
+           "bowl would have a lid.",
            "brute-force",
            box_0_alone,
            {{"p", "-2.5,-1.5,0"}}},
@@ -61,8 +62,12 @@ const Closing& closing() {
           {"A body 0.1 m long flies at 30 m/s towards a wall of 0.45 m. Tests run at 60 Hz. Can it tunnel?",
            "One step is 30 / 60 = 0.5 m. Wall and body together are 0.55 m. As 0.5 < 0.55, it cannot. At 120 Hz every "
            "body takes twice as many tests. One faster than 0.55 · 120 = 66 m/s still can."},
-          {"Of 1000 bodies, 900 never move. How many pairs are left to test?",
-           "Pairs of two bodies at rest are dropped: 900 · 899 / 2. Of 499 500 pairs, 94 950 are left."},
+          {"Of 1000 bodies, 900 never move. How many pairs are left to test? And where does a uniform grid save "
+           "little?",
+           "Pairs of two bodies at rest are dropped: 900 · 899 / 2. Of 499 500 pairs, 94 950 are left.\n"
+           "A grid lists each body in every cell that it meets, and tests the pairs within a cell. Where one cell "
+           "holds almost all bodies, almost all pairs are left. A body much larger than the cells is listed in very "
+           "many. Count the tests in each frame: near *n* (*n* − 1) / 2, nothing is saved."},
           {"Find boxes for which sweep and prune tests all pairs, though none overlap.",
            "Wide, flat boxes on a gentle slope. The sweep runs along the axis on which their centres spread most: "
            "there all intervals meet, and on the other one gaps part them. That spread is the variance of the centres. "

@@ -66,11 +66,17 @@ const Closing& closing() {
            {{"p", "2.75,1.25,0"}}},
           {"How many orientations can a polygon of 1000 vertices take?",
            "lg 998 is a little less than 10, rounded up 10. So at most 3 + 3 · 10 = 33."},
-          {"Why does a vertex as apex need no angles, while an interior point needs a case distinction?",
+          {"Why does a vertex as apex need no angles, while an interior point needs a case distinction? And what goes "
+           "wrong with atan2?",
            "From a vertex all directions lie within half a turn, where one sign orders any two. Around an interior "
            "point they fill the whole turn, and at that point itself **p** is inside, at once. On a ray between two "
            "wedges either gives the same verdict. Vertices in no order are sorted first, by angle around an interior "
-           "point, or by taking their hull: O(*n* lg *n*)."},
+           "point, or by taking their hull: O(*n* lg *n*).\n"
+           "The case distinction asks whether **v** and **p** lie on one side of the line from **q** through **v**_0. "
+           "If so, one cross product orders them; else the left one comes first.\n"
+           "atan2 gives angles from −*π* to *π*. It jumps from one to the other where a direction points straight to "
+           "the left. Bisection takes angles for sorted, so it may choose a wrong wedge there. Subtract the angle of "
+           "**v**_0, and add 2*π* if the result is negative."},
           wrong_line(),
       }};
   return closing;

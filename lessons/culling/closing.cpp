@@ -59,7 +59,8 @@ const Closing& closing() {
           {"The clip coordinates of **x** are the dot products of the matrix's rows with (**x**, 1). Find the left "
            "plane, and the near plane by both conventions.",
            "Inside means −*w* ≤ *x*, so row 4 + row 1 gives the left plane's coefficients. With −*w* ≤ *z* (OpenGL) "
-           "the near plane is row 4 + row 3; with 0 ≤ *z* (Direct3D, Metal, Vulkan) it is row 3 alone."},
+           "the near plane is row 4 + row 3; with 0 ≤ *z* (Direct3D, Metal, Vulkan) it is row 3 alone. Such normals "
+           "need not have length 1: divide a plane by that length before a radius is compared."},
           {"The camera turns a little. Which answer of the last frame should be tried first?",
            "The plane that rejected the object last time: it probably will again. That is temporal coherence."},
       }};

@@ -86,7 +86,10 @@ const Closing& closing() {
            "it.\n"
            "For convex polyhedra that move little, Lin and Canny test the last pair of nearest features. If it is not "
            "nearest any more, they walk to neighbours of its features until it is. Where bodies penetrate, the "
-           "walk may cycle (Mirtich).",
+           "walk may cycle (Mirtich).\n"
+           "The pair is right while each of its points lies in the region of the other's feature. If the bodies have "
+           "moved by less than a feature, a step or two is enough, however many there are: O(1). With dents the walk "
+           "may stop at a pair that is not nearest. So compare it with all pairs, now and then.",
            "faces",
            now_corners,
            {{"b_min", "0.75,1,1"}, {"b_max", "2.5,2,2"}}},

@@ -68,11 +68,19 @@ const Closing& closing() {
               "A window has 1920 × 1080 pixels and a vertical field of view of 90°. Which **d** belongs to pixel (960, "
               "0)?",
               "Half the height is 540 pixels, and tan 45° = 1. The pixel's centre lies 0.5 right and 539.5 above: "
-              "**d** = "
-              "**forward** + (0.5/540) **right** + (539.5/540) **up**.",
+              "**d** = **forward** + (0.5/540) **right** + (539.5/540) **up**.\n"
+              "A window counts its rows from the top, against **up**. Without the change of sign a click picks what "
+              "lies as far on the other side of the middle row.",
           },
           {"10 000 objects have 500 triangles each, and the ray meets 12 bounding balls. How many tests are needed?",
-           "10 000 + 12 · 500 = 16 000, instead of 5 000 000."},
+           "10 000 + 12 · 500 = 16 000, instead of 5 000 000. All 12 are tested: the first in a list that is hit may "
+           "lie behind another."},
+          {"A cable is drawn as a line, at a depth of 50. With *φ* = 60° and 1080 rows, how close to it must a pick "
+           "ray pass to be within 5 pixels?",
+           "There half the image spans 50 · tan 30° = 28.87, and 540 pixels. So a pixel is 0.0535, and five are 0.267. "
+           "That grows with the depth: a fixed length is many pixels close by, and less than one far away. So compare "
+           "the distance of ray and segment with five pixels at that depth. Or project the segment, and measure in the "
+           "window."},
       }};
   return closing;
 }

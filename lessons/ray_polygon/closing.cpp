@@ -63,14 +63,19 @@ const Closing& closing() {
            hits_soon,
            {{"o", "-1.046875,-0.25,0.0234375"}}},
           {"A plane has **n** = (1, −2, 0.5) and goes through (0, 1, 0). Which coordinate is dropped, and which is "
-           "*D*?",
-           "*y*, as |−2| is the largest. *D* = −**n** · **p**_0 = 2."},
+           "*D*? And what if **n** · **d** is 0 but for rounding?",
+           "*y*, as |−2| is the largest. *D* = −**n** · **p**_0 = 2.\n"
+           "Then the quotient *t* may have any size and either sign, though the line is parallel to the plane. The "
+           "exact test takes the sign of **n** · **d** without rounding."},
           {"Why may a coordinate be dropped without changing in and out?",
            "With *n_i* ≠ 0, each point of the plane has a projection of its own, and segments stay segments. An area "
            "keeps |*n_i*| / |**n**| of its size, so the largest |*n_i*| keeps most."},
-          {"A stored normal comes from the first corner alone. On which polygon does the test break?",
+          {"A stored normal comes from the first corner alone. On which polygon does the test break? And what if the "
+           "corners lie in no common plane?",
            "On one whose first three vertices lie on one line: **n** = 0. The sum over all corners does not break "
-           "there. On a bow tie of equal lobes it does: it is 0, too."},
+           "there. On a bow tie of equal lobes it does: it is 0, too.\n"
+           "Corners in no common plane have no single normal. At the common edge of two such polygons a ray may miss "
+           "both, or hit both."},
       }};
   return closing;
 }

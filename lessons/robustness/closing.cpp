@@ -68,14 +68,16 @@ const Closing& closing() {
            "0.0625, a power of two, they are 2^{−57} apart."},
           {"Coordinates are near 10^6, with 53 bits. Which tolerance is the smallest that makes sense?",
            "Neighbouring doubles there are 2^{−33}, about 10^{−10}, apart. A tolerance must be several of these gaps; "
-           "one of "
-           "10^{−12} "
-           "is too small. Coordinates relative to the camera or the object are small, and keep more digits: subtract "
-           "in doubles, then round to floats."},
-          {"Why does a tolerance not make the verdict “on the line” consistent?",
+           "one of 10^{−12} is too small. Coordinates relative to the camera or the object are small, and keep more "
+           "digits: subtract in doubles, then round to floats. Positions must be kept in doubles for that: what floats "
+           "have lost stays lost."},
+          {"Why does a tolerance not make the verdict “on the line” consistent? And what keeps a resting contact from "
+           "flickering?",
            "**a** may be within it of **b**, and **b** of **c**, but **a** not of **c**. What follows from two "
-           "verdicts may "
-           "contradict the third."},
+           "verdicts may contradict the third.\n"
+           "Two tolerances (hysteresis): a contact begins within the smaller one, and ends beyond the larger. Their "
+           "difference must exceed what a resting body moves. Engines also keep contacts from frame to frame, and let "
+           "bodies at rest sleep."},
       }};
   return closing;
 }

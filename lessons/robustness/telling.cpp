@@ -97,7 +97,7 @@ class Teller {
     std::string kinds;
     if (s_.has_on && side_ == 0) kinds = " Each says “on the line” of a point beside it; none names the wrong side.";
     return "Marked cells have a wrong verdict." + kinds + "\n" + s_.consequence +
-           " A tolerance only moves the band, or widens it.\n" + price();
+           " One tolerance only moves the band, or widens it.\n" + price();
   }
 
   /// A sentence on the cost of the exact test, as measured far from degeneracy and near it.

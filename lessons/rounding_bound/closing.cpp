@@ -63,16 +63,24 @@ const Closing& closing() {
            "weak",
            wrong_with_two_fifths,
            {{"factor", "0.43"}}},
-          {"How many roundings touch each product of orient3d, and which constant follows by our rule?",
+          {"How many roundings touch each product of orient3d, and which constant follows by our rule? And which "
+           "changes turn the sign of *det* for three points?",
            "A difference has 1, a product of two 3, the difference of two such 4. Times a third difference: 6. Two "
-           "sums: "
-           "8. So it is 9 *u*."},
-          {"All coordinates are whole numbers of at most 2^{25} in size. How large can the error of *det* be?",
-           "It is 0. Differences reach 2^{26} at most, products 2^{52}, *det* 2^{53}: all are doubles."},
+           "sums: 8. So it is 9 *u*. Of *a d* − *b c*, its entries taken as exact, each product has 2: 3 *u*.\n"
+           "Exchanging two of three points turns the sign; a cyclic exchange of all three does not. A *y* that points "
+           "down, as on screens, turns it, too: left and right are exchanged."},
+          {"All coordinates are whole numbers of at most 2^{25} in size. How large can the error of *det* be? And what "
+           "of integers of 64 bits?",
+           "It is 0. Differences reach 2^{26} at most, products 2^{52}, *det* 2^{53}: all are doubles. From 0 to "
+           "2^{26} − 1, without a sign, differences are less than 2^{26}, too.\n"
+           "Signed integers of 64 bits hold *det* for coordinates from 0 to 2^{31} − 1. With 32 bits a product may "
+           "pass 2^{63}. A double would round it; an integer overflows, and its sign may be wrong without notice."},
           {"Coordinates are floats, within a factor of two of each other. *det* is found in doubles. Which roundings "
-           "are "
-           "left?",
-           "Only the last one. Differences have 24 bits at most, products 48. So the sign of *det* is right."},
+           "are left? And what of errors that the coordinates bring along?",
+           "Only the last one. Differences have 24 bits at most, products 48. So the sign of *det* is right.\n"
+           "No exact test corrects such errors. Let *x* and *y* have relative errors of up to *ε*: that of *x* − *y* "
+           "is up to *ε* (|*x*| + |*y*|) / |*x* − *y*|. For 1 and 0.999 that is 1999 *ε*, even where the subtraction "
+           "itself is exact."},
       }};
   return closing;
 }

@@ -49,10 +49,13 @@ const Closing& closing() {
       .exercises = {
           {"Rule 3: drag **p** to a place where the other order of axes costs more than it saves.",
            "Beside the long boxes *x* separates at once: at (1.15, 0) the test on *y* is wasted. Of independent tests, "
-           "take them in the order of cost divided by the chance to reject, the smallest first. Where tests "
-           "depend on each other, the chance is that among the boxes which earlier tests let pass. From three tests "
-           "on, "
-           "single quotients may then mislead: measure whole orders. Two tests need no independence.",
+           "take them in the order of cost divided by the chance to reject, the smallest first.\n"
+           "A before B costs *cost A* + (1 − *chance A*) · *cost B*, and likewise B before A. So A goes first if *cost "
+           "A* / *chance A* ≤ *cost B* / *chance B*. Both chances are those among all boxes. Two tests need no "
+           "independence. With costs 2 and 5 and chances 0.2 and 0.8, B goes first: 5 + 0.2 · 2 = 5.4, not 2 + 0.8 · 5 "
+           "= 6.\n"
+           "A third test meets only the boxes which the others let pass. If tests depend on each other, single "
+           "quotients may then mislead: measure whole orders.",
            "3-reorder",
            order_costs_more,
            {{"p", "1.15,0,0"}}},
@@ -65,10 +68,14 @@ const Closing& closing() {
            "Each query saves 40 steps, and 600/40 = 15. So with 15 queries or more it costs no more."},
           {"Rule 1: a full test costs 150 operations, a ball test 11, and nine boxes in ten are rejected. What is "
            "saved?",
-           "Without: 150 a box. With: 11 + 0.1 · 150 = 26, so 83 % are saved."},
-          {"Why does a separating axis of the last frame help, even though it may fail?",
+           "Without: 150 a box. With: 11 + 0.1 · 150 = 26, so 83 % are saved. It pays if more than 11/150, about 7 %, "
+           "are rejected."},
+          {"Why does a separating axis of the last frame help, even though it may fail? And which are the eight rules?",
            "If it fails, one more test is lost; if it holds, up to fourteen are saved. In slow motion it usually "
-           "holds: that is temporal coherence."},
+           "holds: that is temporal coherence.\n"
+           "The rules: 1 trivial accept and reject; 2 reuse results; 3 reorder the tests; 4 postpone expensive "
+           "calculations. Further: 5 reduce the dimension; 6 many against one, precalculate; 7 time and profile; 8 "
+           "make it robust."},
       }};
   return closing;
 }

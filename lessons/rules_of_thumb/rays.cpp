@@ -73,7 +73,7 @@ Experiment postpone(const Flat& p) {
   e.details = {{"all operations, without", all_before}, {"all operations, with", all_after}};
   e.parts[0].title = "Expensive operations last";
   e.parts[0].caption =
-      "Which balls does the ray from **p** hit? A square root or a division takes as long as many "
+      "Which balls does the ray from **p** hit? A square root or a division takes as long as several "
       "products.";
   e.parts[1].title = "A square root for every line that hits";
   e.parts[1].caption =

@@ -63,7 +63,8 @@ const Closing& closing() {
            "oriented box is one in its own frame: the dot products of **c**, seen from its centre, with its axes are "
            "coordinates there. Clamp them to ± its half-lengths, and go back.\n"
            "**c** − **p** is the direction in which to push the ball out. If **c** lies in the box, it is 0: then the "
-           "face nearest to **c** gives the direction."},
+           "face nearest to **c** gives the direction. The depth is *r* − |**c** − **p**|, and in the box *r* plus the "
+           "distance to that face. Moved so far, the ball just touches."},
           {"How much larger is the expanded box than the Minkowski sum, at one corner?",
            "A cube *r*^3 instead of an eighth of a ball: *r*^3 (1 − π/6), about half of the cube. "
            "Along an edge it is *r*^2 (1 − π/4) for each unit of length."},

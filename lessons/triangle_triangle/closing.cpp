@@ -61,12 +61,18 @@ const Closing& closing() {
            "vertex-on-face",
            now_neighbours,
            {{"b0", "-2,0,1.5"}, {"b1", "2,0,1.5"}, {"b2", "0,1.5,2"}}},
-          {"Which three signs show, without any division, that two triangles are disjoint?",
-           "The sides of one triangle's three corners, seen from the other's plane, if all are + or all −."},
+          {"Which three signs show, without any division, that two triangles are disjoint? And how many axes may "
+           "separate them?",
+           "The sides of one triangle's three corners, seen from the other's plane, if all are + or all −.\n"
+           "Eleven, if no plane holds both: the two normals, and nine cross products of a side of each. In one plane "
+           "six: the normals of the sides there."},
           wrong_line(),
           {"Find a place of **b**_0 with decimals at which rounding misleads the intervals.",
            "As decimals, (−0.56, 0.26, −0.32) lies on the edge from **a**_0 to **a**_1. But these decimals are no "
-           "doubles.",
+           "doubles.\n"
+           "Möller's program takes heights up to an *ε* in size for 0. So triangles in one plane, up to rounding, are "
+           "tested there. The price: triangles a little apart may count as meeting. And *ε* must fit, as heights, "
+           "times the length of **n**, grow with the cube of the size.",
            "decimals",
            now_misled,
            {{"b0", "-0.56,0.26,-0.32"}}},
