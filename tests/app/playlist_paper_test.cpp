@@ -112,7 +112,7 @@ TEST_CASE("a playlist's handout lists its stops, then prints each with its numbe
   CHECK(contents(folder / "handout.tex") == "mine");
 }
 
-TEST_CASE("a playlist without a title bears its file's name; one setting may be several stops", "[playlist][handout]") {
+TEST_CASE("a playlist without a title bears its file's name, one setting may be several stops", "[playlist][handout]") {
   const Shell shell;
   write(shell.work() / "week_2.json",
         R"({"stops": [{"lesson": "points", "steps": 1}, {"lesson": "points", "steps": 1}]})");
@@ -123,7 +123,7 @@ TEST_CASE("a playlist without a title bears its file's name; one setting may be 
   CHECK_THAT(contents(folder / "handout.tex"), Contains("\\input{01-points/") && Contains("\\input{02-points/"));
 }
 
-TEST_CASE("a playlist's deck begins with its stops; their notes are the speaker's", "[playlist][deck]") {
+TEST_CASE("a playlist's deck begins with its stops, their notes are the speaker's", "[playlist][deck]") {
   const Shell shell;
   write_hour(shell);
   REQUIRE(shell("isect deck hour.json").out == "decks/hour/deck.tex\ndecks/hour/deck.html\n");

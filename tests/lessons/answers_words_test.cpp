@@ -63,7 +63,7 @@ TEST_CASE("at the common edge of two polygons that lie in no plane a ray may mis
   CHECK(hits({1, 0, -1}) == 2);
 }
 
-TEST_CASE("a side and a cross product order directions all around; angles of atan2 do so from the first on",
+TEST_CASE("a side and a cross product order directions all around, angles of atan2 do so from the first on",
           "[words]") {
   CHECK(solved_with("convex-polygon", "else the left one comes first"));
   CHECK(solved_with("convex-polygon", "It jumps from one to the other where a direction points straight to the left."));
@@ -185,7 +185,7 @@ struct Features {
 
 }  // namespace
 
-TEST_CASE("features are followed in a step or two, however many there are; with dents they mislead", "[words]") {
+TEST_CASE("features are followed in a step or two, however many there are, with dents they mislead", "[words]") {
   CHECK(solved_with("distance", "a step or two is enough, however many there are: O(1)"));
   CHECK(solved_with("distance", "With dents the walk may stop at a pair that is not nearest."));
   for (const int n : {8, 64, 512}) {
@@ -251,7 +251,7 @@ TEST_CASE("eleven axes separate triangles in two planes, and six normals of side
   for (const int seen : {apart, meet, flat}) CHECK(seen > 20);
 }
 
-TEST_CASE("with heights taken for 0 triangles a little apart meet; heights grow with the cube of the size", "[words]") {
+TEST_CASE("with heights taken for 0 triangles a little apart meet, heights grow with the cube of the size", "[words]") {
   CHECK(solved_with("triangle-triangle", "triangles a little apart may count as meeting"));
   CHECK(solved_with("triangle-triangle", "grow with the cube of the size"));
   namespace own = triangle_triangle::detail;
@@ -271,7 +271,7 @@ TEST_CASE("with heights taken for 0 triangles a little apart meet; heights grow 
   for (std::size_t i = 0; i < 3; ++i) CHECK(larger[i] == 8 * heights[i]);
 }
 
-TEST_CASE("what each edge puts out makes the ring of the method; a convex outline is crossed twice at most",
+TEST_CASE("what each edge puts out makes the ring of the method, a convex outline is crossed twice at most",
           "[words]") {
   CHECK(solved_with("clipping", "An edge from in to in puts out its end; from in to out, the crossing."));
   CHECK(solved_with("clipping", "From out to in it puts out the crossing, then its end; from out to out, nothing."));

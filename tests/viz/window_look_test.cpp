@@ -239,7 +239,7 @@ TEST_CASE("a wide panel breaks fewer lines of pseudocode", "[window][layout]") {
   CHECK(more_rows_at(2560, 1440) == Approx(0).margin(0.1));
 }
 
-TEST_CASE("an open sheet dims the window and takes every click; one beside it closes it", "[window]") {
+TEST_CASE("an open sheet dims the window and takes every click, one beside it closes it", "[window]") {
   const auto [width, height] = GENERATE(table<float, float>({{800, 600}, {1280, 800}, {1920, 1080}, {2560, 1440}}));
   WindowDriver window(both, width, height, {}, {}, layout_only);
   const auto brightness = [&] {
