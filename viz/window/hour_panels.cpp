@@ -19,7 +19,8 @@ std::string title_of(const Stop& stop, const Player& player) {
   const std::string title = plain(stop.lesson->title);
   if (!stop.lesson->made_from.empty() || (player.quiz().asked() && stop.lesson == &player.lesson())) return title;
   const auto named = std::ranges::find(stop.lesson->presets, stop.name, &Preset::id);
-  return title + ": " + (named == stop.lesson->presets.end() ? stop.name : plain(named->title));
+  if (named != stop.lesson->presets.end()) return title + ": " + plain(named->title);
+  return title + ": " + (stop.name.starts_with("stop-") ? "a setting of its own" : stop.name);
 }
 
 /// Draws a stop's row; that of the stop whose turn it is looks chosen. Returns whether it was pressed.
