@@ -56,7 +56,7 @@ double next_still(const Scene::Time& time, double now) {
   stills.back() = time.hi;
   if (time.contact) stills.push_back(*time.contact);
   std::ranges::sort(stills);
-  const auto next = std::ranges::upper_bound(stills, now);
+  const auto next = std::upper_bound(stills.begin(), stills.end(), now);
   return next == stills.end() ? time.lo : *next;
 }
 
