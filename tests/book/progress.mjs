@@ -2,7 +2,7 @@
 // files of it are saved and read, damaged ones refused; a page around a lesson hears it. And the first page itself: its
 // search, its picture, what it is without scripts and on a phone. node progress.mjs FOLDER; prints what is wrong; exit
 // status 1 if anything is.
-import { existsSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { Browser } from "./browser.mjs";
@@ -168,10 +168,14 @@ try {
   await open("index.html");
   check((await ask(first_page)).facts.includes("1 of 2 right"), "an old record is not read");
 
-  // A page around a lesson hears answers and the end, also where the lesson may keep nothing.
-  for (const sandbox of ["", ` sandbox="allow-scripts"`]) {
+  // A page around a lesson hears answers and the end, also where the lesson may keep nothing. From disk such a frame may load
+  // no script, so there its own stands in it.
+  const alone = join(folder, "..", "alone-in-progress.html");
+  writeFileSync(alone, readFileSync(join(folder, page), "utf8").replace(/ data-live="[^"]*"/, "").replace(
+    /<script src="book.js"[^>]*><\/script>/, () => `<script>${readFileSync(join(folder, "book.js"), "utf8")}</script>`));
+  for (const [sandbox, inside] of [["", `${basename(folder)}/${page}`], [` sandbox="allow-scripts"`, basename(alone)]]) {
     writeFileSync(host, `<!DOCTYPE html><title>Host</title><script>window.heard = [], addEventListener("message", event => heard.push(event.data))</script>
-<iframe src="${basename(folder)}/${page}" title="Lesson" width="1000" height="800"${sandbox}></iframe>`);
+<iframe src="${inside}" title="Lesson" width="1000" height="800"${sandbox}></iframe>`);
     await browser.open("about:blank");
     await browser.open(pathToFileURL(host).href);
     await rest(is_live ? 4000 : 500);
@@ -250,7 +254,7 @@ try {
     `without scripts it is ${JSON.stringify(plain)}`);
   browser.messages.forEach(message => check(false, "the console says: " + message));
 } finally {
-  rmSync(host, { force: true });
+  rmSync(host, { force: true }), rmSync(join(folder, "..", "alone-in-progress.html"), { force: true });
   await browser.stop();
 }
 async function open_plain(name) {

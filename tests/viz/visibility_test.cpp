@@ -218,7 +218,7 @@ TEST_CASE("balls that are seen apart hide nothing of each other, in either proje
     Chance chance(11);
     int apart = 0, together = 0;
     for (int i = 0; i < 600; ++i) {
-      const auto place = [&] { return Vec3(chance.any(-6, 6), chance.any(-6, 6), chance.any(-6, 6)); };
+      const auto place = [&] { return Vec3(chance.any(-3, 3), chance.any(-3, 3), chance.any(-3, 3)); };
       const Ball a = {place(), chance.any(0.1, 1.5)}, b = {place(), chance.any(0.1, 1.5)};
       if (!seen_apart(view, a.center, a.radius, b.center, b.radius)) {
         ++together;

@@ -104,10 +104,10 @@ void answer_field(Column& c, Player& player, AnswerField& field) {
   const Rect beside{r.right + gap, r.top, r.right + gap + button, r.bottom};
   const bool pressed = chip(c.ui, "give answer", beside, "Answer", false);
   c.y = r.bottom + 6;
-  c.paragraph(how_to_answer(question), ink.muted, c.size - 2, c.pitch - 4);
+  c.paragraph(how_to_answer(question), ink.muted);
   if (!field.refused.empty()) {
     const float top = c.y;
-    c.paragraph(as_markup("That is not read: " + field.refused + "."), ink.miss, c.size - 2, c.pitch - 4);
+    c.paragraph(as_markup("That is not read: " + field.refused + "."), ink.miss);
     c.ui.rects["unread answer"] = {c.x, top, c.x + c.width, c.y};
   }
   c.y += 8;

@@ -34,7 +34,7 @@ constexpr Row left_keys[] = {
     {"Ctrl+Z / Ctrl+Y", "take back / do again"},
     {"S, F12, Ctrl+S", "save figure or preset"},
     {"Ctrl+S in a scene", "save it into its file"},
-    {"F2 / Delete", "rename / remove an object"},
+    {"F2 / Delete", "rename / remove object"},
     {"F1 or ?", "this sheet"},
     {"Ctrl+Q", "leave"},
 };
@@ -63,7 +63,7 @@ constexpr Row right_keys[] = {
     {"H", "progress over all lessons"},
     {"M", "reduce motion, or not"},
     {"Ctrl and + / − / 0", "size of everything"},
-    {"Escape, a click beside", "close a sheet"},
+    {"Escape", "close a sheet"},
 };
 
 static_assert(std::size(left_keys) == std::size(right_keys), "the columns of the sheet have equal heights");

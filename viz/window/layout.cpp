@@ -24,7 +24,7 @@ WindowLayout window_layout(float width, float height) {
   constexpr float most = 560;
   const float lesson = std::round(std::clamp(width * 0.2375f, 256.0f, most));
   const float code = std::round(std::clamp(width * 0.26875f, 304.0f, most));
-  constexpr float least_scene = 400, scene_share = 0.58f;
+  constexpr float least_scene = 400, scene_share = 0.56f;
   const float bottom = height - buttons(height), right = width - code;
   WindowLayout at{.top = {0, 0, width, bar},
                   .lesson = {0, bar, lesson, bottom},

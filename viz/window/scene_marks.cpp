@@ -84,7 +84,7 @@ float alarm_width(const Player& player, const Ui& ui) { return 46 + text_width(u
 /// Returns the verdict on one line if there is room, else on several.
 Paragraph verdict_words(const Player& player, Ui& ui, const Rect& scene, const std::string& verdict) {
   Paragraph words{.markup = verdict, .colour = ui.palette.text};
-  if (is_low(scene)) words.line_pitch = 19;
+  if (is_low(scene)) words.size = 13, words.line_pitch = 19;  // as names in the picture
   const float alarm = is_low(scene) && has_alarm(player) ? alarm_width(player, ui) + 12 : 0;
   const float room = scene.width() - 60 - 2 * edge(scene) - alarm;
   if (ui.texts.size_of(words).x > room) words.width = room;

@@ -76,9 +76,11 @@ void tell_if_cut(const std::string& words, float left, float right) {
   if (left < lo.x - 1 || right > hi.x + 1) cut->push_back(words);
 }
 
+/// Words over a scene belong to its picture, whose names have a size of their own.
 void tell_if_small(const Paragraph& p) {
   CutWords* const cut = static_cast<CutWords*>(ImGui::GetIO().UserData);
-  if (cut && p.size < body_size) cut->push_back("smaller than the body: " + p.markup);
+  const bool in_picture = std::string_view(ImGui::GetCurrentWindow()->RootWindow->Name).ends_with("scene");
+  if (cut && p.size < body_size && !in_picture) cut->push_back("smaller than the body: " + p.markup);
 }
 
 }  // namespace
