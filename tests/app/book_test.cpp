@@ -31,7 +31,6 @@ std::vector<std::string> quoted(const std::string& text, const std::string& befo
   return all;
 }
 
-/// The ids that stand twice, references to missing ids, and tags that are not closed.
 /// A page without what its own scripts say, who write elements, too.
 std::string without_scripts(const std::string& page) {
   std::string out;
@@ -44,6 +43,7 @@ std::string without_scripts(const std::string& page) {
   return out + page.substr(from);
 }
 
+/// The ids that stand twice, references to missing ids, and tags that are not closed.
 std::string faults(const std::string& page) {
   std::string out;
   std::set<std::string> ids;
