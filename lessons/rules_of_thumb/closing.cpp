@@ -51,10 +51,11 @@ const Closing& closing() {
            "Beside the long boxes *x* separates at once: at (1.15, 0) the test on *y* is wasted. Of independent tests, "
            "take them in the order of cost divided by the chance to reject, the smallest first.\n"
            "A before B costs *cost A* + (1 − *chance A*) · *cost B*, and likewise B before A. So A goes first if *cost "
-           "A* / *chance A* ≤ *cost B* / *chance B*. Both chances are those among all boxes. Two tests need no "
-           "independence. With costs 2 and 5 and chances 0.2 and 0.8, B goes first: 5 + 0.2 · 2 = 5.4, not 2 + 0.8 · 5 "
+           "A* / *chance A* ≤ *cost B* / *chance B*. Both chances are those among all boxes. So it holds "
+           "for two tests that depend on each other, too. With costs 2 and 5 and chances 0.2 and 0.8, B goes first: 5 "
+           "+ 0.2 · 2 = 5.4, not 2 + 0.8 · 5 "
            "= 6.\n"
-           "A third test meets only the boxes which the others let pass. If tests depend on each other, single "
+           "A third test meets only the boxes which the others let pass. If three tests depend on each other, single "
            "quotients may then mislead: measure whole orders.",
            "3-reorder",
            order_costs_more,

@@ -31,7 +31,7 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "On ordinary cases all verdicts are right; times differ, and the last digits of values. On hard ones the "
+          "On our ordinary cases all verdicts are right; times differ, and the last digits of values. On hard ones "
           "rounded methods fail; exact calls take longer.",
       .cost =
           "One comparison of a value with its error bound on ordinary cases; exact numbers only where it leaves the "
