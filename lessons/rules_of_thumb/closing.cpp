@@ -70,7 +70,10 @@ const Closing& closing() {
           {"Rule 1: a full test costs 150 operations, a ball test 11, and nine boxes in ten are rejected. What is "
            "saved?",
            "Without: 150 a box. With: 11 + 0.1 · 150 = 26, so 83 % are saved. It pays if more than 11/150, about 7 %, "
-           "are rejected."},
+           "are rejected.\n"
+           "With costs *c*_1 and *c*_2 a pair takes *c*_1 + *share* · *c*_2, where the share passes the first test. It "
+           "pays if that share is less than 1 − *c*_1 / *c*_2. What passes and yet misses, a false positive, costs "
+           "time alone. A false negative is a wrong result: no later test sees that pair again."},
           {"Why does a separating axis of the last frame help, even though it may fail? And which are the eight rules?",
            "If it fails, one more test is lost; if it holds, up to fourteen are saved. In slow motion it usually "
            "holds: that is temporal coherence.\n"
