@@ -44,7 +44,7 @@ const Closing& closing() {
                   "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13."},
       .exercises = {
           {"Drag b towards a until the boxes touch.",
-           "They touch if no axis has a gap, and on one an end of a equals the opposite end of b. For flat boxes see "
+           "They touch if no axis has a gap, and on one an end of a is the opposite end of b. For flat boxes see "
            "the last exercise.",
            "gap-x",
            they_touch,

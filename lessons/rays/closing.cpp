@@ -57,7 +57,7 @@ const Closing& closing() {
            "1 + 3 *t* = 7 gives *t* = 2. As |**d**| = 5, the distance is 10. To take *t* for it is a usual mistake.\n"
            "With **n** = (1, 0), **n** · **d** = 3 > 0: the line crosses to the side to which **n** points. Below 0 it "
            "comes from that side.\n"
-           "An error of **n** · **o** + *D* is divided by **n** · **d**, and a relative error of **n** · **d** is one "
+           "An error of **n** · **o** + *D* is divided by **n** · **d**. A relative error of **n** · **d** is one "
            "of *t*. Let both vectors have length 1, **o** be 1 above the plane, and **n** · **d** = −10^{−4}. Then "
            "*t* = 10^4. An error of 10^{−7} in **n** · **o** + *D* moves it by 0.001, one of 10^{−8} in **n** · **d** "
            "by 1. So limit *t*, or compute **n** · **d** with more digits."},

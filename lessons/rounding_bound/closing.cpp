@@ -70,7 +70,8 @@ const Closing& closing() {
            "In full, such a value is (*a d* (1 + *δ*_1) − *b c* (1 + *δ*_2)) (1 + *δ*_3). It errs by (2 *u* + *u*^2) "
            "(|*a d*| + |*b c*|) at most. The rounded products may be a little smaller: 3 *u* makes up for that. A "
            "larger constant is safe, too, but leaves more signs open.\n"
-           "Exchanging two of three points turns the sign; a cyclic exchange of all three does not. A *y* that points "
+           "Exchanging two of three points turns the sign; a cyclic exchange of all three does not: the point in "
+           "question may stand first or last. A *y* that points "
            "down, as on screens, turns it, too: left and right are exchanged."},
           {"All coordinates are whole numbers of at most 2^{25} in size. How large can the error of *det* be? And what "
            "of integers of 64 bits?",
