@@ -69,7 +69,8 @@ const Closing& closing() {
            {{"p", "2.75,1.25,0"}}},
           {"How many orientations can a polygon of 1000 vertices take? And how many a test of every edge?",
            "lg 998 is a little less than 10, rounded up 10. So at most 3 + 3 · 10 = 33.\n"
-           "Every edge takes 1000 for a point inside. Outside it may stop at the first edge that has **p** on its "
+           "Testing every edge takes 1000 for a point inside. Outside it may stop at the first edge that has **p** on "
+           "its "
            "outer side. Seen from far away about half of the edges of a round polygon have. A bounding box rejects "
            "such points first."},
           {"Why does a vertex as apex need no angles, while an interior point needs a case distinction? And what goes "

@@ -58,8 +58,8 @@ const Closing& closing() {
           {"Why are the cross products needed, if no face has such a normal? And what becomes of axes that are turned "
            "a little in each frame?",
            "The Minkowski sum of a and −b has faces that two edges span. Their normals are the cross products. "
-           "What lies outside a convex polytope lies beyond one of its faces, so other axes are not needed.\nAxes "
-           "turned so drift by rounding from unit length and right angles, and the test takes them as they are. "
+           "What lies outside a convex polytope lies beyond one of its faces, so other axes are not needed.\n"
+           "Axes turned so drift by rounding from unit length and right angles, and the test takes them as they are. "
            "Renew them by Gram and Schmidt, or keep a unit quaternion."},
       }};
   return closing;

@@ -133,6 +133,20 @@ TEST_CASE("a rounded crossing may lie beyond its side, and its coordinate set to
   CHECK(beyond > 0);
 }
 
+TEST_CASE("a random shift is no half-open rule, as whole heights are often equal", "[words]") {
+  CHECK(solved_with("crossings", "Far from the origin rounding may swallow it. With whole numbers vertices often lie"));
+  CHECK(1e16 + 1e-3 == 1e16);
+  bench::Random random = random_of("heights");
+  int equal = 0, carried = 0;
+  for (int k = 0; k < 1000; ++k) {
+    equal += random.below(20) == random.below(20);
+    const double x = random.uniform(-1e-3, 0);  // left of the edge x = 0
+    carried += x + random.uniform(0, 1e-3) > 0;
+  }
+  CHECK((equal > 20 && carried > 0));
+  CHECK(solved_with("picking", "Else take the least distance in pixels, then the least depth."));
+}
+
 TEST_CASE("relative to the numbers compared, no tolerance lets a small one be 0", "[words]") {
   CHECK(solved_with("points", "differs from 0 by all of its size"));
   for (const double x : {1e-17, -1e-17, 1e-300}) CHECK(std::abs(x - 0) == std::max(std::abs(x), 0.0));

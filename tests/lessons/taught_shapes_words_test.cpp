@@ -36,8 +36,11 @@ TEST_CASE("boxes that are not flat touch where opposite ends are equal and no ax
     }
     CHECK((relate(a, b) == Relation::touching) == (!gap && opposite));
     touching += !gap && opposite;
+    const bool nested = (a.lo.array() >= b.lo.array()).all() && (a.hi.array() <= b.hi.array()).all();
+    if (nested) CHECK((!opposite && relate(a, b) != Relation::touching));
   }
   CHECK(touching > 0);
+  CHECK(solved_with("relations", "So one inside another shares interior points with it, and does not just touch it."));
 }
 
 TEST_CASE("another endpoint may be nearer where it is said, as one is left out there", "[words]") {
