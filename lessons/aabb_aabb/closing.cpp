@@ -44,7 +44,8 @@ const Closing& closing() {
                   "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapter 13."},
       .exercises = {
           {"Drag b towards a until the boxes touch.",
-           "They touch when the ends of their intervals meet on some axis, and no axis has a gap.",
+           "They touch if no axis has a gap, and on one an end of a is the opposite end of b. For flat boxes see "
+           "the last exercise.",
            "gap-x",
            they_touch,
            {{"b_min", "0,-0.5,-0.5"}, {"b_max", "1.25,1,1"}}},
@@ -58,7 +59,7 @@ const Closing& closing() {
            "a.min_i ≤ b.min_i and b.max_i ≤ a.max_i for each of three axes: six, if both boxes have points. With "
            "exchanged ends a box is empty, yet the six comparisons for a common point may all hold. So store an empty "
            "box with the ends min = ∞ and max = −∞. It has a gap to each bounded box, and the union with it changes "
-           "nothing. With a NaN no > holds, so that axis shows no gap."},
+           "nothing. With a NaN no > holds. That comparison finds no gap, but the axis' other one may."},
           {"What changes if touching boxes should count as disjoint?",
            "Each > becomes ≥. A flat box still meets what it pierces. Two flat boxes in one plane share more than a "
            "rim, "

@@ -150,7 +150,7 @@ class Teller {
       case Relation::disjoint:
         return "Some axis has a gap.";
       case Relation::touching:
-        return "No axis has a gap, but on at least one they share a single number.";
+        return "No axis has a gap, but on at least one they share a single number, an end of both.";
       case Relation::equal:
         return "All six numbers agree.";
       case Relation::overlapping:

@@ -64,13 +64,20 @@ const Closing& closing() {
            "overlap",
            in_void,
            {{"q", "1,-1,-0.25"}}},
-          {"A box with half-lengths **h** is turned by a matrix *M*. Find the half-lengths of the AABB around it.",
+          {"A box with half-lengths **h** is turned by a matrix *M*. Find the half-lengths of the AABB around it. "
+           "And how are bounds of few bits rounded?",
            "On axis *i* it is the sum of |*M_{ij}*| *h_j* over *j*. That takes nine products. Around an object in the "
            "box it is looser than fitting the object's vertices again. Round such bounds outwards: a volume that "
-           "rounding made too small may reject what meets its object: a false negative."},
-          {"An object is translated by **v**. What changes in its sphere, AABB, OBB and *k*-DOP?",
+           "rounding made too small may reject what meets its object: a false negative.\n"
+           "On a grid of few bits, too, lower ends are rounded down and upper ends up. That saves memory, and adds "
+           "void. Rounded to the closest step, a box may leave out a part of its object. So check that it contains "
+           "each vertex."},
+          {"An object is translated by **v**. What changes in its sphere, AABB, OBB and *k*-DOP? And which is the "
+           "smallest circle around a triangle?",
            "The centre of the sphere and of the OBB moves by **v**, and so do both corners of the AABB. The bounds of "
-           "slab *i* grow by **n**_i · **v**. Nothing is fitted again."},
+           "slab *i* grow by **n**_i · **v**. Nothing is fitted again.\n"
+           "Where an angle has 90° or more, the longest side is a diameter of that circle. Else all three vertices lie "
+           "on it. A mean of the distances is no radius: it leaves a vertex out, unless all are equal."},
           {"An object with *n* vertices rotates every frame. What does it cost to update each volume? When does a "
            "*k*-DOP pay nevertheless?",
            "Sphere: one point. OBB: a centre and three axes. AABB and *k*-DOP: O(*n*) for a tight fit, or only the "

@@ -100,7 +100,8 @@ class Fit {
         0, 0, "Sphere: a centre and a radius",
         "It holds every point **x** within the radius *r* of the centre **c**; *r* reaches to the farthest vertex.\n"
         "When the object turns, only the centre moves with it.\n"
-        "Void is what of a volume the object leaves empty: here told in volumes of the object.\n"
+        "Void is what of a volume the object leaves empty: the volume less the object's. The picture tells it in "
+        "volumes of the object.\n"
         "As a part of the volume itself it is the empty share: of this sphere, " +
             in_percent(part_that_is_void(all_[0])) + ".",
         radius(fitted_.ball, farthest(mesh_, fitted_.ball)), "|**x** − **c**| ≤ *r*");

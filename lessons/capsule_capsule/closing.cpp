@@ -54,8 +54,12 @@ const Closing& closing() {
            "crossing",
            a_lies_inside,
            {{"r_b", "4"}}},
-          {"a runs from (0, 0) to (4, 0), *r*_a = 1; b is a ball at (6, 3), radius 2. Do they meet?",
-           "The nearest point is the end (4, 0), √(4 + 9) = 3.606 away. That is more than 3, so they do not."},
+          {"a runs from (0, 0) to (4, 0), *r*_a = 1; b is a ball at (6, 3), radius 2. Do they meet? And why do "
+           "capsules meet if and only if *d* ≤ *R*?",
+           "The nearest point is the end (4, 0), √(4 + 9) = 3.606 away. That is more than 3, so they do not.\n"
+           "A common point is at most *r*_a from a point of one segment, and *r*_b from one of the other. So *d* ≤ "
+           "*r*_a + *r*_b. Conversely, go from the closest point of a towards that of b by the smaller of *r*_a and "
+           "*d*. At most *r*_b is left, so that point lies in both."},
           {"Why may the four ends not be enough in space?",
            "Two segments that pass each other, like diagonals of a box's opposite faces that are not parallel, are "
            "nearest between their "

@@ -113,7 +113,8 @@ class Teller {
       caption += (caption.empty() ? "" : "\n") + said(e);
     }
     const bool settled = ends_.back().sign < 0;
-    if (settled) caption += "\nSo the capsules meet, and no other endpoint is tested.";
+    if (settled) caption += "\nSo the capsules meet, and no other endpoint is tested";
+    if (settled) caption += shown_.earlier.size() + ends_.size() < 4 ? ": one may be nearer still." : ".";
     script_.value("least *d* so far", least_, "length", Role::highlight);
     shown_.ways = ends_;
     Step& step = add(of_a ? "ends-a" : "ends-b", of_a ? "The ends of a" : "The ends of b", of_a ? 2 : 3, caption,

@@ -58,10 +58,12 @@ const Closing& closing() {
            "both-ends-cut",
            passes_a_corner,
            {{"q", "-1.75,-2.25,0"}, {"p", "-3,-0.75,0"}}},
-          {"The box is [0, 4] by [0, 2]. Clip the segment from (−2, 1) to (6, 3).",
+          {"The box is [0, 4] by [0, 2]. Clip the segment from (−2, 1) to (6, 3). And what if a crossing is rounded?",
            "**d** = (8, 2). Left: *t* ≥ 1/4. Right: *t* ≤ 3/4. Top: *t* ≤ 1/2. Bottom: *t* ≥ −1/2. Kept: 1/4 to 1/2, "
            "from (0, 1.5) to (2, 2). In space a third slab cuts the same range. A ray begins with [0, ∞) in place of "
-           "[0, 1]."},
+           "[0, 1].\n"
+           "A rounded crossing may lie a little beyond its side. It would be cut again, and later steps may count on "
+           "the side. So set that coordinate to the side's own value."},
           {"How many vertices can a triangle have after four sides have cut it? What does each edge put out? And why "
            "do renderers clip at the near plane before they project?",
            "Seven: a cut of a convex polygon adds at most one vertex. A line crosses a convex outline twice at most, "

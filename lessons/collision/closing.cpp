@@ -72,7 +72,8 @@ const Closing& closing() {
            "Wide, flat boxes on a gentle slope. The sweep runs along the axis on which their centres spread most: "
            "there all intervals meet, and on the other one gaps part them. That spread is the variance of the centres. "
            "Where little has moved since the last frame, insertion sort renews the order at little cost: O(*n* + "
-           "inversions)."},
+           "inversions). Where one box ends and another begins at the same number, let the other begin first: they "
+           "touch. Else that pair is lost."},
       }};
   return closing;
 }

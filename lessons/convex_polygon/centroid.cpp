@@ -59,8 +59,10 @@ class Around {
         "The centroid of three vertices not on one line lies inside: all the preprocessing, O(1). A **p** there is "
         "inside, at once. In a very thin polygon the rounded centroid may fall outside.\n"
         "Angles around **q**, polar coordinates, would order **p** and the vertices **v**. Cross products do so "
-        "without an arctangent.",
-        "**v** comes before **p**  if  (**v** − **q**) × (**p** − **q**) > 0,  within half a turn");
+        "without an arctangent.\n"
+        "One sign orders directions within half a turn alone. So first find on which side of the line from **q** "
+        "through **v**_0 both lie: the left side comes first.",
+        "on one side of it **v** comes before **p**  if  (**v** − **q**) × (**p** − **q**) > 0");
   }
 
   void say(const point_convex_polygon::WedgeAround<C>& e) {

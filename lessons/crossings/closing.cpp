@@ -66,9 +66,12 @@ const Closing& closing() {
            "The non-zero rule: where the strokes overlap, the winding number is 2. Even-odd would leave a hole there. "
            "Both rules fill both loops of a figure eight, where it is 1 and −1.",
            "figure-eight"},
-          {"Why does the half-open rule count what a ray raised by *ε* crosses?",
+          {"Why does the half-open rule count what a ray raised by *ε* crosses? And why not shift **p** at random?",
            "Choose *ε* smaller than the rise to the next vertex. Vertices at the ray's height lie below the raised "
-           "ray, all others keep their side."},
+           "ray, all others keep their side.\n"
+           "A random shift makes vertices on the ray rare, not impossible, and two runs may differ. It may also carry "
+           "**p** over an edge. Far from the origin rounding may swallow it. With whole numbers vertices often lie "
+           "just at the height of **p**: a wrong row of a grid shows it."},
       }};
   return closing;
 }

@@ -45,8 +45,10 @@ const Closing& closing() {
                   "World-View-Projection Matrix*, 2001.",
                   "Tomas Akenine-Möller and Eric Haines, *Real-Time Rendering*, 2nd edition, 2002, chapters 9 and 13."},
       .exercises = {
-          {"Drag the box until the frustum contains all of it.",
-           "Bring it to the middle, away from the sides. All six n-vertices must be on the inner side.",
+          {"Drag the box until the frustum contains all of it. And why is it not enough to look for its corners there?",
+           "Bring it to the middle, away from the sides. All six n-vertices must be on the inner side.\n"
+           "A large box may contain the whole frustum, with no corner in it. To keep boxes by their corners alone "
+           "may lose what is seen.",
            "crossing",
            is_inside,
            {{"p", "1.75,0,0.5"}}},

@@ -94,9 +94,11 @@ const Closing& closing() {
            now_corners,
            {{"b_min", "0.75,1,1"}, {"b_max", "2.5,2,2"}}},
           {"A capsule from (0, 0, 0) to (4, 0, 0) has radius 1, one from (2, 3, 4) to (2, 6, 8) radius 2. How far "
-           "apart "
-           "are their surfaces?",
-           "The end (2, 3, 4) is nearest, to (2, 0, 0): *d* = 5. The surfaces are 5 − 3 = 2 apart."},
+           "apart are their surfaces? And how is a distance checked without another program?",
+           "The end (2, 3, 4) is nearest, to (2, 0, 0): *d* = 5. The surfaces are 5 − 3 = 2 apart.\n"
+           "No two points, one of each segment, may be less than *d* apart: try many. Exchanged segments must have the "
+           "same distance, but for rounding. If one moves by 0.01, it may change by 0.01 at most. A jump may "
+           "show a division by a *det* of nearly 0."},
           {"Find a clearance for which squares alone say near, and wrongly so.",
            "The bound must be below 0 and large in size: with a clearance of −2.5 it is −1.75, while *d* is 1.25.",
            "near",

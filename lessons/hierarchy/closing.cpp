@@ -73,8 +73,12 @@ const Closing& closing() {
            "ray",
            misses_all,
            {{"o", "-4.25,2.5,0"}, {"d", "1,0,0"}}},
-          {"Drag **q** until a single test shows that the two objects are apart.",
-           "The boxes of both roots must share no point. Then no pair below them meets.",
+          {"Drag **q** until a single test shows that the two objects are apart. And how does a tree find the object "
+           "nearest to a point?",
+           "The boxes of both roots must share no point. Then no pair below them meets.\n"
+           "Open the node whose box is nearest first, and keep the nearest object so far. A box farther off than that "
+           "holds nothing nearer: prune it. Squared distances have the same order. One that is rounded up may prune "
+           "the nearest object: compare with all objects, now and then.",
            "pairs",
            one_test,
            {{"q", "3,-3,0"}}},

@@ -56,8 +56,8 @@ const Closing& closing() {
            "De Morgan: *a*_{min} ≤ *b*_{max} and *b*_{min} ≤ *a*_{max}. Both > become ≤, and \"or\" becomes \"and\".\n"
            "Open intervals do not contain their ends. Two that are not empty are disjoint if and only if *a*_{min} ≥ "
            "*b*_{max} or *b*_{min} ≥ *a*_{max}.\n"
-           "That holds for numbers. With a NaN neither > nor ≤ holds: the first form of the test for overlap "
-           "then says OVERLAP, the second one not."},
+           "That holds for numbers. With a NaN neither > nor ≤ holds. So the form with ≤ says DISJOINT. The form with "
+           "> says OVERLAP, unless its other comparison finds a gap: [NaN, 1] and [2, 3] are DISJOINT by both."},
           {"Allen counts 13 relations of two proper intervals. Which of them are one relation here?",
            "Disjoint: before, after. Touching: meets, met by. Overlapping: overlaps, overlapped by.\n"
            "a inside b: starts, during, finishes. b inside a: started by, contains, finished by. Equals stands alone."},

@@ -103,7 +103,7 @@ class Teller {
     if (first) return "No. Whether they overlap is still open: the gap may lie on the other side.";
     return "No again. Not (*a*_{min} > *b*_{max} or *b*_{min} > *a*_{max}) means *a*_{min} ≤ *b*_{max} and "
            "*b*_{min} ≤ *a*_{max}.\n"
-           "So the larger lower end is at most the smaller upper end: a common number.";
+           "Neither interval is empty. So the larger lower end is at most the smaller upper end: a common number.";
   }
 
   /// A sentence on which of the intervals has its ends exchanged.

@@ -51,14 +51,16 @@ const Closing& closing() {
            only_edges_separate,
            {{"b_u", "-1,0.25,0"}, {"b_v", "-1,-0.75,1"}}},
           wrong_line(),
-          {"How many axes do two rectangles in the plane need? And two boxes with a common face normal?",
+          {"How many axes do two rectangles in the plane need? And two boxes with a common face normal, or with three?",
            "Rectangles: 4 normals, no cross products. With one common direction, the remaining candidates are 5: that "
-           "direction and 4 in the plane."},
+           "direction and 4 in the plane. With all three in common 3 are left, in the plane 2: cross products are "
+           "these or 0. The test is then that of two AABBs."},
           {"Why are the cross products needed, if no face has such a normal? And what becomes of axes that are turned "
            "a little in each frame?",
-           "The Minkowski sum of a and −b has faces that two edges span. Their normals are the cross products. Axes "
-           "turned so drift by rounding from unit length and right angles, and the test takes them as they are. Renew "
-           "them by Gram and Schmidt, or keep a unit quaternion."},
+           "The Minkowski sum of a and −b has faces that two edges span. Their normals are the cross products. "
+           "What lies outside a convex polytope lies beyond one of its faces, so other axes are not needed.\n"
+           "Axes turned so drift by rounding from unit length and right angles, and the test takes them as they are. "
+           "Renew them by Gram and Schmidt, or keep a unit quaternion."},
       }};
   return closing;
 }

@@ -80,7 +80,10 @@ const Closing& closing() {
            "There half the image spans 50 · tan 30° = 28.87, and 540 pixels. So a pixel is 0.0535, and five are 0.267. "
            "That grows with the depth: a fixed length is many pixels close by, and less than one far away. So compare "
            "the distance of ray and segment with five pixels at that depth. Or project the segment, and measure in the "
-           "window."},
+           "window.\n"
+           "The ray itself passes beside most lines thinner than a pixel. Of several within five pixels a rule must "
+           "choose. What the ray itself hits comes first, and hides what lies behind. Else take the least distance in "
+           "pixels, then the least depth."},
       }};
   return closing;
 }

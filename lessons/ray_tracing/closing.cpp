@@ -34,7 +34,7 @@ const Closing& closing() {
           "A pixel shows the object at the smallest *t* ≥ 0 of its primary ray. The point is lit if it faces the light "
           "and no object lies between.",
       .cost =
-          "A primary and at most one shadow ray a pixel. In a bounding volume hierarchy their tests grow as lg *n* if "
+          "A primary ray a pixel, then at most one shadow ray a light. In a hierarchy their tests grow as lg *n* if "
           "boxes overlap little.",
       .choose =
           "For shadows, mirrors and glass. Rasterisation is faster for what the eye sees directly; many engines use "

@@ -68,9 +68,10 @@ const Closing& closing() {
           {"A program accepts weights down to −*ε*. Why does that not make a mesh watertight? And what becomes of "
            "a count of crossings, which is odd where a ray starts inside a closed mesh?",
            "It makes each triangle larger: near an edge a ray then meets both, and past the outline it meets the "
-           "mesh, too. Which *ε* suffices depends on all sizes, as the rounding errors do. Such a count may then be "
-           "even where it should be odd. With exact tests, too, a ray through an edge or a vertex meets several "
-           "triangles. Count by a half-open rule, or take another ray."},
+           "mesh, too. Which *ε* suffices depends on all sizes, as the rounding errors do. Such a count may then "
+           "be even where it should be odd. With exact tests, too, a ray through an edge or a vertex meets several "
+           "triangles. Count by a half-open rule. Another ray may meet an edge, too. If it is random, the answer "
+           "cannot be repeated."},
           wrong_line(),
       }};
   return closing;

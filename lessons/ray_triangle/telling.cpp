@@ -146,8 +146,8 @@ std::string Teller::reason() const {
     return "The three vertices lie on one line. Such a triangle has no plane, and the exact test says: no hit.";
   if (s_.truth.coplanar)
     return "The line lies in the triangle's plane, so that no single *t* can be told.\n"
-           "The exact test calls this coplanar, and no hit. Where the line crosses the triangle is a question in the "
-           "plane.";
+           "The exact test calls this coplanar, and no hit; for a whole plane the lesson on rays says HIT.\n"
+           "Where the line crosses the triangle is a question in the plane.";
   if (s_.heading == 0) return "The line is parallel to the triangle's plane, and has no point in common with it.";
   if (place >= Place::beyond_bc && place <= Place::beyond_ab)
     return fmt::format("The weight of {} is negative: the line crosses the plane beyond the edge {}.",

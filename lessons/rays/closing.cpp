@@ -52,8 +52,15 @@ const Closing& closing() {
            "slow-bullet",
            flies_through,
            {{"d", "4.5,1.5,0"}}},
-          {"**o** = (1, 2), **d** = (3, 4), wall at *x* = 7. Find *t* and the distance.",
-           "1 + 3 *t* = 7 gives *t* = 2. As |**d**| = 5, the distance is 10."},
+          {"**o** = (1, 2), **d** = (3, 4), wall at *x* = 7. Find *t* and the distance. And what does a small **n** · "
+           "**d** do to the errors of *t*?",
+           "1 + 3 *t* = 7 gives *t* = 2. As |**d**| = 5, the distance is 10. To take *t* for it is a usual mistake.\n"
+           "With **n** = (1, 0), **n** · **d** = 3 > 0: the line crosses to the side to which **n** points. Below 0 it "
+           "comes from that side.\n"
+           "An error of **n** · **o** + *D* is divided by **n** · **d**. A relative error of **n** · **d** is one "
+           "of *t*. Let both vectors have length 1, **o** be 1 above the plane, and **n** · **d** = −10^{−4}. Then "
+           "*t* = 10^4. An error of 10^{−7} in **n** · **o** + *D* moves it by 0.001, one of 10^{−8} in **n** · **d** "
+           "by 1. So limit *t*, or compute **n** · **d** with more digits."},
           {"Project **v** = (4, 2) onto a ray along **d** = (3, 4), with **d** as given and with unit **u**.",
            "**v** · **d** / |**d**| = 20 / 5 = 4, and **v** · **u** = 4 · 0.6 + 2 · 0.8 = 4. The unit vector saves the "
            "division."},

@@ -149,7 +149,8 @@ class Teller {
         fmt::format(
             "**n** · **{}** = 0: the line is parallel to the wall. The quotient would divide by zero.\n"
             "If **n** · **o** + *D* = 0, the line lies in the wall. Then every *t* of the range counts, so HIT comes "
-            "without one.",
+            "without one.\n"
+            "Tests of polygons and triangles answer otherwise for a ray in their plane: MISS, or a case of its own.",
             letter(s_)),
         fmt::format("**n** · **{}** = 0", letter(s_)));
   }

@@ -62,6 +62,12 @@ const Closing& closing() {
            "too. A ball of radius 0 is a point itself: disjoint, or equal."},
           {"a lies inside b, and b lies inside c. What follows for a and c?",
            "a lies inside c: being a subset is transitive. Overlapping and touching are not."},
+          {"Why do two solid sets lie in just one of the six ways? And what of a segment in the plane?",
+           "Each question is asked where all before were answered no, and the last way takes what is left.\n"
+           "A solid set is the closure of its interior: its interior and the boundary of that. So one inside another "
+           "shares interior points with it, and does not just touch it. A segment has no interior in the plane, as no "
+           "small disc lies in it. What it crosses would count as touched. So we take its interior along the "
+           "segment."},
       }};
   return closing;
 }

@@ -67,7 +67,11 @@ const Closing& closing() {
            "changes turn the sign of *det* for three points?",
            "A difference has 1, a product of two 3, the difference of two such 4. Times a third difference: 6. Two "
            "sums: 8. So it is 9 *u*. Of *a d* − *b c*, its entries taken as exact, each product has 2: 3 *u*.\n"
-           "Exchanging two of three points turns the sign; a cyclic exchange of all three does not. A *y* that points "
+           "In full, such a value is (*a d* (1 + *δ*_1) − *b c* (1 + *δ*_2)) (1 + *δ*_3). It errs by (2 *u* + *u*^2) "
+           "(|*a d*| + |*b c*|) at most. The rounded products may be a little smaller: 3 *u* makes up for that. A "
+           "larger constant is safe, too, but leaves more signs open.\n"
+           "Exchanging two of three points turns the sign; a cyclic exchange of all three does not: the point in "
+           "question may stand first or last. A *y* that points "
            "down, as on screens, turns it, too: left and right are exchanged."},
           {"All coordinates are whole numbers of at most 2^{25} in size. How large can the error of *det* be? And what "
            "of integers of 64 bits?",

@@ -51,10 +51,11 @@ const Closing& closing() {
            "Beside the long boxes *x* separates at once: at (1.15, 0) the test on *y* is wasted. Of independent tests, "
            "take them in the order of cost divided by the chance to reject, the smallest first.\n"
            "A before B costs *cost A* + (1 − *chance A*) · *cost B*, and likewise B before A. So A goes first if *cost "
-           "A* / *chance A* ≤ *cost B* / *chance B*. Both chances are those among all boxes. Two tests need no "
-           "independence. With costs 2 and 5 and chances 0.2 and 0.8, B goes first: 5 + 0.2 · 2 = 5.4, not 2 + 0.8 · 5 "
+           "A* / *chance A* ≤ *cost B* / *chance B*. Both chances are those among all boxes. So it holds "
+           "for two tests that depend on each other, too. With costs 2 and 5 and chances 0.2 and 0.8, B goes first: 5 "
+           "+ 0.2 · 2 = 5.4, not 2 + 0.8 · 5 "
            "= 6.\n"
-           "A third test meets only the boxes which the others let pass. If tests depend on each other, single "
+           "A third test meets only the boxes which the others let pass. If three tests depend on each other, single "
            "quotients may then mislead: measure whole orders.",
            "3-reorder",
            order_costs_more,
@@ -69,7 +70,10 @@ const Closing& closing() {
           {"Rule 1: a full test costs 150 operations, a ball test 11, and nine boxes in ten are rejected. What is "
            "saved?",
            "Without: 150 a box. With: 11 + 0.1 · 150 = 26, so 83 % are saved. It pays if more than 11/150, about 7 %, "
-           "are rejected."},
+           "are rejected.\n"
+           "With costs *c*_1 and *c*_2 a pair takes *c*_1 + *share* · *c*_2, where the share passes the first test. It "
+           "pays if that share is less than 1 − *c*_1 / *c*_2. What passes and yet misses, a false positive, costs "
+           "time alone. A false negative is a wrong result: no later test sees that pair again."},
           {"Why does a separating axis of the last frame help, even though it may fail? And which are the eight rules?",
            "If it fails, one more test is lost; if it holds, up to fourteen are saved. In slow motion it usually "
            "holds: that is temporal coherence.\n"

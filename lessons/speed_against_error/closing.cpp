@@ -31,7 +31,7 @@ const std::string& opening() {
 const Closing& closing() {
   static const Closing closing = {
       .result =
-          "On ordinary cases all verdicts are right; times differ, and the last digits of values. On hard ones the "
+          "On our ordinary cases all verdicts are right; times differ, and the last digits of values. On hard ones "
           "rounded methods fail; exact calls take longer.",
       .cost =
           "One comparison of a value with its error bound on ordinary cases; exact numbers only where it leaves the "
@@ -67,6 +67,14 @@ const Closing& closing() {
            "0.999 · 4 + 0.001 · 400 = 4.4 ns, a tenth more."},
           {"Method A takes 2 ns and errs by 8 ulp, B 3 ns and 1 ulp, C 4 ns and 2 ulp. Which is dominated?",
            "C: B is faster and more accurate. A and B are on the front."},
+          {"For orient2d “expanded” adds up **a** × **b** + **b** × **c** + **c** × **a**. Where does it fail? And "
+           "which checks of a test need no oracle?",
+           "Far from the origin, where large products nearly cancel. With **a** = (10^8, 10^8), **b** one to its right "
+           "and **c** one above it, *det* is 1. Doubles near 10^{16} are 2 apart, so the sum comes out as 0. "
+           "Differences first, then products, give 1.\n"
+           "Exchange both arguments: a wrong answer for one order shows. Scale by a power of two: that rounds nothing, "
+           "so a change shows an *ε*, overflow or underflow. Place a shape in another, or on a common point: "
+           "“disjoint” is then wrong. A translation rounds anew, so near a touch it may change the answer."},
       }};
   return closing;
 }

@@ -183,6 +183,8 @@ void Teller::fall() {
                   share(static_cast<double>(worst->wrong()), static_cast<double>(worst->judged)),
                   wrong == 0 ? fmt::format("The exact call was never wrong, in {} cases", counted(judged))
                              : fmt::format("Exact calls were wrong {} in {}", plural(wrong, "time"), counted(judged))));
+  if (std::ranges::any_of(rows_, [](const Row* r) { return r->method == "expanded"; }))
+    step.caption += "\nExpanded adds up six products of coordinates, and subtracts no coordinates first.";
   show(step, plotted.chart);
 }
 

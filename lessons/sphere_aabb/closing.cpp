@@ -53,8 +53,11 @@ const Closing& closing() {
            "corner",
            shortcut_errs,
            {{"c", "1.25,2,-2"}}},
-          {"Let the ball just touch a corner of the box.",
-           "With gaps 2, 3 and 6 in any unit the distance is 7. So choose gaps 0.25, 0.375, 0.75 and *r* = 0.875.",
+          {"Let the ball just touch a corner of the box. And when does a ball contain a box?",
+           "With gaps 2, 3 and 6 in any unit the distance is 7. So choose gaps 0.25, 0.375, 0.75 and *r* = 0.875.\n"
+           "A ball contains the box if it contains the farthest corner. On axis *i* that is max(|*c_i* − *min_i*|, "
+           "|*c_i* − *max_i*|) from **c**. Both are equal only if each is one and the same point: else a ball is "
+           "round, and a box is not.",
            "corner",
            touches_a_corner,
            {{"c", "0.25,1.125,-1.5"}, {"r", "0.875"}}},

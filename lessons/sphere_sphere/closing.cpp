@@ -69,8 +69,11 @@ const Closing& closing() {
            "the smallest ball around both has the radius (5 + 3 + 4) / 2 = 6. Else it is the larger ball."},
           {"Why may both sides of *d* ≤ *r*_a + *r*_b be squared?",
            "Neither is negative, and squaring keeps the order of such numbers. With a negative radius it would not."},
-          {"Lengths are stored in 32-bit floats. Beyond which distance does *d*^2 overflow?",
-           "The largest float is about 3.4 · 10^{38}. Its square root is about 1.8 · 10^{19}."},
+          {"Lengths are stored in 32-bit floats. Beyond which distance does *d*^2 overflow? And how is that noticed?",
+           "The largest float is about 3.4 · 10^{38}. Its square root is about 1.8 · 10^{19}. Where *R*^2 overflows, "
+           "too, ∞ ≤ ∞ holds, and balls far apart seem to meet. Distances below 10^{−23} have a square of 0, and seem "
+           "to be 0.\n"
+           "The same balls in doubles, or scaled by a power of two, then give another answer."},
           wrong_line(),
       }};
   return closing;

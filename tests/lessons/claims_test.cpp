@@ -60,6 +60,7 @@ const std::vector<Claims>& claims() {
       {"distance", {{"[Nn]earest", "distance_words_test, by rationals"}}},
       {"hierarchy",
        {{"The cheapest is taken", "rivals_test"},
+        {"[Nn]earest", "taught_polygons_words_test, by all objects"},
         {"Where boxes overlap little, most objects are never tested", "volumes_test, on the costs as n grows"}}},
       {"obb-obb", {{"or comes nearest to one", "rivals_test"}, {"The tightest one is drawn", "rivals_test"}}},
       {"picking", {{"The nearest object is the one that the eye sees", "what a ray from the eye is for"}}},

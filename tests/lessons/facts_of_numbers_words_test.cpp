@@ -210,7 +210,7 @@ TEST_CASE("with a NaN no > holds, so the note's method takes boxes for ones that
 }
 
 TEST_CASE("single quotients order two tests that depend on each other, and may mislead of three", "[words]") {
-  CHECK(solved_with("rules-of-thumb", "Two tests need no independence."));
+  CHECK(solved_with("rules-of-thumb", "So it holds for two tests that depend on each other, too."));
   CHECK(solved_with("rules-of-thumb", "single quotients may then mislead: measure whole orders"));
   bench::Random random = random_of("dependent");
   int misled = 0;
