@@ -60,8 +60,7 @@ std::string WalkSection::html(bool first_is_shown) const {
     rest = waiting(fmt::format("data-stations=\"{}\" data-steps=\"{}\"", all.size(),
                                std::ranges::count(all, false, &Station::asks)),
                    rest);
-  return given() + "<div class=\"steps\">\n" + algorithm() + first + rest + "</div>\n" +
-         opinions() + answers();
+  return given() + "<div class=\"steps\">\n" + algorithm() + first + rest + "</div>\n" + opinions() + answers();
 }
 
 std::string WalkSection::text(const std::string& markup) const {
