@@ -62,7 +62,7 @@ class Around {
         "without an arctangent.\n"
         "One sign orders directions within half a turn alone. So first find on which side of the line from **q** "
         "through **v**_0 both lie: the left side comes first.",
-        "on one side of it **v** comes before **p**  if  (**v** − **q**) × (**p** − **q**) > 0");
+        "on one side of a line through **q**, **v** comes before **p**  if  (**v** − **q**) × (**p** − **q**) > 0");
   }
 
   void say(const point_convex_polygon::WedgeAround<C>& e) {

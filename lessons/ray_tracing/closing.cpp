@@ -71,7 +71,8 @@ const Closing& closing() {
            "is one mesh hit that stands in many places?",
            "1 + 2 + 4 + 8 = 15 if all hit, as the primary ray has depth 0. At each hit a shadow ray for every light "
            "source is added. Of three levels, the primary ray being the first, there are 1 + 2 + 4 = 7.\n"
-           "Each place, an instance, has a matrix. Take **o** and **d** through its inverse, and do not normalise "
+           "All places share the mesh and its bounding volume hierarchy. Each place, an instance, has a matrix. Take "
+           "**o** and **d** through its inverse, and do not normalise "
            "**d**: then *t* stays the same."},
           {"Why is a shadow ray a segment, and why may its search stop early?",
            "What lies beyond the light source casts no shadow on the point. One object between them is enough; the "
