@@ -20,7 +20,7 @@ const std::vector<const Lesson*> both = {&disc, &ball};
 
 WindowOptions with(std::vector<Stop> stops) {
   WindowOptions options = layout_only;
-  options.playlist = {"A short hour", "/work/hour.json", std::move(stops)};
+  options.playlist = {"A short hour", "/lectures/hour.json", std::move(stops)};
   return options;
 }
 
@@ -199,11 +199,11 @@ TEST_CASE("a playlist opens where the window left it, as its file of settings sa
     WindowDriver window(both, 1280, 800, {}, {}, three_stops());
     for (int i = 0; i < 7; ++i) window.key(key::page_down);
     REQUIRE(where(window) == "2 of 3: Point and ball, step 3");
-    REQUIRE(window.ui.settings().hours == std::vector<HourPlace>{{"/work/hour.json", 1, 2}});
+    REQUIRE(window.ui.settings().hours == std::vector<HourPlace>{{"/lectures/hour.json", 1, 2}});
     write_settings(file, window.ui.settings());
   }
   const Settings kept = read_settings(file, both);
-  CHECK(kept.hours == std::vector<HourPlace>{{"/work/hour.json", 1, 2}});
+  CHECK(kept.hours == std::vector<HourPlace>{{"/lectures/hour.json", 1, 2}});
   {
     WindowDriver window(both, 1280, 800, {}, kept, three_stops());
     CHECK(where(window) == "2 of 3: Point and ball, step 3");
@@ -214,7 +214,7 @@ TEST_CASE("a playlist opens where the window left it, as its file of settings sa
   CHECK(where(window) == "1 of 3: Point and disc, step 1");
   const std::vector<HourPlace> now = window.ui.settings().hours;
   REQUIRE(now.size() == 2);
-  CHECK((now[0].file == "/work/other.json" && now[1].file == "/work/hour.json"));
+  CHECK((now[0].file == "/work/other.json" && now[1].file == "/lectures/hour.json"));
   std::filesystem::remove(file);
 }
 
