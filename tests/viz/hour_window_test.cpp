@@ -209,12 +209,12 @@ TEST_CASE("a playlist opens where the window left it, as its file of settings sa
     CHECK(where(window) == "2 of 3: Point and ball, step 3");
   }
   WindowOptions other = three_stops();
-  other.playlist.file = "/work/other.json";
+  other.playlist.file = "/lectures/other.json";
   WindowDriver window(both, 1280, 800, {}, kept, other);
   CHECK(where(window) == "1 of 3: Point and disc, step 1");
   const std::vector<HourPlace> now = window.ui.settings().hours;
   REQUIRE(now.size() == 2);
-  CHECK((now[0].file == "/work/other.json" && now[1].file == "/lectures/hour.json"));
+  CHECK((now[0].file == "/lectures/other.json" && now[1].file == "/lectures/hour.json"));
   std::filesystem::remove(file);
 }
 
