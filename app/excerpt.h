@@ -24,4 +24,7 @@ struct Excerpt {
   std::string place = {};  ///< of a playlist's stop, the folder of its files: "hour/03-ray-sphere"; else empty
 };
 
+/// Sweeps the map of cases if one of the chosen steps shows it.
+void sweep_shown_map(Excerpt&);
+
 }  // namespace isect::program

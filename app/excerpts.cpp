@@ -193,10 +193,9 @@ void walk(Excerpt& e, const std::string& asked, bool one_of_many) {
                                                 : "all";
   one_of_many = one_of_many && !asked.empty();  // the step that a file names must exist
   const std::optional<Steps> wanted = Steps::read(text);
-  if (!wanted || (!one_of_many && !wanted->all_in(e.walk))) throw without_steps("step", text, e.walk, e.folder);
+  if (!wanted || (!one_of_many && !wanted->all_in(e.walk))) throw unknown_steps("step", text, e.walk, e.folder);
   e.steps = wanted->of(e.walk);
-  const auto shows_map = [&](int step) { return e.walk.steps[step].slug == viz::case_map_slug; };
-  if (std::ranges::any_of(e.steps, shows_map)) viz::sweep_map(e.walk, *e.lesson, e.parameters);
+  sweep_shown_map(e);
 }
 
 /// Prints one line on what was asked for and is missing in some presets.
@@ -329,6 +328,11 @@ std::vector<Excerpt> from_words(const Program& program, Selection asked) {
 }
 
 }  // namespace
+
+void sweep_shown_map(Excerpt& e) {
+  const auto shows_map = [&](int step) { return e.walk.steps[step].slug == viz::case_map_slug; };
+  if (std::ranges::any_of(e.steps, shows_map)) viz::sweep_map(e.walk, *e.lesson, e.parameters);
+}
 
 viz::Parameters changed(const viz::Lesson& lesson, viz::Parameters parameters,
                         const std::vector<std::string>& changes) {

@@ -15,7 +15,6 @@
 #include "app/shell/option_values.h"
 #include "app/shell/options.h"
 #include "app/shell/terminal.h"
-#include "viz/chart/case_map.h"
 #include "viz/formats/files.h"
 
 namespace isect::program {
@@ -28,6 +27,11 @@ using Json = nlohmann::ordered_json;
 bool is_as_preset(const viz::Stop& stop) {
   return !stop.state.preset.empty() &&
          viz::preset(*stop.lesson, stop.state.preset).parameters == *stop.state.parameters;
+}
+
+/// Returns the stop's name, or "stop-7" for the seventh.
+std::string name_or_number(const viz::Stop& stop, std::size_t number) {
+  return stop.name.empty() ? fmt::format("stop-{}", number) : stop.name;
 }
 
 /// Reads the stops of one file. An error begins with its field.
@@ -43,9 +47,8 @@ class StopReader {
                       "\"tangent\"}} or {{\"scene\": \"crates.json\"}}",
                       stop.dump()));
     viz::Stop read = stop.contains("scene") ? of_scene(stop) : names_file(stop) ? of_file(stop) : of_lesson(stop);
-    if (read.name.empty()) read.name = fmt::format("stop-{}", number);
     if (stop.contains("note")) read.note = text(stop, "note");
-    choose_steps(stop, read);
+    choose_steps(stop, read, name_or_number(read, number));
     return read;
   }
 
@@ -136,13 +139,14 @@ class StopReader {
     return read;
   }
 
-  static void choose_steps(const Json& stop, viz::Stop& read) {
+  /// `called`: in an error.
+  static void choose_steps(const Json& stop, viz::Stop& read, const std::string& called) {
     std::string asked = read.state.step ? std::to_string(*read.state.step + 1) : "all";
     if (stop.contains("steps"))
       asked = stop.at("steps").is_number_integer() ? stop.at("steps").dump() : text(stop, "steps");
     const viz::Walk walk = read.lesson->walk(*read.state.parameters);
     const std::optional<Steps> wanted = Steps::read(asked);
-    if (!wanted || !wanted->all_in(walk)) throw without_steps("steps", asked, walk, read.name);
+    if (!wanted || !wanted->all_in(walk)) throw unknown_steps("steps", asked, walk, called);
     read.steps = wanted->of(walk);
     read.state.step = read.steps.front();
     read.whole = read.steps.size() == walk.steps.size();
@@ -225,19 +229,20 @@ std::string playlist_asked(const Selection& asked) {
 
 std::vector<Excerpt> excerpts_of(const viz::Playlist& list) {
   std::vector<Excerpt> all;
+  std::size_t number = 0;
   for (const viz::Stop& stop : list.stops) {
+    ++number;
     if (!stop.fault.empty()) continue;
     Excerpt e;
     e.lesson = stop.lesson;
-    e.folder = stop.name;
+    e.folder = name_or_number(stop, number);
     if (is_as_preset(stop)) e.preset = stop.state.preset;
     e.parameters = *stop.state.parameters;
     e.walk = stop.lesson->walk(e.parameters);
     e.steps = stop.steps;
     e.camera = stop.state.camera;
     e.path = stop.path;
-    const auto shows_map = [&](int step) { return e.walk.steps[step].slug == viz::case_map_slug; };
-    if (std::ranges::any_of(e.steps, shows_map)) viz::sweep_map(e.walk, *e.lesson, e.parameters);
+    sweep_shown_map(e);
     all.push_back(std::move(e));
   }
   return all;

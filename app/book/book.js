@@ -83,13 +83,11 @@
     document.querySelector("nav.settings").prepend(methods);
   }
 
-  /// Without its number.
-  const title_of = article => [...article.querySelector("h3").childNodes].slice(1).map(n => n.textContent).join("").trim();
   /// Where the reader is. A title may be the answer, so it waits.
   function told(article, list) {
     const before = list.filter(a => a.classList.contains("step")).indexOf(article);
     if (before < 0) return article.querySelector("h3").textContent;
-    return `Step ${before + 1} of ${settings.counts(walk).steps}: ${title_of(article)}`;
+    return `Step ${before + 1} of ${settings.counts(walk).steps}: ${isect_title_of(article)}`;
   }
 
   const count = () => live ? live.count : settings.counts(walk).stations;
@@ -296,8 +294,8 @@
   async function come_alive(script) {
     const request = await isect_code.ready(script), find = settings.find;
     live = isect_live({
-      request, settings: ids, find, load: isect_code.script, prepare, light_code, mark_link, show_controls, show_picture,
-      show_unfolded, title_of, decoded, address, keep, stop: () => playing && toggle_play(), playing: () => playing !== 0,
+      request, settings: ids, find, prepare, light_code, mark_link, show_controls, show_picture,
+      show_unfolded, decoded, address, keep, stop: () => playing && toggle_play(), playing: () => playing !== 0,
       follow(id, at) {
         place_of = { id, at };
         if (root.classList.contains("reading")) follow_live();

@@ -61,7 +61,7 @@ std::string cover(const std::vector<Excerpt>& openings, const Compiled& compiled
 std::string terms_to_find(const viz::Course& course) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const viz::Course::Term& term : course.terms)
-    all.push_back({term.name, viz::plain(term.meaning), term.lesson, term_id(term)});
+    all.push_back({term.name, viz::plain(term.meaning), term_id(term)});
   std::string text = all.dump();
   for (std::size_t at = text.find('<'); at != text.npos; at = text.find('<', at)) text.replace(at, 1, "\\u003c");
   return fmt::format("<script type=\"application/json\" id=\"terms\">{}</script>\n", text);

@@ -19,7 +19,7 @@ struct Compiled {
 /// Returns the top of the first page. `openings`: the first preset of each lesson, walked. Its picture may be taken out
 /// of the page: draw it after all pictures that stay.
 std::string cover(const std::vector<Excerpt>& openings, const Compiled&, viz::PagePictures&);
-/// Returns the terms of the course for a script: name, meaning, lesson and id in glossary.html.
+/// Returns the terms of the course for a script: name, meaning and id in glossary.html.
 std::string terms_to_find(const viz::Course&);
 
 /// Returns how many minutes a walk takes with its questions, at twenty seconds each; at least 1.

@@ -4,15 +4,9 @@
 (() => {
   const start = document.querySelector(".cover .go");
   if (!start) return;
-  const made = (name, text, type) => {
-    const element = document.createElement(name);
-    if (type) element.className = type;
-    element.append(text);
-    return element;
-  };
+  const made = isect_made;
   const cards = [...document.querySelectorAll(".lessons li[data-of]")];
-  /// Without its number.
-  const title_of = card => [...card.querySelector("h3").childNodes].slice(1).map(node => node.textContent).join("").trim().split(":")[0];
+  const title_of = card => isect_title_of(card).split(":")[0];
   const exercises = cards.map(card => [card.dataset.of, Number(card.dataset.exercises)]);
   const begin = start.querySelector(".begin"), first = { text: begin.textContent, href: begin.getAttribute("href") };
   const share = (part, whole) => `${part} of ${whole}`;
@@ -62,9 +56,7 @@
     if (damage.length) told.textContent = damage.join(" "), told.classList.add("damage");
   }
   function save() {
-    const link = made("a", ""), address = URL.createObjectURL(new Blob([isect_progress_text(exercises)], { type: "application/json" }));
-    link.href = address, link.download = "progress.json", link.click();
-    setTimeout(() => URL.revokeObjectURL(address), 10000);
+    isect_save(new Blob([isect_progress_text(exercises)], { type: "application/json" }), "progress.json");
   }
   function read(text) {
     try { isect_add_progress(text); } catch (wrong) {
@@ -74,18 +66,13 @@
     told.classList.remove("damage"), told.textContent = "The file is read: what it tells is added to what was kept here.";
     show();
   }
-  function pressed(name, action) {
-    const button = made("button", name);
-    button.type = "button", button.addEventListener("click", action);
-    return button;
-  }
   chosen.type = "file", chosen.accept = ".json,application/json", chosen.hidden = true, chosen.setAttribute("aria-label", "A file of progress");
   chosen.addEventListener("change", async () => {
     if (chosen.files.length) read(await chosen.files[0].text());
     chosen.value = "";
   });
   const tools = made("div", "", "tools"), kept = made("section", made("h2", "Your progress"), "kept");
-  tools.append(pressed("Save as JSON", save), pressed("Open a saved one", () => chosen.click()), chosen);
+  tools.append(isect_button("Save as JSON", save), isect_button("Open a saved one", () => chosen.click()), chosen);
   kept.append(sum, made("p", "It stays in this browser. Where a course shows these pages inside a page of its own, that page is told, too."), tools, told);
   document.querySelector("main").append(kept);
   show();

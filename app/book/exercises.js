@@ -31,7 +31,7 @@ function isect_exercises(task) {
     if (begun && origin !== begun.start) begun = null;
     const own = begun && solved.find(one => one.exercise === begun.exercise), asked = begun && all[begun.exercise];
     document.documentElement.classList.toggle("has-task", Boolean(begun)), task.classList.toggle("found", Boolean(own || !begun));
-    const told = own ? `✓ ${link(own.exercise)}: this setting is one. ` + own.told.replaceAll("&", "&amp;").replaceAll("<", "&lt;")
+    const told = own ? `✓ ${link(own.exercise)}: this setting is one. ${isect_escaped(own.told)}`
         : begun ? `${link(begun.exercise)}: ${asked.querySelector("p").innerHTML}` +
           (asked.querySelector("ol.code") ? ` ${link(begun.exercise, "Its lines")}` : "")
         : solved.length ? `✓ ${solved.map(one => link(one.exercise)).join(", ")}: this setting is one.` : "";

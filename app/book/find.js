@@ -5,11 +5,11 @@
   if (!start || !listed) return;
   const most = 8;
   const plain = text => text.normalize("NFKD").replace(/\p{M}/gu, "").toLowerCase();
-  const lessons = [...document.querySelectorAll(".lessons li[data-of]")].map(card => {
-    const title = [...card.querySelector("h3").childNodes].slice(1).map(node => node.textContent).join("").trim();
-    return { name: title, told: card.querySelector("p").textContent, href: card.querySelector("a").getAttribute("href"), kind: "Lesson" };
-  });
-  const terms = JSON.parse(listed.textContent).map(([name, told, , id]) => ({ name, told, href: "glossary.html#" + encodeURIComponent(id), kind: "Term" }));
+  const lessons = [...document.querySelectorAll(".lessons li[data-of]")].map(card => ({
+    name: isect_title_of(card), told: card.querySelector("p").textContent, href: card.querySelector("a").getAttribute("href"), kind: "Lesson"
+  }));
+  const terms = JSON.parse(listed.textContent)
+    .map(([name, told, id]) => ({ name, told, href: "glossary.html#" + encodeURIComponent(id), kind: "Term" }));
   const all = [...lessons, ...terms].map(one => ({ ...one, title: plain(one.name), words: plain(one.name + " " + one.told) }));
 
   /// What holds all the words: those whose name it is or begins so come first, then those that name them, then lessons.
@@ -20,23 +20,17 @@
     return all.filter(one => words.every(word => one.words.includes(word))).map(one => [rank(one), one])
       .sort(([a], [b]) => a - b).slice(0, most).map(([, one]) => one);
   }
-  const element = (name, type, ...children) => {
-    const made = document.createElement(name);
-    if (type) made.className = type;
-    made.append(...children);
-    return made;
-  };
-  const field = element("input"), list = element("ul", "found"), told = element("p", "told");
+  const element = isect_element;
+  const field = element("input"), list = element("ul", { class: "found" }), told = element("p", { class: "told", role: "status" });
   field.type = "search", field.autocomplete = "off", field.spellcheck = false, field.placeholder = "a lesson or a term";
-  list.hidden = true, told.setAttribute("role", "status");
-  const form = element("form", "find", element("label", "", "Find ", field), told, list);
-  form.setAttribute("role", "search"), start.append(form);
+  list.hidden = true;
+  const form = element("form", { class: "find", role: "search" }, element("label", {}, "Find ", field), told, list);
+  start.append(form);
   function show() {
     const some = found(field.value), empty = field.value.trim() === "";
     list.replaceChildren(...some.map(one => {
-      const link = element("a", "", element("b", "head", one.name), ` ${one.told}`);
-      link.href = one.href;
-      return element("li", "", element("small", "", one.kind), link);
+      const link = element("a", { href: one.href }, element("b", { class: "head" }, one.name), ` ${one.told}`);
+      return element("li", {}, element("small", {}, one.kind), link);
     }));
     list.hidden = some.length === 0;
     told.textContent = empty ? "" : some.length === 0 ? "Nothing has this name." : some.length === most ? `The first ${most}.` : `${some.length} found.`;

@@ -24,33 +24,28 @@ function isect_key_rows(live) {
 
 let isect_sheet = null;
 function isect_show_keys() {
-  const make = (tag, ...children) => { const made = document.createElement(tag); made.append(...children); return made; };
-  const cell = (tag, text, scope) => { const made = make(tag, text); if (scope) made.scope = scope; return made; };
+  const make = isect_element;
   if (!isect_sheet) {
-    document.body.append(isect_sheet = make("dialog"));
-    isect_sheet.className = "keys", isect_sheet.setAttribute("aria-labelledby", "keys-head");
+    document.body.append(isect_sheet = make("dialog", { class: "keys", "aria-labelledby": "keys-head" }));
     isect_sheet.addEventListener("keydown", event => {
       event.stopPropagation();  // nothing steps behind it
       if (event.key === "Escape") event.preventDefault(), isect_sheet.close();
     });
     isect_sheet.addEventListener("click", event => event.target === isect_sheet && isect_sheet.close());
   }
-  const head = make("h2", "Keys and fingers"), close = make("button", "Close"), box = make("div", head);
-  head.id = "keys-head", close.type = "button", close.addEventListener("click", () => isect_sheet.close());
+  const box = make("div", {}, make("h2", { id: "keys-head" }, "Keys and fingers"));
   for (const [title, rows] of Object.entries(isect_key_rows(document.documentElement.dataset.live === "ready"))) {
-    const body = make("tbody", ...rows.map(([pressed, does]) => make("tr", cell("th", pressed, "row"), cell("td", does))));
-    box.append(make("table", make("caption", title), body));
+    const body = make("tbody", {}, ...rows.map(([pressed, does]) => make("tr", {}, make("th", { scope: "row" }, pressed), make("td", {}, does))));
+    box.append(make("table", {}, make("caption", {}, title), body));
   }
-  box.append(close);
+  box.append(isect_button("Close", () => isect_sheet.close()));
   isect_sheet.replaceChildren(box);
   if (!isect_sheet.open) isect_sheet.showModal();
 }
 
 /// Returns a button that opens the sheet.
 function isect_key_button() {
-  const made = document.createElement("button");
-  made.type = "button", made.className = "show-keys", made.textContent = "?", made.title = "Keys and fingers";
-  made.setAttribute("aria-label", "Keys and fingers"), made.setAttribute("aria-haspopup", "dialog");
-  made.addEventListener("click", isect_show_keys);
+  const made = isect_button("?", isect_show_keys, "show-keys");
+  made.title = "Keys and fingers", made.setAttribute("aria-label", made.title), made.setAttribute("aria-haspopup", "dialog");
   return made;
 }

@@ -3,19 +3,8 @@
 // `book`: what book.js has to offer. All state but what is on the screen is the session's, behind book.request.
 function isect_live(book) {
   const root = document.documentElement;
+  const element = isect_element, pressed = isect_button;
   const scene_drag = 4;  // px before a press on the scene turns it
-  function element(tag, attributes = {}, ...children) {
-    const made = tag === "svg" || tag === "g" || tag === "circle"
-        ? document.createElementNS("http://www.w3.org/2000/svg", tag) : document.createElement(tag);
-    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-    made.append(...children);
-    return made;
-  }
-  function pressed(name, action) {
-    const made = element("button", { type: "button" }, name);
-    made.addEventListener("click", action);
-    return made;
-  }
   const html = (made, text) => { if (made.told !== text) made.innerHTML = made.told = text; };
 
   // The parts of the section, in reading order.
@@ -115,7 +104,7 @@ function isect_live(book) {
     tell([frame.told || frame.refuses || kept, other_steps(frame, changed)].filter(Boolean).join(" "));
     book.mark_link(changed ? "" : place.origin);
     book.show_controls(frame.asks ? below.querySelector("h3").textContent
-        : `Step ${frame.step + 1} of ${frame.steps}: ${book.title_of(above)}`);
+        : `Step ${frame.step + 1} of ${frame.steps}: ${isect_title_of(above)}`);
     if (!changed) book.follow(place.preset, frame.at);
     keep_address(address);
     const station = { setting: changed ? "" : place.preset, at: frame.at, asks: frame.asks }, told = JSON.stringify(station);
@@ -168,43 +157,10 @@ function isect_live(book) {
 
   // Handles: what can be dragged, also by keys.
   function show_grips(handles, unit) {
-    const known = new Map([...grips.children].map(grip => [grip.dataset.handle, grip]));
-    handles.forEach(handle => {
-      let grip = known.get(handle.name);
-      known.delete(handle.name);
-      if (!grip) {
-        grip = element("g", { class: "grip", tabindex: "0", role: "button", "aria-roledescription": "handle",
-          "data-handle": handle.name }, element("circle", { class: "reach" }), element("circle", { class: "ring" }));
-        grips.append(grip);
-      }
-      grip.setAttribute("transform", `translate(${handle.x} ${handle.y})`);
-      grip.setAttribute("aria-label", handle.label);
-      grip.dataset.role = handle.role;
-      grip.firstChild.setAttribute("r", 18 * unit);
-      grip.lastChild.setAttribute("r", Math.min(6 * unit, 3));  // on a small screen, too, names beside it can be read
-    });
-    known.forEach(grip => grip.remove());
+    const ring = Math.min(6 * unit, 3);  // on a small screen, too, names beside it can be read
+    isect_show_grips(grips, handles, 18 * unit, ring);
   }
-  const place_in = (svg, event) => {
-    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
-    return { x: at.x, y: at.y };
-  };
-  /// Follows a pointer that was pressed, at most once a frame: `step` gets the last event, `end` ends it.
-  function follow(target, event, step, end) {
-    let last = null, asked = 0;
-    const run = () => { asked = 0; if (last) step(last); last = null; };
-    const move = moved => { last = moved; asked ||= requestAnimationFrame(run); };
-    const stop = () => {
-      if (asked) cancelAnimationFrame(asked), run();
-      target.removeEventListener("pointermove", move);
-      ["pointerup", "pointercancel"].forEach(name => target.removeEventListener(name, stop));
-      end();
-    };
-    target.setPointerCapture(event.pointerId);
-    target.addEventListener("pointermove", move);
-    ["pointerup", "pointercancel"].forEach(name => target.addEventListener(name, stop));
-  }
-  const drag = svg => event => act({ do: "drag", ...place_in(svg, event), snap: snaps(event) }, "keep");
+  const drag = svg => event => act({ do: "drag", ...isect_place_in(svg, event), snap: snaps(event) }, "keep");
   /// Of a handle, the picture or the map: the arrow keys step again.
   function leave() {
     const on = document.activeElement;
@@ -214,17 +170,17 @@ function isect_live(book) {
   function drop() { act({ do: "drop" }, "push"), leave(); }
   stage.addEventListener("pointerdown", event => {
     if (event.button !== 0) return;
-    const grip = event.target.closest(".grip"), at = place_in(over, event);
+    const grip = event.target.closest(".grip"), at = isect_place_in(over, event);
     if (grip || stage.classList.contains("is-map")) {
       event.preventDefault();
       if (grip) light({ do: "light", handle: grip.dataset.handle });
       act({ do: "take", ...(grip ? { handle: grip.dataset.handle } : {}), ...at }, "keep");
-      follow(stage, event, drag(over), drop);
+      isect_follow(stage, event, drag(over), drop);
     } else if (event.pointerType === "mouse" && !now.chart && event.target.closest(".holder")) {
       let from = null;
-      follow(stage, event, moved => {
+      isect_follow(stage, event, moved => {
         if (!from && Math.hypot(moved.clientX - event.clientX, moved.clientY - event.clientY) < scene_drag) return;
-        const to = place_in(over, moved);
+        const to = isect_place_in(over, moved);
         if (from) act({ do: "turn", x: to.x - from.x, y: to.y - from.y }, "keep");
         from = to;
       }, () => (from && act({ do: "drop" }, "replace"), leave()));
@@ -235,15 +191,14 @@ function isect_live(book) {
   map.addEventListener("pointerdown", event => {
     if (event.button !== 0 || !event.target.closest(".holder")) return;
     event.preventDefault();
-    act({ do: "take", ...place_in(map_over, event) }, "keep");
-    follow(map, event, drag(map_over), drop);
+    act({ do: "take", ...isect_place_in(map_over, event) }, "keep");
+    isect_follow(map, event, drag(map_over), drop);
   });
-  const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
   const closer = { "+": 1.15, "=": 1.15, "-": 1 / 1.15, "−": 1 / 1.15 };
   const turn_by = 4;  // a press of an arrow key, in units of the picture
   let pushed = 0;
   section.addEventListener("keydown", event => {
-    const on = event.target.closest(".over"), grip = event.target.closest(".grip"), way = ways[event.key];
+    const on = event.target.closest(".over"), grip = event.target.closest(".grip"), way = isect_ways[event.key];
     if (!on || event.ctrlKey || event.altKey || event.metaKey) return;
     const moves = grip || on === map_over || now.map?.own, factor = moves ? 0 : closer[event.key];
     if (event.key !== "Escape" && !way && !factor) return;
@@ -274,7 +229,7 @@ function isect_live(book) {
     if (first) first.focus(); else tell("Nothing can be moved at this step.");
   }
 
-  isect_two_fingers({ stage, place: touch => place_in(over, touch), may_turn: () => now && !now.chart, act });
+  isect_two_fingers({ stage, place: touch => isect_place_in(over, touch), may_turn: () => now && !now.chart, act });
 
   // One name, one light.
   let lit = "";
@@ -290,7 +245,7 @@ function isect_live(book) {
   let pointed = 0;
   stage.addEventListener("pointermove", event => {
     if (event.buttons || event.pointerType !== "mouse" || pointed || !now) return;
-    const grip = event.target.closest(".grip"), at = place_in(over, event);
+    const grip = event.target.closest(".grip"), at = isect_place_in(over, event);
     pointed = requestAnimationFrame(() => {
       pointed = 0;
       light(grip ? { do: "light", handle: grip.dataset.handle } : { do: "point", ...at });
@@ -405,7 +360,7 @@ function isect_live(book) {
   function letters() {
     const inside = document.getElementById("letters");
     if (inside) return Promise.resolve(inside.textContent);
-    return (window.isect_letters ? Promise.resolve() : book.load("letters.js")).then(() => isect_letters, () => "");
+    return (window.isect_letters ? Promise.resolve() : isect_code.script("letters.js")).then(() => isect_letters, () => "");
   }
   async function figure() {
     const made = book.request({ do: "copy" }), style = await letters();
@@ -417,9 +372,7 @@ function isect_live(book) {
     return made;
   }
   function save(bytes, name) {
-    const address = URL.createObjectURL(bytes), link = element("a", { href: address, download: name });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(address), 10000);
+    isect_save(bytes, name);
     // A browser tells no script that it has refused.
     tell(window === top ? `${name} is saved.`
         : `${name} was given to the browser to save. Where the page around this one forbids that, open this one by itself.`);
@@ -443,14 +396,13 @@ function isect_live(book) {
       tell(document.execCommand("copy") ? `${what} is copied.` : "Copy it from the field below.");
     }
   }
-  const escaped = text => text.replaceAll("&", "&amp;").replaceAll('"', "&quot;").replaceAll("<", "&lt;");
   const copied = name => () => copy(book.request({ do: "copy" })[name], { latex: "LaTeX", markdown: "Markdown", alt: "The alt text" }[name]);
   const named_file = () => is_scene && /"file"\s*:/.test(now.scene);
   share.append(element("div", { class: "tools" }, pressed("Save SVG", save_svg), pressed("Save PNG", save_png),
     pressed("Copy link", () => copy(location.href, named_file() ? "The link, without the file that it names," : "The link")),
     pressed("Copy LaTeX", copied("latex")), pressed("Copy Markdown", copied("markdown")),
     pressed("Copy alt text", copied("alt")),
-    pressed("Copy iframe", () => copy(`<iframe src="${escaped(location.href)}" title="${escaped(document.title)}" width="100%" ` +
+    pressed("Copy iframe", () => copy(`<iframe src="${isect_escaped(location.href)}" title="${isect_escaped(document.title)}" width="100%" ` +
       `height="800" style="border: 0" loading="lazy"></iframe>`, "The line for a page of your own"))), saved);
 
   // Light and dark, paper, and the beginning.

@@ -23,10 +23,9 @@
   }
   if (!meant) return warn("Nothing can be dragged on these pages; in the window of isect, all that has a ring can.");
   tell(words.waits);
-  const step = () => place();
-  document.addEventListener("isect:step", step);
+  document.addEventListener("isect:step", place);
   document.addEventListener("isect:live", ({ detail: { state } }) => {
-    if (state !== "none") return document.removeEventListener("isect:step", step), told.remove();
+    if (state !== "none") return document.removeEventListener("isect:step", place), told.remove();
     tell(words.none), warn("Nothing can be dragged here: this browser can’t run the lessons. Steps, questions and solutions work.");
   });
 })();

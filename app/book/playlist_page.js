@@ -51,9 +51,8 @@
     const bar = document.createElement("nav"), note = document.createElement("div");
     const list = document.createElement("a"), title = document.createElement("span");
     const button = (words, name, action) => {
-      const made = document.createElement("button");
-      made.type = "button", made.textContent = words, made.setAttribute("aria-label", name);
-      made.addEventListener("click", action);
+      const made = isect_button(words, action);
+      made.setAttribute("aria-label", name);
       return made;
     };
     const back = button("←", "Back in the playlist", () => step(-1)), next = button("Next →", "Next → in the playlist", () => step(1));

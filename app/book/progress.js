@@ -61,13 +61,10 @@ const isect_way = {
   },
   /// `opened` is called with a question that is open again.
   offer_again(ask, opened) {
-    const again = document.createElement("button");
-    again.type = "button", again.className = "other again", again.textContent = "Ask again";
-    again.addEventListener("click", () => {
+    ask.querySelector("details").after(isect_button("Ask again", () => {
       this.change_lesson(ask.dataset.asked.split(" ")[0], own => delete own.given[this.station_of(ask)]);
       this.open(ask), opened(ask);
-    });
-    ask.querySelector("details").after(again);
+    }, "other again"));
   },
   /// Takes an answer away.
   open(ask) {
@@ -188,9 +185,6 @@ function isect_merge_record(mine, theirs) {
   /// What could not be read is told once, below the walk.
   function tell_damage() {
     const walks = document.getElementById("walks");
-    if (!isect_way.told || !walks) return;
-    const told = document.createElement("p");
-    told.className = "damage", told.setAttribute("role", "status"), told.textContent = isect_way.told;
-    walks.after(told), isect_way.told = "";
+    if (isect_way.told && walks) walks.after(isect_way.damage());
   }
 })();

@@ -123,10 +123,7 @@ function isect_questions(told, changed = () => {}) {
   }
   /// A record that could not be read is told once, where the first answer after it is given.
   function tell_damage(ask) {
-    if (!isect_answers.told) return;
-    const damage = document.createElement("p");
-    damage.className = "damage", damage.setAttribute("role", "status"), damage.textContent = isect_answers.told;
-    ask.querySelector(".words").append(damage), isect_answers.told = "";
+    if (isect_answers.told) ask.querySelector(".words").append(isect_answers.damage());
   }
   /// Returns what a key does to a question: "typed", as it goes into the field, "taken", or nothing.
   function key(ask, pressed) {

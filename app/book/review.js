@@ -101,6 +101,12 @@ const isect_answers = {
       this.told = `The ${this.what} that this browser kept can't be read (${why}), and start afresh. They are kept as “${aside}”.`;
     } catch { this.told = `The ${this.what} that this browser kept can't be read: ${why}.`; }
   },
+  /// Returns a paragraph that tells the damage, and then no more.
+  damage() {
+    const text = this.told;
+    this.told = "";
+    return isect_element("p", { class: "damage", role: "status" }, text);
+  },
   change(action) {
     const record = this.read();
     action(record);

@@ -54,9 +54,9 @@ void ReviewPage::ask(const Excerpt& e, const viz::ReviewPrompt& p) {
   const std::string step = fmt::format("{}#{}/{}", file_of(*e.lesson), p.preset, p.step + 1);
   const std::string name = viz::xml_escaped(section.asked_name(p.step));
   const std::string article = fmt::format(
-      "<article class=\"ask\" id=\"question-{0}\" data-asked=\"{1}\" data-preset=\"{2}\" data-step=\"{3}\">\n"
-      "<h2><span class=\"number\">Question {0}: </span><a href=\"{3}/question\">{4}</a></h2>\n{5}{6}</article>\n",
-      count_, name, p.preset, step, html_text(viz::short_title(*e.lesson)), Pictures(e, pictures_).asked(p.step),
+      "<article class=\"ask\" id=\"question-{0}\" data-asked=\"{1}\" data-step=\"{2}\">\n"
+      "<h2><span class=\"number\">Question {0}: </span><a href=\"{2}/question\">{3}</a></h2>\n{4}{5}</article>\n",
+      count_, name, step, html_text(viz::short_title(*e.lesson)), Pictures(e, pictures_).asked(p.step),
       section.asked(question, p.step));
   questions_ += waiting(fmt::format("data-asked=\"{}\" data-preset=\"{}\"", name, p.preset), article);
   answers_ += program::html({program::answer(question, fmt::format("Question {}.", count_))});

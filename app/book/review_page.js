@@ -6,15 +6,9 @@
   if (!review) return;
   if (!document.documentElement.classList.contains("scripted")) return isect_show_all();
   const number = Number(review.dataset.review), asks = [...review.querySelectorAll("noscript")], make = isect_waiting();
-  const made = (name, text, type) => {
-    const element = document.createElement(name);
-    if (type) element.className = type;
-    element.append(text);
-    return element;
-  };
-  const bar = made("div", "", "transport"), place = made("p", "", "place"), next = made("button", "Skip", "next");
+  const made = isect_made;
+  const bar = made("div", "", "transport"), place = made("p", "", "place"), next = isect_button("Skip", go_on, "next");
   bar.setAttribute("role", "group"), bar.setAttribute("aria-label", "Review"), place.setAttribute("aria-live", "polite");
-  next.type = "button", next.addEventListener("click", go_on);
   bar.append(place, next), review.after(bar);
 
   const record = isect_answers.read();
@@ -57,8 +51,7 @@
     });
     const words = list.children.length > 0 ? "What was wrong returns first in the next review of these lessons."
       : "The next review of these lessons asks what was asked longest ago.";
-    const again = made("button", "Eight more", "next"), actions = made("div", again, "transport");
-    again.type = "button", again.addEventListener("click", () => location.reload());
+    const again = isect_button("Eight more", () => location.reload(), "next"), actions = made("div", again, "transport");
     card.append(made("p", words), list, actions), review.after(card);
     card.tabIndex = -1, card.focus();
   }

@@ -144,9 +144,8 @@ function isect_scene_text({ element, pressed, open, request, save }) {
       reader.readAsDataURL(file);
     });
   }
-  /// A JSON file is a scene, unless it says what else it is: GeoJSON.
-  function is_scene(name, text) {
-    if (!/\.json$/i.test(name)) return false;
+  /// The text of a JSON file is a scene, unless it says what else it is: GeoJSON.
+  function is_scene(text) {
     try { return typeof JSON.parse(text).type !== "string"; } catch { return true; }
   }
   /// Of a scene its text; else what the session writes about a file that it has taken.
@@ -155,7 +154,7 @@ function isect_scene_text({ element, pressed, open, request, save }) {
       throw new Error(`${file.name} has ${Math.ceil(file.size / 2 ** 20)} MB; a page takes up to ${most_megabytes}, the program isect more.`);
     if (/\.json$/i.test(file.name)) {
       const text = await file.text().catch(() => { throw new Error(`${file.name} can't be read.`); });
-      if (is_scene(file.name, text)) return { text: text.replaceAll("\r\n", "\n"), is_file: false };
+      if (is_scene(text)) return { text: text.replaceAll("\r\n", "\n"), is_file: false };
     }
     const whole = await in_base64(file);
     for (let from = 0; ; from += part) {

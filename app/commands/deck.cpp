@@ -9,8 +9,6 @@
 #include <utility>
 
 #include "app/figures/question_figure.h"
-#include "app/pages/html.h"
-#include "app/pages/latex.h"
 #include "app/pages/pages.h"
 #include "app/pages/slides.h"
 #include "viz/walk/closing.h"
@@ -56,15 +54,12 @@ class Slides {
  private:
   /// A playlist begins with its title and its stops.
   void begin() {
-    const Blocks list = list_of_stops(paper_);
-    if (list.empty()) return;
-    const std::vector<Stops::Entry>& stops = std::get<Stops>(list.front()).all;
+    if (!paper_.is_playlist()) return;
+    const std::vector<Stops::Entry> stops = list_of_stops(paper_).all;
     for (std::size_t from = 0; from < stops.size(); from += stops_a_slide) {
       const std::size_t to = std::min(from + stops_a_slide, stops.size());
       const auto at = [&](std::size_t i) { return stops.begin() + static_cast<std::ptrdiff_t>(i); };
-      Stops some;
-      some.all.assign(at(from), at(to));
-      all_.push_back({paper_.title, {some}, {}, {}});
+      all_.push_back({paper_.title, {Stops{{at(from), at(to)}}}, {}, {}});
     }
   }
 
@@ -97,7 +92,7 @@ class Slides {
     if (picture) slide.left.push_back(picture_(e, index, true));
     Blocks& text = picture ? slide.right : slide.left;
     text = question(q);
-    text.insert(text.end(), {Pause{}, answer(q)});
+    append(text, {Pause{}, answer(q)});
     if (q.asked->line) slide.below = std::exchange(text, {code(e)});  // the lines to name one of
     all_.push_back(std::move(slide));
   }
@@ -149,8 +144,7 @@ int deck(const Program& program, const PageOptions& options) {
     const viz::Step& s = e.walk.steps[step];
     FigureMaker& maker = asks || (s.line >= 0 && !s.scene.chart) ? small : large;
     const FigureInfo info = asks ? info_of_question(e, step) : info_of(e, step);
-    const Excerpt asked = asks ? asking(e, step) : Excerpt();
-    const viz::Drawing drawing = asks ? maker.draw(asked, asked.steps.front()) : maker.draw(e, step);
+    const viz::Drawing drawing = asks ? draw_question(maker, e, step) : maker.draw(e, step);
     pages.add(e, info, drawing, maker);
     Image shown = image_of(info, paper);
     shown.svg = maker.write(info, drawing, viz::format_named("svg"));

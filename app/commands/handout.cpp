@@ -17,8 +17,6 @@ namespace isect::program {
 
 namespace {
 
-void append(Blocks& to, const Blocks& more) { to.insert(to.end(), more.begin(), more.end()); }
-
 /// A handout, part after part. A step's question stands before its picture, which shows the answer.
 class Handout {
  public:
@@ -90,9 +88,8 @@ std::set<int> draw_handout(const Excerpt& e, FigureMaker& maker, PageFolder& pag
   int above = -1;  // the step whose picture that is
   for (const int step : e.steps) {
     if (e.walk.steps[step].question && has_picture(e.walk, step)) {
-      const Excerpt asked = asking(e, step);
       const FigureInfo info = info_of_question(e, step);
-      const viz::Drawing drawing = maker.draw(asked, asked.steps.front());
+      const viz::Drawing drawing = draw_question(maker, e, step);
       const auto text = [&](const viz::Drawing& d) { return maker.write(info, d, *maker.style().formats.back()); };
       if (above < 0 || above != step - 1 || text(drawing) != text(bare(maker, e, above)))
         drawn.insert(step), pages.add(e, info, drawing, maker);

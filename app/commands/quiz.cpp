@@ -47,15 +47,14 @@ class Quiz {
       : paper_(paper), maker_(maker), pages_(pages), all_(printed_front(paper)) {}
 
   void add(const PaperPart& part) {
-    const Blocks head = printed_head(part);
-    all_.insert(all_.end(), head.begin(), head.end());
+    append(all_, printed_head(part));
     for (const int step : part.e.steps) ask(part.e, step);
   }
 
   Blocks made() && {
     all_.push_back(NewPage{});
     all_.push_back(Heading{"Answers"});
-    all_.insert(all_.end(), answers_.begin(), answers_.end());
+    append(all_, answers_);
     return std::move(all_);
   }
 
@@ -64,14 +63,12 @@ class Quiz {
     const viz::QuestionText q = *viz::question_text(e.walk, step);
     const std::string head = fmt::format("Question {}.", paper_.is_playlist() ? ++questions_ : q.number);
     if (has_picture(e.walk, step)) {
-      const Excerpt asked = asking(e, step);
       const FigureInfo info = info_of_question(e, step);
-      pages_.add(e, info, maker_.draw(asked, asked.steps.front()), maker_);
+      pages_.add(e, info, draw_question(maker_, e, step), maker_);
       all_.push_back(image_of(info, paper_));
     }
-    const Blocks asks = question(q, head);
-    all_.insert(all_.end(), asks.begin(), asks.end());
-    Prose told = program::answer(q, head);
+    append(all_, question(q, head));
+    Prose told = program::answer(q, head);  // not that of a query
     told.text += replies_on_paper(e.walk, step, q);
     answers_.push_back(told);
   }

@@ -58,6 +58,8 @@ struct Pause {};
 using Block = std::variant<Heading, Prose, Code, Image, Choices, Blanks, Stops, NewPage, Pause>;
 using Blocks = std::vector<Block>;
 
+inline void append(Blocks& to, const Blocks& more) { to.insert(to.end(), more.begin(), more.end()); }
+
 /// Returns the paragraphs of a text, without empty ones.
 std::vector<std::string> paragraphs(const std::string& markup);
 

@@ -166,7 +166,7 @@ std::size_t FigureFolder::remove_stale(const Excerpt& e) {
   std::set<std::string> wanted, gone;
   for (int i = 0; i < static_cast<int>(e.walk.steps.size()); ++i) {
     wanted.insert(file_of(e, i));
-    if (e.walk.steps[i].question) wanted.insert(file_of_question(e, i));  // for a deck or a handout
+    if (e.walk.steps[i].question) wanted.insert(file_of_question(e, i));  // for a deck, a handout or a quiz
   }
   const std::vector<fs::path> figures = figures_in(path(folder_of(e)));
   std::size_t removed = 0;

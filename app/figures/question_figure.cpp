@@ -17,13 +17,6 @@ bool has_picture(const viz::Walk& walk, int step) {
 
 std::string file_of_question(const Excerpt& e, int step) { return file_of(e, step) + "-question"; }
 
-Excerpt asking(const Excerpt& e, int step) {
-  Excerpt asked = e;
-  asked.steps = {static_cast<int>(e.walk.steps.size())};
-  asked.walk.steps.push_back(viz::asking_step(e.walk, step));
-  return asked;
-}
-
 FigureInfo info_of_question(const Excerpt& e, int step) {
   const viz::QuestionText question = *viz::question_text(e.walk, step);
   FigureInfo info = info_of(e, step);
@@ -33,6 +26,13 @@ FigureInfo info_of_question(const Excerpt& e, int step) {
   info.imprint = fmt::format("{}: question {}", viz::plain(e.lesson->title), question.number);
   info.alt = viz::drawn_text(e.walk, viz::question_scene(e.walk, step), false);
   return info;
+}
+
+viz::Drawing draw_question(FigureMaker& maker, const Excerpt& e, int step) {
+  Excerpt asked = e;  // with one more step at the end of its walk
+  asked.steps = {static_cast<int>(e.walk.steps.size())};
+  asked.walk.steps.push_back(viz::asking_step(e.walk, step));
+  return maker.draw(asked, asked.steps.front());
 }
 
 }  // namespace isect::program

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/figures/figure_info.h"
+#include "app/figures/figure_maker.h"
 
 namespace isect::program {
 
@@ -11,9 +12,8 @@ namespace isect::program {
 bool has_picture(const viz::Walk&, int step);
 /// Returns "ray-sphere/two-roots/03-foot-question": the file of the picture before that step, without its ending.
 std::string file_of_question(const Excerpt&, int step);
-/// Returns the excerpt with one more step at the end of its walk: what is shown while the question before `step` is
-/// open. So it is framed and laid out as the walk's own steps are, and its file lies beside theirs.
-Excerpt asking(const Excerpt&, int step);
 FigureInfo info_of_question(const Excerpt&, int step);
+/// Draws what is shown while the question before `step` is open, framed and laid out as the walk's own steps are.
+viz::Drawing draw_question(FigureMaker&, const Excerpt&, int step);
 
 }  // namespace isect::program

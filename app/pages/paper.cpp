@@ -93,11 +93,10 @@ std::string caption_on_paper(const PaperPart& part, int step) {
   return s.slug == viz::opening_slug ? "This is what is given." : viz::own_caption(*part.e.lesson, s);
 }
 
-Blocks list_of_stops(const Paper& paper) {
-  if (!paper.is_playlist()) return {};
+Stops list_of_stops(const Paper& paper) {
   Stops stops;
   for (const PaperPart& part : paper.parts) stops.all.push_back({part.stop, part.entry});
-  return {stops};
+  return stops;
 }
 
 }  // namespace isect::program

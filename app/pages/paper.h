@@ -36,7 +36,7 @@ Paper paper_of(const Program&, const Selection&, PaperSteps = PaperSteps::all);
 
 /// Returns the caption of a step, with the lesson's opening only where that is new.
 std::string caption_on_paper(const PaperPart&, int step);
-/// Returns the list of stops; none if the paper is no playlist.
-Blocks list_of_stops(const Paper&);
+/// Returns the stops of a playlist.
+Stops list_of_stops(const Paper&);
 
 }  // namespace isect::program

@@ -35,11 +35,10 @@ Style printed_style(const PageOptions& options) {
 }
 
 Blocks printed_front(const Paper& paper) {
-  Blocks all = list_of_stops(paper);
-  if (all.empty()) return all;
-  std::get<Stops>(all.front()).linked = true;
-  all.push_back(NewPage{});
-  return all;
+  if (!paper.is_playlist()) return {};
+  Stops stops = list_of_stops(paper);
+  stops.linked = true;
+  return {stops, NewPage{}};
 }
 
 Blocks printed_head(const PaperPart& part) {
@@ -49,12 +48,10 @@ Blocks printed_head(const PaperPart& part) {
   if (!part.note.empty()) all.push_back(Prose{part.note});
   if (part.new_lesson) all.push_back(Prose{e.lesson->summary});
   all.push_back(Prose{given(*e.lesson, e.parameters, e.walk), "Given"});
-  if (part.code_of > 0) {
+  if (part.code_of > 0)
     all.push_back(Prose{fmt::format("The algorithm is that of stop {}.", part.code_of)});
-    return all;
-  }
-  const Blocks code = algorithm(e);
-  all.insert(all.end(), code.begin(), code.end());
+  else
+    append(all, algorithm(e));
   return all;
 }
 

@@ -1,13 +1,11 @@
 #pragma once
 // Pages to print, as LaTeX and as HTML: handouts and quizzes.
 
-#include <string>
-
 #include "app/pages/pages.h"
 
 namespace isect::program {
 
-/// Returns how pictures look on a page to print.
+/// Returns how pictures look on a page to print. Throws viz::BadInput.
 Style printed_style(const PageOptions&);
 
 /// Returns what a playlist's page begins with: the list of its stops, on a page of its own. Of a lesson: nothing.

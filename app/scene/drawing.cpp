@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <isect/point_polygon.h>
@@ -103,19 +102,6 @@ void Drawing::solid(viz::Solid shape) {
   shape.role = role;
   name(middle_of(shape.vertices));
   items.push_back(std::move(shape));
-}
-
-Room room(const NamedValues& s, const std::vector<Object>& objects) {
-  Vec3 lo = Vec3::Constant(INFINITY), hi = -lo;
-  for (const Object& o : objects)
-    for (const Vec3& p : s.extent(o)) lo = lo.cwiseMin(p), hi = hi.cwiseMax(p);
-  return room_between(lo, hi);
-}
-
-Room room_between(const Vec3& lo, const Vec3& hi) {
-  if (!(lo.array() <= hi.array()).all()) return {};
-  const double reach = (hi - lo).norm() / 2;
-  return {(lo + hi) / 2, reach > 0 ? reach : 1};
 }
 
 std::vector<viz::Item> drawn(const NamedValues& s, const Object& o, const Room& room, Role role) {

@@ -54,9 +54,8 @@ const viz::Lesson& kept_lesson_of(const std::string& text, const std::string& fo
 void keep(const viz::Lesson& kept, const std::string& folder, const viz::Parameters& parameters) {
   KeptLesson& one = kept_as(kept);
   const std::string& was = one.text.empty() ? kept.made_from : one.text;
-  const bool own = !one.text.empty();
   KeptLesson now = kept_from(with_numbers(was, read_scene(was, folder), parameters), folder, one.known);
-  if (!own) now.text.clear();
+  if (one.text.empty()) now.text.clear();
   one = std::move(now);
 }
 

@@ -34,7 +34,7 @@ std::vector<viz::Parameter> parameters_of(const File& file) {
       if (!vertex) p.lo = known->lo, p.hi = known->hi, p.drag_lo = std::max(p.drag_lo, p.lo);
       all.push_back(std::move(p));
     }
-    if (!o.is_fixed() || std::ranges::find(o.fields, "at") != o.fields.end()) continue;
+    if (!o.lacks_at()) continue;
     all.push_back({o.name + ".at", shown_name(o.name) + ".at", help_of(o, "at"), viz::Vec3(0, 0, 0)});
     all.back().optional = true;
   }

@@ -13,6 +13,13 @@ namespace {
 /// An object with more points than this is not kept: a copy takes as long as a new one, and memory.
 constexpr std::size_t most_points_kept = 2'000;
 
+/// Returns the room of all that lies between these corners.
+Room room_between(const Vec3& lo, const Vec3& hi) {
+  if (!(lo.array() <= hi.array()).all()) return {};
+  const double reach = (hi - lo).norm() / 2;
+  return {(lo + hi) / 2, reach > 0 ? reach : 1};
+}
+
 bool same_room(const Room& a, const Room& b) { return a.middle == b.middle && a.reach == b.reach; }
 
 }  // namespace

@@ -17,7 +17,7 @@ class ObjectPictures {
     std::vector<viz::Handle> handles = {};
   };
 
-  /// Returns the room of all objects (app/scene/objects.h).
+  /// Returns the room of all objects. Throws viz::BadInput if one's numbers are no shape for the core.
   Room room(const NamedValues&, const std::vector<Object>&);
   /// Returns the picture of object number `i`. Throws viz::BadInput if its numbers are no shape for the core. It lasts
   /// until the next call.

@@ -4,6 +4,7 @@
 // An object's numbers are parameters called "name.field" ("A.center", "t.2"), so that a scene is a lesson like others:
 // set by --set, dragged in the window, kept by figures. Many points, and those of a file, are kept as they are instead.
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -54,6 +55,8 @@ struct Object {
   Fixed fixed = {};
   /// Whether its points stay as they are, and what is dragged is "at", which a file need not have.
   bool is_fixed() const { return !fixed.points.empty(); }
+  /// Whether its file lacks that "at".
+  bool lacks_at() const { return is_fixed() && std::ranges::find(fields, "at") == fields.end(); }
   bool hidden = false;    ///< left out of the picture, not out of the answers
   std::string note = {};  ///< what its file may mean differently than it is read, as plain sentences
 };
@@ -89,9 +92,6 @@ struct Room {
   viz::Vec3 middle = viz::Vec3::Zero();
   double reach = 1;
 };
-Room room(const NamedValues&, const std::vector<Object>&);
-/// Returns the room of all that lies between these corners.
-Room room_between(const viz::Vec3& lo, const viz::Vec3& hi);
 
 /// Returns the object and its name. Throws viz::BadInput if its numbers are no shape for the core.
 std::vector<viz::Item> drawn(const NamedValues&, const Object&, const Room&, viz::Role);

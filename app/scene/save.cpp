@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <vector>
@@ -53,7 +52,7 @@ std::string with_numbers(const std::string& text, const File& file, const viz::P
   for (std::size_t i = 0; i < file.objects.size(); ++i) {
     const Object& o = file.objects[i];
     std::vector<std::string> fields = o.fields;
-    if (o.is_fixed() && std::ranges::find(fields, "at") == fields.end()) fields.push_back("at");
+    if (o.lacks_at()) fields.push_back("at");
     for (const std::string& field : fields) {
       const std::string name = o.name + "." + field;
       const viz::Setting now = value(parameters, name);

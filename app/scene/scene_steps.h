@@ -8,6 +8,7 @@
 namespace isect::program::scene {
 
 /// Returns the walk with these numbers. `known`: of the walk before, whose objects it had in the same order.
+/// Throws viz::BadInput if the core refuses the numbers.
 viz::Walk steps_of_scene(const File&, const viz::Parameters&, Known& known);
 
 }  // namespace isect::program::scene

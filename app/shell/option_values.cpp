@@ -126,7 +126,7 @@ std::vector<std::string> step_names(const viz::Walk& walk) {
   return names;
 }
 
-viz::BadInput without_steps(const std::string& field, const std::string& asked, const viz::Walk& walk,
+viz::BadInput unknown_steps(const std::string& field, const std::string& asked, const viz::Walk& walk,
                             const std::string& whose) {
   std::string part = asked;  // the first one that the walk lacks
   for (const std::string& one : split(asked, ','))

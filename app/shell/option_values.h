@@ -60,7 +60,7 @@ int verdict_of(const viz::Walk&);
 /// Returns the names of a walk's steps.
 std::vector<std::string> step_names(const viz::Walk&);
 /// Returns the error for steps that a walk lacks, which is that of `whose`: "tangent has steps 1 to 13: give ...".
-viz::BadInput without_steps(const std::string& field, const std::string& asked, const viz::Walk&,
+viz::BadInput unknown_steps(const std::string& field, const std::string& asked, const viz::Walk&,
                             const std::string& whose);
 
 }  // namespace isect::program

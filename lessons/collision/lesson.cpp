@@ -6,8 +6,8 @@
 
 #include "lessons/collision/telling.h"
 #include "lessons/course.h"
+#include "lessons/shared/moved_boxes.h"
 #include "lessons/shared/parameters.h"
-#include "lessons/shared/vertices.h"
 
 namespace isect::lessons::collision_lesson {
 namespace {
@@ -17,7 +17,7 @@ using namespace viz;
 Walk walk(const Parameters& values) {
   const std::string& method = std::get<std::string>(values.at("method"));
   const Boxes boxes = few(values);
-  const Frame frame = is_moved(values) ? frame_of(boxes) : Frame();
+  const Frame frame = has_moved(values, boxes) ? frame_of(boxes) : Frame();
   if (method == "brute-force") return double_loop(boxes, frame);
   if (method == "sweep") return sweep(boxes, frame);
   if (method == "hierarchy") return hierarchy(boxes, frame);
@@ -31,11 +31,7 @@ std::vector<Parameter> parameters(const Vec3& p) {
       vector("p", "**p**", "The centre of box 0 or of the moving box; its third coordinate is not used.", p),
       where("method", {"motion"},
             {"speed", "speed", "Speed of the moving box, in world units per second.", 4.0, 0, 1e6, 0, 8})};
-  for (int k = 1; k < count_of_few; ++k) {
-    Parameter other = where("method", {"brute-force", "sweep", "hierarchy"}, movable("p", k, "box"));
-    other.help = fmt::format("The centre of box {}, where it was moved.", k);
-    all.push_back(other);
-  }
+  add_movable_boxes(all, count_of_few, "method", {"brute-force", "sweep", "hierarchy"});
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bench/random.h"
+#include "lessons/shared/moved_boxes.h"
 
 namespace isect::lessons::collision_lesson {
 
@@ -19,18 +20,8 @@ Boxes few(const Parameters& values) {
                  {{0.5, 0.25}, {1.75, 1.5}},
                  {{1.5, -0.75}, {3, 0.5}},
                  {{2.25, -2}, {3.25, -1.25}}};
-  for (std::size_t k = 1; k < boxes.size(); ++k)
-    if (const auto moved = values.find(fmt::format("p{}", k)); moved != values.end()) {
-      const Vec2 half = (boxes[k].hi - boxes[k].lo) / 2, at = std::get<Vec3>(moved->second).head<2>();
-      boxes[k] = {at - half, at + half};
-    }
+  move_boxes(values, boxes);
   return boxes;
-}
-
-bool is_moved(const Parameters& values) {
-  for (int k = 1; k < count_of_few; ++k)
-    if (values.contains(fmt::format("p{}", k))) return true;
-  return false;
 }
 
 Boxes many(int n) {

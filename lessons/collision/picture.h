@@ -12,8 +12,6 @@ using Boxes = std::vector<Aabb<double, 2>>;
 /// Six boxes of a setting: the first is centred at p, the others at p1, p2, … where it has these.
 Boxes few(const viz::Parameters&);
 inline constexpr int count_of_few = 6;
-/// Whether the setting has moved another box than the first.
-bool is_moved(const viz::Parameters&);
 /// n random boxes as dense as the few, the same on every machine.
 Boxes many(int n);
 

@@ -4,8 +4,8 @@
 
 #include "lessons/course.h"
 #include "lessons/hierarchy/tree.h"
+#include "lessons/shared/moved_boxes.h"
 #include "lessons/shared/parameters.h"
-#include "lessons/shared/vertices.h"
 
 namespace isect::lessons::hierarchy_lesson {
 namespace {
@@ -21,7 +21,7 @@ Walk walk(const Parameters& values) {
   if (which == "growth") return growth();
   const Boxes boxes = boxes_of(values);
   if (which == "pairs") return pairs(boxes, vector("q"));
-  const bool usual = std::get<double>(values.at("size")) == 1 && !is_moved(values);
+  const bool usual = std::get<double>(values.at("size")) == 1 && !has_moved(values, boxes);
   const TreePlace place = usual ? TreePlace() : place_beside(boxes);
   if (which == "build") return build(boxes, place);
   return ray(boxes, {vector("o").head<2>(), vector("d").head<2>()}, place);
@@ -52,11 +52,7 @@ std::vector<Parameter> parameters() {
             vector("d", "**d**", "The direction of the ray, of any length but 0; its third coordinate is not used.",
                    Vec3::UnitX())),
       where("walk", {"pairs"}, vector("q", "**q**", "Centre of the second object, in units.", Vec3::Zero()))};
-  for (int k = 1; k < count_of_boxes; ++k) {
-    Parameter other = where("walk", {"build", "ray", "pairs"}, movable("p", k, "box"));
-    other.help = fmt::format("The centre of box {}, where it was moved.", k);
-    all.push_back(other);
-  }
+  add_movable_boxes(all, count_of_boxes, "walk", {"build", "ray", "pairs"});
   return all;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "lessons/shared/moved_boxes.h"
+
 namespace isect::lessons::hierarchy_lesson {
 
 using namespace viz;
@@ -51,18 +53,8 @@ Boxes boxes_of(const Parameters& values) {
   const std::string& walk = std::get<std::string>(values.at("walk"));
   const bool sized = walk == "build" || walk == "ray";
   Boxes boxes = scattered(std::get<Vec3>(values.at("p")), sized ? std::get<double>(values.at("size")) : 1);
-  for (std::size_t k = 1; k < boxes.size(); ++k)
-    if (const auto moved = values.find(fmt::format("p{}", k)); moved != values.end()) {
-      const Vec2 half = (boxes[k].hi - boxes[k].lo) / 2, at = std::get<Vec3>(moved->second).head<2>();
-      boxes[k] = {at - half, at + half};
-    }
+  move_boxes(values, boxes);
   return boxes;
-}
-
-bool is_moved(const Parameters& values) {
-  for (int k = 1; k < count_of_boxes; ++k)
-    if (values.contains(fmt::format("p{}", k))) return true;
-  return false;
 }
 
 void add_handles_of_others(const Boxes& boxes, Scene& scene) {

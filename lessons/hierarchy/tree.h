@@ -17,8 +17,6 @@ Boxes cluster(const viz::Vec3& middle);                ///< six, for a second ob
 /// The twelve of a setting: box k is centred at the parameter pk where the setting has it.
 Boxes boxes_of(const viz::Parameters&);
 inline constexpr int count_of_boxes = 12;
-/// Whether the setting has moved another box than box 0.
-bool is_moved(const viz::Parameters&);
 /// Adds a handle for each box but box 0, at a corner: its number stands in its middle.
 void add_handles_of_others(const Boxes&, viz::Scene&);
 

@@ -14,22 +14,13 @@
 
 namespace book_test {
 using Catch::Matchers::StartsWith;
+using isect::test::all_between;
 using isect::test::Contains;
 using isect::test::contents;
 using isect::test::count;
 using isect::test::Ran;
 using isect::test::Shell;
 using isect::test::write;
-
-/// All that stands between `before` and the next quotation mark.
-std::vector<std::string> quoted(const std::string& text, const std::string& before) {
-  std::vector<std::string> all;
-  for (std::size_t at = text.find(before); at != text.npos; at = text.find(before, at)) {
-    at += before.size();
-    all.push_back(text.substr(at, text.find('"', at) - at));
-  }
-  return all;
-}
 
 /// A page without what its own scripts say, who write elements, too.
 std::string without_scripts(const std::string& page) {
@@ -47,9 +38,9 @@ std::string without_scripts(const std::string& page) {
 std::string faults(const std::string& page) {
   std::string out;
   std::set<std::string> ids;
-  for (const std::string& id : quoted(page, " id=\""))
+  for (const std::string& id : all_between(page, " id=\""))
     if (!ids.insert(id).second) out += "twice: " + id + "\n";
-  std::vector<std::string> wanted = quoted(page, "href=\"#");
+  std::vector<std::string> wanted = all_between(page, "href=\"#");
   for (std::size_t at = page.find("url(#"); at != page.npos; at = page.find("url(#", at + 1))
     wanted.push_back(page.substr(at + 5, page.find(')', at) - at - 5));
   for (const std::string& id : wanted)
@@ -85,7 +76,8 @@ int elements(const std::string& page) {
 void check_light(const std::string& page) {
   const std::string first = at_first(page);
   CHECK(elements(first) < 2500);  // scripts add some
-  for (const std::string& id : quoted(first, "<use href=\"#")) CHECK_THAT(first, Contains("<g id=\"" + id + "\">"));
+  for (const std::string& id : all_between(first, "<use href=\"#"))
+    CHECK_THAT(first, Contains("<g id=\"" + id + "\">"));
 }
 
 /// Every fifth lesson is followed by a page that asks again what these lessons ask.
@@ -105,14 +97,14 @@ void check_reviews(const std::filesystem::path& site) {
       for (const auto& p : isect::viz::prompts_of(*lesson)) questions.insert(p.lesson + " " + p.question);
     const int asked = static_cast<int>(questions.size());
     CHECK(asked >= isect::viz::questions_a_review);
-    const std::vector<std::string> names = quoted(review, "data-asked=\"");
+    const std::vector<std::string> names = all_between(review, "data-asked=\"");
     CHECK(std::set<std::string>(names.begin(), names.end()) == questions);
     CHECK(count(review, "<article class=\"ask\"") == asked);
     CHECK(count(review, "<noscript data-asked=") == asked);
     CHECK(count(review, "<svg class=\"picture\"") == asked);
     CHECK(count(review, " data-right>") == asked);
     CHECK(count(review.substr(review.find("<div class=\"answers\">")), "<b>Question ") == asked);
-    for (const std::string& step : quoted(review, "data-step=\"")) {  // each leads to its lesson's step
+    for (const std::string& step : all_between(review, "data-step=\"")) {  // each leads to its lesson's step
       const std::size_t hash = step.find('#');
       CHECK_THAT(page(step.substr(0, hash)), Contains("id=\"" + step.substr(hash + 1) + "\"") &&
                                                  Contains("id=\"" + step.substr(hash + 1) + "/question\""));
@@ -156,7 +148,7 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
     CHECK(count(text, "<meta name=\"description\"") == 1);
     CHECK(count(text, "<meta property=\"og:title\"") == 1);
     CHECK(count(text, "<link rel=\"icon\" href=\"data:image/svg+xml;base64,") == 1);
-    for (const std::string& target : quoted(text, "href=\""))
+    for (const std::string& target : all_between(text, "href=\""))
       if (!target.starts_with("#") && !target.starts_with("data:"))
         CHECK(std::filesystem::exists(site / target.substr(0, target.find('#'))));
   }
@@ -267,7 +259,7 @@ TEST_CASE("a question stands before its step, and its picture does not tell what
   const std::size_t asked = page.find("<article class=\"ask\""), step = page.find("</article>", asked);
   REQUIRE(asked != page.npos);
   const std::string question = page.substr(asked, step - asked);
-  const std::string id = quoted(question, "id=\"").front();
+  const std::string id = all_between(question, "id=\"").front();
   CHECK(page.find("id=\"" + id.substr(0, id.find("/question")) + "\"") > asked);
   CHECK_THAT(question, Contains("aria-label=\"Drawn: ") && !Contains("ray enters"));
 }

@@ -9,6 +9,7 @@
 
 #include "app/scene/answered.h"
 #include "app/scene/file.h"
+#include "app/scene/object_pictures.h"
 #include "tests/catch.h"
 #include "viz/text/rich_text.h"
 
@@ -132,7 +133,7 @@ Answered first_hit(const Json& ray, std::vector<Json> objects) {
   objects.insert(objects.begin(), ray);
   const File file = read_scene(Json{{"objects", objects}}.dump(), ".");
   const NamedValues numbers = {file.parameters, file.flat};
-  return answered(Context{file, numbers, room(numbers, file.objects)}, FirstHitAsked{0});
+  return answered(Context{file, numbers, ObjectPictures().room(numbers, file.objects)}, FirstHitAsked{0});
 }
 
 std::string told(const Answered& a) { return viz::plain(a.verdict.text); }

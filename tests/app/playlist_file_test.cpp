@@ -90,7 +90,7 @@ TEST_CASE("a playlist names presets, preset files and scenes, each with its step
   CHECK((s[4].whole && s[4].name == "disc" && s[4].lesson->id == "scene" && s[4].steps.size() >= 2));
   CHECK(s[5].lesson == s[4].lesson);
   CHECK(s[5].steps == std::vector<int>{s[4].steps.back()});
-  CHECK((s[6].name == "stop-7" && std::get<double>(s[6].state.parameters->at("radius")) == 1.25));
+  CHECK((s[6].name.empty() && std::get<double>(s[6].state.parameters->at("radius")) == 1.25));
 
   const std::vector<program::Excerpt> all = program::excerpts_of(list);
   REQUIRE(all.size() == 7);

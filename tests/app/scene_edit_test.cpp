@@ -1,7 +1,5 @@
 // Edits of a scene's text: what was written stays, and what the reader would refuse is refused in its words.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -14,6 +12,7 @@
 #include "app/scene/questions.h"
 #include "app/scene/types.h"
 #include "bench/random.h"
+#include "tests/app/many_balls.h"
 #include "tests/catch.h"
 
 namespace scene_edit_test {
@@ -202,9 +201,12 @@ TEST_CASE("the editor offers what the tables know, and nothing that is asked alr
   const viz::Lesson& lesson = scene::kept_lesson_of(two, "");
   REQUIRE(editor.objects(lesson).size() == 2);
   CHECK(editor.objects(lesson)[0].type == "circle");
-  for (const viz::SceneType& type : editor.types(lesson)) CHECK(type.id != "cone");
+  CHECK(std::ranges::count(editor.types(lesson), std::string("box"), &viz::SceneType::id) == 1);
+  CHECK(std::ranges::count(editor.types(lesson), std::string("cone"), &viz::SceneType::id) == 0);
   CHECK(editor.free_name(lesson) == "C");
-  for (const viz::SceneQuestion& q : editor.questions(lesson, {"A", "B"})) CHECK_THAT(q.words, !Contains("How A"));
+  std::string offered;
+  for (const viz::SceneQuestion& q : editor.questions(lesson, {"A", "B"})) offered += q.words + "\n";
+  CHECK_THAT(offered, Contains("Step by step") && !Contains("How A"));
 
   const std::string text = R"({"objects": [{"ray": "r", "origin": [-1, 0, 0], "dir": [1, 0, 0]},
     {"box": "A", "lo": [0, -1, -1], "hi": [1, 1, 1]}, {"sphere": "S", "center": [4, 0, 0], "radius": 1}]})";
@@ -229,12 +231,8 @@ TEST_CASE("the editor offers what the tables know, and nothing that is asked alr
 }
 
 TEST_CASE("of 1,000 objects the one that moves is drawn anew, and no other", "[scene]") {
-  std::string objects;
-  for (int i = 0; i < 1000; ++i)
-    objects += fmt::format(R"({}{{"sphere": "b{}", "center": [{}, {}, {}], "radius": 0.4}})", i == 0 ? "" : ",", i,
-                           i % 10, i / 10 % 10, i / 100);
   const auto known = std::make_shared<scene::KnownScene>();
-  const viz::Lesson lesson = scene::lesson_of(R"({"objects": [)" + objects + R"(], "ask": [["b0", "b1"]]})", "", known);
+  const viz::Lesson lesson = scene::lesson_of(isect::test::many_balls(1000, R"([["b0", "b1"]])"), "", known);
   const auto made = [&] { return known->known.pictures.made(); };
   CHECK(made() == 1000 + 2);  // the two asked about have their own colours in their step
   CHECK_THAT(lesson.steps(lesson.presets[0].parameters).steps[0].caption, Contains("1000 objects: 1000 spheres"));

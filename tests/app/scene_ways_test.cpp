@@ -10,6 +10,7 @@
 
 #include "app/scene/answered.h"
 #include "app/scene/file.h"
+#include "app/scene/object_pictures.h"
 #include "app/scene/pairs.h"
 #include "app/scene/shapes.h"
 #include "bench/half_spaces/oracle.h"
@@ -39,7 +40,8 @@ class Scene {
   Told ask(const std::string& a, const std::string& b) const { return program::scene::ask(shaped(a), shaped(b)); }
   std::string told(const std::string& a, const std::string& b) const { return viz::plain(ask(a, b).verdict.text); }
   Answered first_hit(const std::string& ray) const {
-    return answered(Context{file_, numbers(), room(numbers(), file_.objects)}, FirstHitAsked{index(ray)});
+    return answered(Context{file_, numbers(), ObjectPictures().room(numbers(), file_.objects)},
+                    FirstHitAsked{index(ray)});
   }
 
  private:
@@ -286,7 +288,8 @@ TEST_CASE("of a line one point lies in a box only where it is one, not where rou
     scene["ask"] = Json::array({{{"clip", "g"}, {"to", "B"}}});
     const File file = read_scene(scene.dump(), ".");
     const NamedValues numbers{file.parameters, file.flat};
-    const Answered out = answered(Context{file, numbers, room(numbers, file.objects)}, ClipAsked{0, 1});
+    const Answered out =
+        answered(Context{file, numbers, ObjectPictures().room(numbers, file.objects)}, ClipAsked{0, 1});
     return viz::plain(out.verdict.text);
   };
   const auto line = [](const char* type, const Json& origin, const Json& dir) {

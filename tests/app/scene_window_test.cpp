@@ -1,13 +1,12 @@
 // A user's own scenes in the window: their handles, their contacts, and what a walk of a lesson refuses.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "app/scene/lesson.h"
 #include "lessons/lessons.h"
+#include "tests/app/many_balls.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
 #include "viz/formats/files.h"
@@ -18,6 +17,7 @@ using namespace isect::viz;
 using isect::program::scene::kept_lesson_of;
 using isect::program::scene::kept_walks_of;
 using isect::test::Contains;
+using isect::test::many_balls;
 
 namespace {
 
@@ -113,19 +113,6 @@ TEST_CASE("a drag of a corner to where its lesson refuses the polygon is refused
     CHECK(scene.walk(window.player().parameters()).steps.size() == static_cast<std::size_t>(window.player().count()));
   }
 }
-
-namespace {
-
-/// Balls in rows, not far from each other.
-std::string many_balls(int n, const std::string& ask) {
-  std::string objects;
-  for (int i = 0; i < n; ++i)
-    objects += fmt::format(R"({}{{"sphere": "b{}", "center": [{}, {}, {}], "radius": 0.4}})", i == 0 ? "" : ",", i,
-                           i % 10, i / 10 % 10, i / 100);
-  return R"({"objects": [)" + objects + R"(], "ask": )" + ask + "}";
-}
-
-}  // namespace
 
 TEST_CASE("a scene of two hundred objects shows names by need", "[scene]") {
   const Lesson& scene = kept_lesson_of(many_balls(200, R"([["b0", "b1"], ["b5", "b6"], ["b20", "b199"]])"), "");

@@ -42,6 +42,16 @@ inline int count(const std::string& text, const std::string& part) {
   return found;
 }
 
+/// All that stands between `before` and the next `end`.
+inline std::vector<std::string> all_between(const std::string& text, const std::string& before, char end = '"') {
+  std::vector<std::string> all;
+  for (std::size_t at = text.find(before); at != text.npos; at = text.find(before, at)) {
+    at += before.size();
+    all.push_back(text.substr(at, text.find(end, at) - at));
+  }
+  return all;
+}
+
 struct Ran {
   int status = -1;
   std::string out, err;

@@ -4,6 +4,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { Browser } from "./browser.mjs";
+import { rest } from "./live_page.mjs";
 
 const folder = resolve(process.argv[2]);
 const file = readdirSync(folder).find(name => /^hour-.*\.js$/.test(name)), name = file.slice(5, -3);
@@ -15,7 +16,6 @@ function check(holds, what) {
   ++checks;
   if (!holds) ++wrong, console.log("wrong: " + what);
 }
-const rest = ms => new Promise(done => setTimeout(done, ms));
 const shown = `(() => {
   const bar = document.querySelector("nav.hour"), high = e => e ? e.getBoundingClientRect().height : 0;
   const article = document.querySelector(".live article") ?? document.querySelector(".walk.shown > .steps > .shown");

@@ -6,6 +6,7 @@ import { existsSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { Browser } from "./browser.mjs";
+import { loaded, rest } from "./live_page.mjs";
 
 const folder = resolve(process.argv[2]), is_live = existsSync(join(folder, "isect.js"));
 const host = join(folder, "..", "host-of-progress.html"), lesson = "ray-sphere", page = lesson + ".html";
@@ -14,16 +15,13 @@ function check(holds, what) {
   ++checks;
   if (!holds) ++wrong, console.log("wrong: " + what);
 }
-const same = (a, b) => JSON.stringify(a) === JSON.stringify(b), rest = ms => new Promise(done => setTimeout(done, ms));
+const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 const browser = await Browser.start();
 const ask = expression => browser.ask(expression);
 async function open(name, hash = "") {
   await browser.open("about:blank");
   await browser.open(pathToFileURL(join(folder, name)).href + hash);
-  await ask(`new Promise(done => {
-    const look = () => ["ready", "none"].includes(document.documentElement.dataset.live) ? done() : setTimeout(look, 10);
-    document.body.dataset.live ? look() : done();
-  })`);
+  await ask(loaded);
 }
 const stored = () => ask(`["isect progress", "isect answers"].map(name => JSON.parse(localStorage.getItem(name)))`);
 const all_stored = () => ask(`JSON.stringify(Object.entries(localStorage).sort())`);
@@ -209,9 +207,9 @@ try {
   // The picture: it is there from the beginning, and where the lessons are compiled, its rings move it once all else is done.
   await browser.look({ width: 390, height: 844 });
   await browser.open("about:blank");
-  let asked = Infinity, loaded = 0;
+  let asked = Infinity, came = 0;
   browser.listeners.push((method, { request, timestamp } = {}) => method === "Network.requestWillBeSent" && request.url.endsWith("isect.js") && Boolean(asked = timestamp));
-  browser.listeners.push((method, { timestamp } = {}) => method === "Page.loadEventFired" && Boolean(loaded = timestamp));
+  browser.listeners.push((method, { timestamp } = {}) => method === "Page.loadEventFired" && Boolean(came = timestamp));
   await browser.open(pathToFileURL(join(folder, "index.html")).href);
   const place = `JSON.stringify([".begin", ".hero figure", "ol.lessons li"].map(one => Math.round(document.querySelector(one).getBoundingClientRect().top)))`;
   const places = await ask(place), verdict = `document.querySelector(".hero .outcome").textContent.trim()`, static_verdict = await ask(verdict);
@@ -222,7 +220,7 @@ try {
   if (is_live) {
     const state = await ask(`new Promise(done => { const look = () => document.querySelector(".hero").dataset.state ? done(document.querySelector(".hero").dataset.state) : setTimeout(look, 20); look(); })`);
     check(state === "ready", `the picture is ${state}`);
-    check(loaded > 0 && asked > loaded && asked < Infinity, "the lessons are asked for before the page has come");
+    check(came > 0 && asked > came && asked < Infinity, "the lessons are asked for before the page has come");
     check(await ask(verdict) === static_verdict, `its verdict becomes “${await ask(verdict)}”, and was “${static_verdict}”`);
     check(await ask(place) === places, `the page jumps from ${places} to ${await ask(place)}`);
     const grips = await ask(`[...document.querySelectorAll(".hero .ring")].map(ring => { const box = ring.getBoundingClientRect();

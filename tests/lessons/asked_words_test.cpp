@@ -12,6 +12,7 @@
 #include <isect/convex_hull.h>
 #include <isect/fit.h>
 #include <isect/many/bvh.h>
+#include <isect/many/bvh_pairs.h>
 #include <isect/sphere_aabb.h>
 #include <isect/triangle_aabb.h>
 #include "bench/orient2d/oracle.h"
@@ -263,8 +264,12 @@ TEST_CASE("a tree has one inner node less than leaves, and loses what moved if i
     for (const auto& node : tree.nodes)
       if (!node.leaf()) children.insert({node.first, node.first + 1});
     CHECK(children.size() + 1 == tree.nodes.size());
-    const Aabb<double, 2> moved = {{9, 9}, {10, 10}};  // what a query there should find
-    CHECK_FALSE(intersects(tree.nodes.front().box, moved));
+    const Aabb<double, 2> there = {{9, 9}, {10, 10}};
+    boxes.front() = there;
+    const std::vector<Aabb<double, 2>> query = {there};
+    const Bvh<double, 2> of_query = build_bvh(query);
+    CHECK(overlapping_pairs(tree, boxes, of_query, query).empty());
+    CHECK(overlapping_pairs(build_bvh(boxes), boxes, of_query, query).size() == 1);
   }
 }
 

@@ -209,6 +209,26 @@ TEST_CASE("with a NaN no > holds, so the note's method takes boxes for ones that
   }
 }
 
+TEST_CASE("chained, a row of points merges into one, and by representatives it does not", "[words]") {
+  CHECK(solved_with("points", "chained, all vertices of a curve would merge"));
+  constexpr std::size_t many = 12;
+  const auto are_near = [](std::size_t i, std::size_t j) {  // the tolerance is the spacing of the row
+    const Point<double, 2> p(static_cast<double>(i), 0), q(static_cast<double>(j), 0);
+    return point_point::near_by_squares<double, 2>(p, q, 1);
+  };
+  std::array<std::size_t, many> chain = {};  // of each point, a point of its chain
+  std::iota(chain.begin(), chain.end(), std::size_t{0});
+  std::vector<std::size_t> representatives;
+  for (std::size_t i = 0; i < many; ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      if (are_near(i, j)) chain[i] = chain[j];
+    if (std::ranges::none_of(representatives, [&](std::size_t r) { return are_near(i, r); }))
+      representatives.push_back(i);
+  }
+  CHECK(std::ranges::all_of(chain, [](std::size_t of) { return of == 0; }));
+  CHECK(representatives.size() == many / 2);
+}
+
 TEST_CASE("single quotients order two tests that depend on each other, and may mislead of three", "[words]") {
   CHECK(solved_with("rules-of-thumb", "So it holds for two tests that depend on each other, too."));
   CHECK(solved_with("rules-of-thumb", "single quotients may then mislead: measure whole orders"));
@@ -241,6 +261,18 @@ TEST_CASE("single quotients order two tests that depend on each other, and may m
         misled += expected(order) > 1.001 * least;
     }
   CHECK(misled > 0);
+}
+
+TEST_CASE("where a direction is not of length 1, a t is no length", "[words]") {
+  CHECK(solved_with("ray-sphere", "ranges and offsets in t are no lengths"));
+  const Sphere<double, 3> ball = {{0, 0, 0}, 1};
+  const double distance = 5 - std::sqrt(0.75);
+  for (const double length : {0.5, 1.0, 2.0, 3.0}) {
+    const auto t = intersect(Ray<double, 3>{{-5, 0.5, 0}, {length, 0, 0}}, ball).surface;
+    REQUIRE(t);
+    CHECK(*t * length == Approx(distance));
+    CHECK((*t == Approx(distance)) == (length == 1));
+  }
 }
 
 TEST_CASE("a ray without direction is a point", "[words]") {

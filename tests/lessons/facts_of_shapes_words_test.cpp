@@ -16,6 +16,7 @@
 #include <isect/methods/nearest_features.h>
 #include <isect/orient.h>
 #include <isect/point_mesh.h>
+#include <isect/ray_plane.h>
 #include <isect/sphere_sphere.h>
 #include <isect/triangle_aabb.h>
 #include <Eigen/Geometry>
@@ -168,6 +169,17 @@ TEST_CASE("bridges of a clipped polygon have no area", "[words]") {
     twice += p.x() * q.y() - p.y() * q.x();
   }
   CHECK(twice / 2 == Approx(4));  // two pieces, 2 by 1 each
+}
+
+TEST_CASE("points behind the eye come out mirrored", "[words]") {
+  CHECK(solved_with("clipping", "would come out mirrored"));
+  const Plane<double, 3> image = {{0, 0, 1}, -1};  // the eye is the origin, so w is z
+  for (const Vec3& p : {Vec3(3, 1, 2), Vec3(3, 1, -2), Vec3(-1, 5, -4)}) {
+    const auto t = intersect(Ray<double, 3>{{0, 0, 0}, p}, image).line;
+    REQUIRE(t);
+    CHECK((*t * p - p / p.z()).norm() < 1e-15);  // what the division shows lies on the line through eye and p
+    CHECK((*t < 0) == (p.z() < 0));              // on the other side of the eye
+  }
 }
 
 TEST_CASE("a point clamped in an oriented box's own frame is the one that no corner lies before", "[words]") {

@@ -27,6 +27,7 @@
 namespace pairs_words_test {
 using namespace isect;
 using namespace isect::viz;
+using tests::says;
 
 namespace {
 
@@ -65,8 +66,6 @@ std::string in_choices(Relation r) {
       return lessons::relation_name(r);
   }
 }
-
-bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
 
 /// Checks the number that is typed as the answer to a question; where none can be typed, the right choice.
 void asks_for(const Question& question, const oracle::Rational& truth) {

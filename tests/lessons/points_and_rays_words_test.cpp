@@ -8,6 +8,7 @@
 #include "lessons/rays/picture.h"
 #include "tests/catch.h"
 #include "tests/lessons/random_settings.h"
+#include "tests/lessons/words.h"
 #include "tests/settings.h"
 #include "viz/player/reader_state.h"
 #include "viz/walk/closing.h"
@@ -15,13 +16,9 @@
 namespace points_and_rays_words_test {
 using namespace isect;
 using namespace isect::viz;
+using tests::answer, tests::says;
 
 namespace {
-
-std::string answer(const Step& step) {
-  return step.question->choices.at(static_cast<std::size_t>(step.question->answer));
-}
-bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
 
 const Step& step_of(const Walk& walk, const std::string& slug) {
   for (const Step& s : walk.steps)

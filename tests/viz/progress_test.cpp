@@ -143,7 +143,6 @@ TEST_CASE("progress is saved as JSON, the same once, another under another name"
   window.click("save");
   window.frames(2);
   CHECK(window.ui.message() == "Saved " + folder + "-other/progress.json");
-  std::filesystem::remove_all(folder + "-other");
   std::filesystem::remove_all(folder);
   std::filesystem::remove_all(folder + "-other");
 }

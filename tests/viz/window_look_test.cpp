@@ -327,8 +327,6 @@ TEST_CASE("a long line of pseudocode ends its rows where a reader minds it least
         Rows{"  if n · d = 0: go on, as p and q", "      are not beyond it"});
   CHECK(code_rows("    if |n · l| > r_a + r_b: return DISJOINT", 24) ==
         Rows{"    if |n · l|", "        > r_a + r_b:", "        return DISJOINT"});
-  CHECK(harm_of({"    if |n · l|", "        > r_a + r_b:", "        return DISJOINT"}) <
-        harm_of({"    if |n · l| > r_a +", "        r_b: return", "        DISJOINT"}));
   CHECK(code_rows("judge each answer by the exact oracle", 31) == Rows{"judge each answer by", "    the exact oracle"});
   CHECK(code_rows("a_very_long_word another", 10) == Rows{"a_very_long_word another"});
   for (const Lesson* lesson : isect::lessons::all_lessons())

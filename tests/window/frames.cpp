@@ -22,6 +22,7 @@
 
 #include "app/scene/lesson.h"
 #include "lessons/lessons.h"
+#include "tests/app/many_balls.h"
 #include "tests/viz/window_driver.h"
 
 using namespace isect::viz;
@@ -79,15 +80,6 @@ Lesson lesson_of(const std::string& id, const std::vector<Item>& items, bool fla
     return walk;
   };
   return lesson;
-}
-
-/// Balls in rows, two of which are asked about.
-std::string many_balls() {
-  std::string objects;
-  for (int i = 0; i < 1000; ++i)
-    objects += fmt::format(R"({}{{"sphere": "b{}", "center": [{}, {}, {}], "radius": 0.4}})", i == 0 ? "" : ",", i,
-                           i % 10, i / 10 % 10, i / 100);
-  return R"({"objects": [)" + objects + R"(], "ask": [["b555", "b556"]]})";
 }
 
 class Measurement {
@@ -255,7 +247,7 @@ int main(int argc, char** argv) try {
       by_processor = true;
     else
       names.emplace_back(argv[i]);
-  Lesson balls = isect::program::scene::lesson_of(many_balls(), "");
+  Lesson balls = isect::program::scene::lesson_of(isect::test::many_balls(1000, R"([["b555", "b556"]])"), "");
   balls.id = "1,000 balls";
   all.push_back(&mesh), all.push_back(&hiding), all.push_back(&outline), all.push_back(&balls);
   std::deque<Lesson> scenes;

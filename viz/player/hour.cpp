@@ -75,19 +75,19 @@ std::optional<int> Hour::step_before(const Player& player) const {
   return before;
 }
 
-void Hour::enter(Player& player, int stop, int step, bool ask) {
-  const Stop& to = list_.stops[static_cast<std::size_t>(stop)];
+void Hour::enter(Player& player, int number, int step, bool ask) {
+  const Stop& to = stop(number);
   ReaderState state = to.state;
   const bool asks = ask && to.asks;
   state.step = asks ? step - 1 : step;
   player.go(state);
   if (asks) player.next();
-  at_ = stop;
+  at_ = number;
   follow(player);
 }
 
 void Hour::open(Player& player, int to) {
-  const Stop& next = list_.stops[static_cast<std::size_t>(to)];
+  const Stop& next = stop(to);
   if (next.fault.empty()) return enter(player, to, next.steps.front(), true);
   player.clock().play(false);
   at_ = to, step_ = -1;
@@ -129,7 +129,7 @@ bool Hour::back(Player& player) {
       return true;
     }
   if (at_ == 0) return false;
-  const Stop& before = list_.stops[static_cast<std::size_t>(at_ - 1)];
+  const Stop& before = stop(at_ - 1);
   if (before.fault.empty())
     enter(player, at_ - 1, before.steps.back(), false);
   else

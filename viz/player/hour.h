@@ -26,7 +26,8 @@ class Hour {
   int count() const { return static_cast<int>(list_.stops.size()); }
   /// Returns the stop whose turn it is, from 0.
   int at() const { return at_; }
-  const Stop& stop() const { return list_.stops[static_cast<std::size_t>(at_)]; }
+  const Stop& stop() const { return stop(at_); }
+  const Stop& stop(int number) const { return list_.stops[static_cast<std::size_t>(number)]; }
   /// Returns "3 of 14".
   std::string told() const;
   HourPlace place() const { return {list_.file, at_, step_}; }
@@ -60,7 +61,7 @@ class Hour {
   bool at_first_step(const Player&) const;
 
  private:
-  void enter(Player&, int stop, int step, bool ask);
+  void enter(Player&, int number, int step, bool ask);
   std::optional<int> step_after(const Player&) const;
   std::optional<int> step_before(const Player&) const;
 

@@ -16,7 +16,7 @@ struct Stop {
   std::vector<int> steps = {};     ///< from 0, in order
   bool whole = false;              ///< these are all steps of its walk
   bool asks = false;               ///< the first of them has a question, with which the stop begins
-  std::string name = {};           ///< of the preset or of the file, without ending: "tangent"
+  std::string name = {};           ///< of the preset or of the file, without ending: "tangent"; empty: it has none
   std::string note = {};           ///< markup, for those who watch; may be empty
   std::string path = {};           ///< of the file that it names; empty: it names none
   std::string fault = {};          ///< why it can't be opened, naming line and field; empty: it can

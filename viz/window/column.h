@@ -9,7 +9,7 @@ namespace isect::viz {
 struct Column {
   Ui& ui;
   float x, y, width;
-  double size = 15, pitch = 23;  ///< of its words
+  double size = body_size, pitch = 23;  ///< of its words
   static constexpr float button_height = 34;
 
   void paragraph(const std::string& markup, const Colour& colour, bool bold = false) {

@@ -109,18 +109,26 @@ std::string EdgeArrow::words() const {
   return all;
 }
 
-std::vector<OutOfView> out_of_view(const Player& player, const Ui& ui, const View& view, const Rect& scene) {
+/// Returns the handles that are drawn, but out of view.
+static std::vector<OutOfView> handles_out_of_view(const Player& player, const Ui& ui, const View& view,
+                                                  const Rect& scene) {
   const TextBox box = box_of(scene);
   std::vector<OutOfView> all;
+  if (!draws_handles(player.scene())) return all;
   for (const Handle& h : player.scene().handles) {
-    if (!draws_handles(player.scene())) break;
     const Projected p = view.project(h.at);
     if (!p.at.allFinite() || (p.depth > 0 && is_within(p.at, box))) continue;
     // What lies behind the eye appears on the other side of the picture's middle.
     const Vec2 towards = p.depth > 0 ? p.at : Vec2(2 * middle_of(scene) - p.at);
     all.push_back({towards, name_of(player, h), ui.light.of(keys_of(h, player.lesson())) > 0});
   }
+  return all;
+}
+
+std::vector<OutOfView> out_of_view(const Player& player, const Ui& ui, const View& view, const Rect& scene) {
+  std::vector<OutOfView> all = handles_out_of_view(player, ui, view, scene);
   if (!ui.light.on()) return all;
+  const TextBox box = box_of(scene);
   each_named(player.scene(), ui.names, [&](const Item& item, const std::vector<std::string>& names) {
     if (!(ui.light.of(names) > 0)) return;
     const std::optional<LitStroke> stroke = lit_stroke(item, view);

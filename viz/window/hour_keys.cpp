@@ -1,7 +1,6 @@
 // On and back: through the stops of a playlist, or else through the steps of a lesson and to the next one.
 
 #include <algorithm>
-#include <utility>
 
 #include "viz/player/practice.h"
 #include "viz/window/panels.h"
@@ -60,7 +59,6 @@ void begin_hour(WindowSession& s) {
   s.hour->begin(s.player);
   const Stop& now = s.hour->stop();
   s.settings.beside = now.fault.empty() ? beside_of(now.state) : std::nullopt;
-  s.step_words.in_hour = true;
 }
 
 void follow_hour(WindowSession& s) {

@@ -20,14 +20,14 @@ std::string title_of(const Stop& stop, const Player& player) {
   if (!stop.lesson->made_from.empty() || (player.quiz().asked() && stop.lesson == &player.lesson())) return title;
   const auto named = std::ranges::find(stop.lesson->presets, stop.name, &Preset::id);
   if (named != stop.lesson->presets.end()) return title + ": " + plain(named->title);
-  return title + ": " + (stop.name.starts_with("stop-") ? "a setting of its own" : stop.name);
+  return title + ": " + (stop.name.empty() ? "a setting of its own" : stop.name);
 }
 
 /// Draws a stop's row; that of the stop whose turn it is looks chosen. Returns whether it was pressed.
 bool row_of_stop(WindowSession& s, int i, const Rect& r) {
   Ui& ui = s.ui;
   const Palette& c = ui.palette;
-  const Stop& stop = s.hour->list().stops[static_cast<std::size_t>(i)];
+  const Stop& stop = s.hour->stop(i);
   const std::string name = "stop " + std::to_string(i + 1);
   const bool now = i == s.hour->at();
   if (now) ui.focus.begin_at(name);

@@ -59,7 +59,7 @@ Halves halves(const Rect& r, float share) {
 
 PanesLayout panes_layout(const WindowLayout& whole, bool panels, bool asks) {
   constexpr float head = 40, least_pane = 400;
-  Rect all{whole.lesson.left, whole.scene.top, whole.top.right, whole.transport.top}, lesson = all;
+  Rect all = whole.between_bars(), lesson = all;
   const bool beside =
       panels && whole.lesson.top == whole.scene.top && all.width() - whole.lesson.width() >= 2 * least_pane;
   lesson.right = all.left = beside ? whole.lesson.right : all.left;
@@ -155,13 +155,6 @@ Broken least_harm(const std::string& row, const std::string& indent, int columns
 std::vector<std::string> code_rows(const std::string& line, int columns) {
   const std::string indent(std::min(line.find_first_not_of(' '), line.size()) + 4, ' ');
   return least_harm(line, indent, columns, least_rows(line, indent, columns)).rows;
-}
-
-int harm_of(const std::vector<std::string>& rows) {
-  int all = 0;
-  for (std::size_t i = 0; i + 1 < rows.size(); ++i)
-    all += harm(rows[i] + " " + rows[i + 1].substr(rows[i + 1].find_first_not_of(' ')), rows[i].size());
-  return rows.size() < 2 ? 0 : all + lone_word(rows.back(), rows.back().find_first_not_of(' '));
 }
 
 std::vector<float> chip_widths(const std::vector<float>& wide, float narrow, float gap, float width, int chosen) {

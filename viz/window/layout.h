@@ -20,6 +20,7 @@ struct Rect {
 
 struct WindowLayout {
   Rect top, lesson, scene, code, transport;
+  Rect between_bars() const { return {top.left, top.bottom, top.right, transport.top}; }
 };
 
 WindowLayout window_layout(float width, float height);
@@ -46,8 +47,6 @@ PanesLayout panes_layout(const WindowLayout& whole, bool panels, bool asks);
 /// Returns a line of pseudocode on as few rows as `columns` letters allow, the later ones indented further, each ending
 /// where it disturbs a reader least: after a colon or before "and", not in a formula.
 std::vector<std::string> code_rows(const std::string& line, int columns);
-/// Returns how much it disturbs a reader that such rows end where they do.
-int harm_of(const std::vector<std::string>& rows);
 
 /// Returns the width of each chip in a row of `width` px, `gap` apart: that of `wide` where they fit; otherwise the
 /// last ones shrink to `narrow`, except the chosen one.

@@ -65,7 +65,7 @@ void ending(Column& c, const LessonPanel& panel) {
   const auto on_show = [&, walk = player.walk_number(), step = player.index()] {
     return player.walk_number() == walk && player.index() == step;
   };
-  if (!panel.words.in_hour) next_lesson_button(c, player, panel.toast);
+  if (!panel.in_hour) next_lesson_button(c, player, panel.toast);
   if (on_show())
     exercises(c, player, panel.words.solutions, panel.settings.scores[player.lesson().id].solved, panel.toast);
   if (on_show()) missed(c, player, panel.settings);

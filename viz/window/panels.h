@@ -7,8 +7,8 @@
 
 namespace isect::viz {
 
-/// Draws lesson, method and presets. (top_bar.cpp) `lecture`: Page Up and Page Down load no presets.
-void top_bar(Player&, Ui&, Settings&, Requests&, Toast&, const Rect&, bool lecture);
+/// Draws lesson, method and presets. (top_bar.cpp) `paging`: Page Up and Page Down go on and back, and load none.
+void top_bar(Player&, Ui&, Settings&, Requests&, Toast&, const Rect&, bool paging);
 /// What the lesson's panel shows and changes.
 struct LessonPanel {
   Player& player;
@@ -18,6 +18,7 @@ struct LessonPanel {
   StepWords& words;
   Requests& requests;
   Toast& toast;
+  bool in_hour = false;  ///< a playlist says what comes after the last step
   bool answers = false;  ///< the list of objects has the place of the values: the panel shows them, and all answers
 };
 /// Draws what the lesson says here, its question, its parameters and what can be dragged. (lesson_panel.cpp)

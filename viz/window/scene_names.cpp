@@ -15,8 +15,6 @@ bool is_tip(const Scene& scene, const Vec3& at) {
 /// Above the second number of handles that have names of their own, none has its name beside it; above the first, parts
 /// of objects ("A.lo") have none. The name is shown for the handle under the pointer or with the keyboard's ring.
 constexpr std::size_t few_handles = 6, most_named_handles = 12;
-/// With more handles than this, those of faces included, none has its name.
-constexpr std::size_t most_handles_with_names = 400;
 /// A scene with more names than this shows only those of the objects it is about, or none if these are too many, too.
 constexpr std::size_t most_names = 24;
 
@@ -43,10 +41,9 @@ std::string name_of(const Player& player, const Handle& h) {
 }
 
 bool is_named(const Player& player, const Handle& h) {
-  const std::vector<Handle>& all = player.scene().handles;
   const auto could_be = [](const Handle& one) { return one.one_of.empty(); };  // those of faces and of wholes have none
-  if (!could_be(h) || all.size() > most_handles_with_names) return false;
-  const auto handles = static_cast<std::size_t>(std::ranges::count_if(all, could_be));
+  if (!could_be(h) || !draws_handles(player.scene())) return false;
+  const auto handles = static_cast<std::size_t>(std::ranges::count_if(player.scene().handles, could_be));
   const bool part = !player.lesson().made_from.empty() && name_of(player, h).find('.') != std::string::npos;
   return handles <= most_named_handles && (!part || handles <= few_handles);
 }

@@ -51,6 +51,9 @@ class SceneView {
  private:
   void draw(const ScenePane&, const Rect&, const View&);
   void pointer(const ScenePane&, const View&, bool hovered, bool active);
+  void chart_under_pointer(const ScenePane&, const Rect&, const View&, bool hovered);
+  void handles_and_names(const ScenePane&, const Rect&, const View&, bool hovered, bool active);
+  // scene_hand.cpp
   void take_or_release(const ScenePane&, const View&, bool hovered);
   void keyboard(const ScenePane&, const View&);
   void turn_by_keys(const ScenePane&, const View&, const Vec2& down, double held_for);
@@ -58,8 +61,6 @@ class SceneView {
   void begin_snap(const Player&, Snap);
   void go_on_snapping(Player&, Toast&);
   void end_search(Toast&);
-  void chart_under_pointer(const ScenePane&, const Rect&, const View&, bool hovered);
-  void handles_and_names(const ScenePane&, const Rect&, const View&, bool hovered, bool active);
 
   Renderer& renderer_;
   double scale_;

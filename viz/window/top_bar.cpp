@@ -132,8 +132,7 @@ void theme_button(Ui& ui, ThemeName& theme, const Rect& r) {
 
 }  // namespace
 
-void top_bar(Player& player, Ui& ui, Settings& settings, Requests& requests, Toast& toast, const Rect& r,
-             bool lecture) {
+void top_bar(Player& player, Ui& ui, Settings& settings, Requests& requests, Toast& toast, const Rect& r, bool paging) {
   begin_region(ui, "top bar", r);
   const float y = 24;
   logo(ui, 30, y);
@@ -164,7 +163,7 @@ void top_bar(Player& player, Ui& ui, Settings& settings, Requests& requests, Toa
   if (in_a_row) {
     draw_chips(player, ui, toast, group, chips, x1, y);
   } else {
-    const char* const help_words = lecture ? "Another preset" : "Another preset (Page Up, Page Down)";
+    const char* const help_words = paging ? "Another preset" : "Another preset (Page Up, Page Down)";
     opener(ui, {"presets", chosen_label(player, group), help_words, x1 - menu + 8, y, menu - 8}, false, pressed);
     if (pressed) ImGui::OpenPopup("preset menu");
     preset_menu(player, ui, toast, group, x1 + 12, y + 20);

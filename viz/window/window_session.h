@@ -123,7 +123,6 @@ struct ObjectsPanel {
   std::vector<std::string> asked_about = {};  ///< those that `questions` are about
   std::vector<SceneQuestion> questions = {};
   std::string to_see = {};  ///< the object whose row is to come into view
-  int drawn = 0;            ///< rows of the last frame
   /// A name that is being typed.
   struct Renaming {
     std::string object, text;
@@ -188,7 +187,6 @@ struct StepWords {
   unsigned seen = 0;                         ///< the revision whose words are shown
   std::set<const Exercise*> solutions = {};  ///< those that are shown
   bool reading = false;                      ///< the closing card's references are unfolded
-  bool in_hour = false;                      ///< a playlist says what comes after the last step
   std::string note = {};                     ///< the playlist's, told before them
   std::optional<Player> before_fault = {};   ///< as the reader was before a published line was shown to fail
   AnswerField answer = {};

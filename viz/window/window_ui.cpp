@@ -194,8 +194,7 @@ struct WindowUi::Impl {
   /// Shows a question of a review as its lesson does; at the end what came of all.
   void show_review(const WindowLayout& at, const ScenePane& pane, const LessonPanel& lesson) {
     panes.leave(player, settings);
-    if (session.review->over())
-      return review_score(session, {at.top.left, at.top.bottom, at.top.right, at.transport.top});
+    if (session.review->over()) return review_score(session, at.between_bars());
     scene.show(pane, at.scene);
     lesson_panel(lesson, at.lesson);
     code_panel(player, ui, at.code);
@@ -205,10 +204,11 @@ struct WindowUi::Impl {
   void show_step(const WindowLayout& at) {
     const ScenePane pane{player, ui, session.toast, session.requests.zoom};
     LessonPanel lesson{player, ui, settings, session.fields, session.step_words, session.requests, session.toast};
+    lesson.in_hour = session.hour.has_value();
     if (session.review) return show_review(at, pane, lesson);
     if (shows_fault(session)) {
       panes.leave(player, settings);
-      return stop_fault(session, {at.top.left, at.top.bottom, at.top.right, at.transport.top});
+      return stop_fault(session, at.between_bars());
     }
     if (two_panes(player, settings)) {
       const PanesLayout two = panes_layout(at, session.panels, player.quiz().asked() || player.quiz().answered());

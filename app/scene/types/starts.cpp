@@ -1,5 +1,6 @@
 // What a new object of each type looks like, before anybody has moved it.
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
