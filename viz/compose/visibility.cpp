@@ -15,6 +15,7 @@
 #include <isect/sphere_sphere.h>
 #include "viz/compose/screens_along.h"
 #include "viz/compose/viewing_ray.h"
+#include "viz/memo.h"
 
 namespace isect::viz {
 namespace {
@@ -188,6 +189,36 @@ bool hidden_among(const Vec3& p, const View& view, const auto& among, int own) {
   });
 }
 
+/// Adds what decides whether a point is hidden: where the eye is, and all that is near.
+void add_to_key(const View& view, const Near& near, MemoKey& key) {
+  const auto add = [&](const auto&... values) { (key.push_back(static_cast<double>(values)), ...); };
+  const auto add_point = [&](const Vec3& p) { add(p.x(), p.y(), p.z()); };
+  add(view.camera().perspective, view.camera().half_height);
+  add(near.balls.size(), near.capsules.size(), near.solids.size(), near.screens.size());
+  add_point(view.camera().perspective ? view.eye() : view.forward());
+  for (const Ball& ball : near.balls) add_point(ball.center), add(ball.radius);
+  for (const Capsule<double, 3>& c : near.capsules) add_point(c.p), add_point(c.q), add(c.radius);
+  for (const Shell* solid : near.solids) {
+    add(solid->inside.size(), solid->edges.size(), solid->size);
+    for (const Plane<double, 3>& p : solid->inside) add_point(p.normal), add(p.d);
+    for (const Shell::Edge& e : solid->edges) add_point(e.from), add_point(e.to);
+    add_point(solid->middle);
+  }
+  for (const Polygon<double, 3>& screen : near.screens) {
+    add(screen.rings.size());
+    for (const Ring<double, 3>& ring : screen.rings) {
+      add(ring.size());
+      for (const Vec3& p : ring) add_point(p);
+    }
+  }
+}
+
+/// Keeps the stretches of the last curves: from one picture to the next, few are hidden by something else.
+Memo<std::vector<Stretch>>& lately() {
+  static thread_local Memo<std::vector<Stretch>> memo(1 << 20);
+  return memo;
+}
+
 /// Returns the places to test on a segment.
 std::vector<double> places(const Vec3& from, const Vec3& to, const View& view, const Near& near) {
   if (near.solids.empty() && near.screens.empty()) return even(near.round() ? 64 : 1);
@@ -315,11 +346,15 @@ std::vector<Stretch> stretches(const Vec3& center, const Vec3& u, const Vec3& v,
     return center + std::cos(angle) * u + std::sin(angle) * v;
   };
   const Near near(center, center, view, occluders, std::max(u.norm(), v.norm()), own);
+  const Vec3 ball = own >= 0 ? occluders.balls[own].center : Vec3::Zero();
+  MemoKey key = {own >= 0 ? 1.0 : 0.0};
+  for (const Vec3& p : {center, u, v, ball}) key.insert(key.end(), p.begin(), p.end());
+  add_to_key(view, near, key);
   const auto is_hidden = [&](const Vec3& p) {
-    if (own >= 0 && (p - occluders.balls[own].center).dot(view.towards_eye(p)) < 0) return true;
+    if (own >= 0 && (p - ball).dot(view.towards_eye(p)) < 0) return true;
     return hidden_among(p, view, near, -1);
   };
-  return split(at, is_hidden, even(96));
+  return lately()(std::move(key), [&] { return split(at, is_hidden, even(96)); });
 }
 
 }  // namespace isect::viz

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "viz/gl/gl.h"
+#include "viz/gl/picture_changes.h"
 #include "viz/gl/triangle_batch.h"
 
 namespace isect::viz {
@@ -212,6 +213,28 @@ void set_uniform(int at, const Colour& c) {
 }  // namespace
 
 struct Renderer::Impl {
+  /// What a target shows.
+  struct LastPicture {
+    PixelBox part = {};
+    double scale = 0;
+    Colour background = {};
+    std::vector<DrawnShape> shapes = {};
+  };
+
+  /// Returns the pixels of the part in which the picture differs from the last one: all if that is not known.
+  static PixelBox to_draw(const LastPicture& last, const LastPicture& now) {
+    if (last.scale != now.scale || last.part != now.part || last.background != now.background) return now.part;
+    const std::optional<Box> box = changed(last.shapes, now.shapes);
+    if (!box) return now.part;
+    if (box->low == box->high) return {};
+    constexpr double more = 2;  // smooth edges, and lines thinner than a pixel
+    const Vec2 first(now.part.left, now.part.top), end = first + Vec2(now.part.width, now.part.height);
+    const Vec2 low = (box->low * now.scale - Vec2::Constant(more)).cwiseMax(first).cwiseMin(end).array().floor();
+    const Vec2 high = (box->high * now.scale + Vec2::Constant(more)).cwiseMin(end).cwiseMax(low).array().ceil();
+    return {static_cast<int>(low.x()), static_cast<int>(low.y()), static_cast<int>(high.x() - low.x()),
+            static_cast<int>(high.y() - low.y())};
+  }
+
   explicit Impl(GetProc proc) : get_proc((gl::load(proc), proc)) {
     glGenVertexArrays(1, &layout);
     glGenBuffers(1, &buffer);
@@ -231,15 +254,29 @@ struct Renderer::Impl {
     glDeleteBuffers(1, &buffer);
   }
 
-  TriangleBatch batch(const Drawing& drawing, double scale, const PixelBox& part) {
+  /// Returns the triangles of the shapes that may be seen in the box.
+  TriangleBatch batch(const Drawing& drawing, double scale, const PixelBox& part, const std::vector<DrawnShape>& shapes,
+                      const Box& box) {
     TriangleBatch out(scale);
-    for (const Shape& shape : drawing.shapes)
+    for (std::size_t i = 0; i < drawing.shapes.size(); ++i) {
+      const Shape& shape = drawing.shapes[i];
+      if (!meet(shapes[i].box, box)) continue;
       if (const Facets* facets = std::get_if<Facets>(&shape); facets && sketched)
         add_pixels(out, *facets, scale, part);
       else
         std::visit([&](const auto& s) { add(out, s, scale); }, shape);
+    }
     return out;
   }
+
+  Box box_of(const Text& text, double scale) {
+    if (!(text.size > 0) || !text.at.allFinite()) return {Vec2::Zero(), Vec2::Zero()};
+    const TextCache::Entry& entry = texts.find(text, scale);
+    const Vec2 corner = whole(text.at, scale) + entry.corner;
+    return {corner, corner + Vec2(entry.width, entry.height) / scale};
+  }
+  /// On whole pixels, texel over pixel, glyphs stay as sharp as they were drawn.
+  static Vec2 whole(const Vec2& at, double scale) { return (at * scale).array().round() / scale; }
 
   void add_pixels(TriangleBatch& out, const Facets& facets, double scale, const PixelBox& part) {
     const auto [picture, corner] = raster(facets, scale, part);
@@ -252,11 +289,7 @@ struct Renderer::Impl {
   void add(TriangleBatch& out, const Text& text, double scale) {
     if (!(text.size > 0) || !text.at.allFinite()) return;
     const TextCache::Entry& entry = texts.find(text, scale);
-    if (entry.width == 0) return;
-    // On whole pixels, texel over pixel, the glyphs stay as sharp as they were drawn.
-    const Vec2 at = (text.at * scale).array().round() / scale;
-    const Vec2 corner = at + entry.corner;
-    out.add_image(entry.texture, {corner, corner + Vec2(entry.width, entry.height) / scale});
+    if (entry.width > 0) out.add_image(entry.texture, box_of(text, scale));
   }
 
   void play(const TriangleBatch& batch, const Vec2& units, const Vec2& origin) {
@@ -307,8 +340,10 @@ struct Renderer::Impl {
   gl::Program image{vertex_shader, image_shader};
   gl::Program gradient{vertex_shader, gradient_shader};
   gl::Target& target() { return sketched ? coarse : fine; }
+  LastPicture& last() { return sketched ? last_coarse : last_fine; }
 
   gl::Target fine{4}, coarse{0};
+  LastPicture last_fine, last_coarse;  ///< what they show
   TextCache texts;
   bool sketched = false;  ///< whether the last drawing was drawn by the pixel, without four samples
   std::vector<unsigned> facet_textures;
@@ -340,11 +375,16 @@ void Renderer::sketch(const Drawing& drawing, double scale) {
 }
 
 void Renderer::make(const Drawing& drawing, double scale, const PixelBox& part) {
+  Impl::LastPicture now = {part, scale, drawing.background,
+                           drawn_shapes(drawing, [&](const Text& text) { return impl_->box_of(text, scale); })};
+  const PixelBox wanted = Impl::to_draw(impl_->last(), now);
+  impl_->last() = {};  // unknown, until all is drawn
   impl_->target().bind(part.width, part.height);
   const Colour& ground = drawing.background;
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glStencilMask(0xff);
-  glDisable(GL_SCISSOR_TEST);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(wanted.left - part.left, part.top + part.height - wanted.top - wanted.height, wanted.width, wanted.height);
   glClearColor(static_cast<float>(ground.r), static_cast<float>(ground.g), static_cast<float>(ground.b), 1);
   glClearStencil(0);
   glDepthMask(GL_TRUE);
@@ -361,12 +401,16 @@ void Renderer::make(const Drawing& drawing, double scale, const PixelBox& part) 
   const Vec2 up(1, -1);
   const Vec2 units = 2 * scale * up.cwiseQuotient(size);
   const Vec2 origin = -up - 2 * up.cwiseProduct(Vec2(part.left, part.top)).cwiseQuotient(size);
-  impl_->play(impl_->batch(drawing, scale, part), units, origin);
+  const Vec2 corner(wanted.left, wanted.top), beyond = Vec2::Constant(2);
+  const Box box = {(corner - beyond) / scale, (corner + Vec2(wanted.width, wanted.height) + beyond) / scale};
+  impl_->play(impl_->batch(drawing, scale, part, now.shapes, box), units, origin);
   impl_->texts.trim();
 
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDisable(GL_STENCIL_TEST);
   impl_->target().resolve();
+  glDisable(GL_SCISSOR_TEST);
+  impl_->last() = std::move(now);
   assert(glGetError() == GL_NO_ERROR);
 }
 

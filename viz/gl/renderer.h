@@ -15,6 +15,7 @@ using GetProc = void* (*)(const char*);
 /// A rectangle of a picture, in pixels from its top left corner.
 struct PixelBox {
   int left = 0, top = 0, width = 0, height = 0;
+  bool operator==(const PixelBox&) const = default;
 };
 
 /// Returns the pixels that a drawing covers at this scale. Throws std::runtime_error unless both sides are positive.
@@ -31,8 +32,9 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Draws into an own multisampled framebuffer, `scale` pixels per unit of the drawing. The result stays in
-  /// texture() until the next call; nothing else of the context's state is promised.
+  /// Draws into an own multisampled framebuffer, `scale` pixels per unit of the drawing. Where the picture
+  /// is the same as the last one, it is not drawn again. The result stays in texture() until the next call; nothing
+  /// else of the context's state is promised.
   void draw(const Drawing&, double scale = 1);
   /// Draws the picture in less time: by the pixel, so that slanted edges are jagged.
   void sketch(const Drawing&, double scale = 1);
