@@ -61,7 +61,10 @@ class FigureMakers {
       if (made_.contains(e.style)) continue;
       StyleOptions own = options.style;
       if (!e.style.empty()) fill_in(own, e.style);
-      if (!own.columns.empty()) own.width = options.style.width, own.columns.clear();  // it was a strip of several
+      if (!own.columns.empty()) {  // it was a strip of several
+        own.width = options.style.width, own.columns.clear();
+        if (own.width.empty()) own.text_size = options.style.text_size;
+      }
       if (!made_.empty() && own.font != font_)
         throw viz::BadInput("font: these figures are set in several, and a run sets all in one; give --font");
       font_ = own.font;

@@ -9,6 +9,7 @@
 
 #include "app/figures/ownership.h"
 #include "app/figures/setting_name.h"
+#include "app/scene/file.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
 #include "viz/walk/step_text.h"
@@ -44,7 +45,8 @@ std::string changed_title(const Excerpt& e) {
 std::string title_of(const Excerpt& e) {
   if (const viz::Preset* preset = preset_of(e)) return preset->title;
   if (!is_scene(e)) return changed_title(e);
-  return e.parameters == e.lesson->presets.front().parameters ? e.lesson->title : viz::as_markup(e.folder);
+  const bool as_in_file = e.parameters == e.lesson->presets.front().parameters;
+  return as_in_file && e.lesson->title != scene::untitled ? e.lesson->title : viz::as_markup(e.folder);
 }
 
 /// Returns how many characters all titles begin with, up to the end of a ": ".
