@@ -210,9 +210,9 @@ std::vector<std::string> each_of(const std::vector<std::string>& words) {
 }
 
 /// The settings that words name, in the order of these words.
-class Named {
+class NamedSettings {
  public:
-  Named(const Program& program, Selection asked)
+  NamedSettings(const Program& program, Selection asked)
       : words_(asked.lessons), presets_(each_of(asked.presets)), presets_first_(asked.presets_first), all_(asked.all) {
     if (!asked.preset.empty()) presets_.push_back(asked.preset);
     names_ = presets_;
@@ -332,7 +332,8 @@ std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
   for (const std::string& text : asked.changes)  // checked before a word after it is taken for a lesson
     if (text.find('=') == text.npos)
       throw viz::BadInput(fmt::format("set: \"{}\" has no '='; write name=value, such as {}=2", text, text));
-  std::vector<Excerpt> found = asked.files.empty() ? Named(program, asked).settings() : from_folder(program, asked);
+  std::vector<Excerpt> found =
+      asked.files.empty() ? NamedSettings(program, asked).settings() : from_folder(program, asked);
   for (Excerpt& e : found) {
     change(e, asked.changes);
     walk(e, asked, found.size() > 1);

@@ -69,7 +69,7 @@ void require_few_parts(Excerpts cases) {
                     "--step 3-6, or several presets, such as --preset a,b",
                     most_parts, here));
   throw viz::BadInput(
-      fmt::format("preset: a strip has 2 to {} parts, and {} of {} presets; name fewer with --preset, "
+      fmt::format("preset: a strip has 2 to {} parts, and {}, of {} cases; name fewer with --preset, "
                   "or fewer steps with --step",
                   most_parts, here, cases.size()));
 }

@@ -404,8 +404,8 @@ TEST_CASE("a strip of cases refuses what can't be, and names what is allowed", "
   CHECK_THAT(refused("ray-sphere sphere-sphere --preset tangent"),
              Contains("preset: sphere-sphere has none called tangent; allowed: overlapping, disjoint"));
   CHECK_THAT(refused("ray-sphere --preset all"),
-             Contains("preset: a strip has 2 to 26 parts, and here are 33 of 33 presets"));
-  CHECK_THAT(refused("ray-sphere --preset two-roots,tangent,miss --step 1-9"), Contains("here are 27 of 3 presets"));
+             Contains("preset: a strip has 2 to 26 parts, and here are 33, of 33 cases"));
+  CHECK_THAT(refused("ray-sphere --preset two-roots,tangent,miss --step 1-9"), Contains("here are 27, of 3 cases"));
   CHECK_THAT(refused("ray-sphere --preset tangent --step verdict"),
              Contains("step: a strip has 2 to 26 parts, and here is 1; ") && Contains("--preset a,b"));
   CHECK_THAT(refused("ray-sphere --preset two-roots,miss --step 11"),
