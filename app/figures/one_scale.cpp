@@ -13,7 +13,7 @@ namespace isect::program {
 
 namespace {
 
-constexpr double label_room = 0.1;       ///< free on all sides, for labels; a share of the height
+constexpr double label_room = 0.1;    ///< free on all sides, for labels; a share of the height
 constexpr double least_share = 0.02;  ///< of the common height that one setting takes, at least
 constexpr double no_extent = 2.0e-6;  ///< half the height that a single point is framed with, or somewhat more
 
