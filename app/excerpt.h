@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,8 +25,16 @@ struct Excerpt {
   std::string style = {};                  ///< for a figure, how it was asked for (see app/figures/style.h); else empty
   std::string path = {};                   ///< of the preset's or the scene's file; empty where there is none
   std::string place = {};  ///< of a playlist's stop, the folder of its files: "hour/03-ray-sphere"; else empty
+  /// All settings that are drawn at one scale, this one among them at place `scaled_as`, and none with such a list of
+  /// its own. Null: it has its own scale.
+  std::shared_ptr<const std::vector<Excerpt>> scaled_with = {};
+  std::size_t scaled_as = 0;
 };
+using Excerpts = std::span<const Excerpt>;
 
+/// Walks the setting, and chooses the steps that `text` names, as --step does. Throws viz::BadInput if the walk lacks
+/// one of them; not with `some`, and then none may be left.
+void take_steps(Excerpt&, const std::string& text, bool some = false);
 /// Sweeps the map of cases if one of the chosen steps shows it.
 void sweep_shown_map(Excerpt&);
 

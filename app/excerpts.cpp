@@ -3,22 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iterator>
 #include <set>
 #include <sstream>
 
-#include "app/figures/figure_place.h"
 #include "app/figures/setting_name.h"
-#include "app/playlist_file.h"
-#include "app/preset_folder.h"
-#include "app/scene/lesson.h"
-#include "app/scene/walks.h"
-#include "app/shell/named_file.h"
+#include "app/setting_files.h"
 #include "app/shell/options.h"
 #include "app/shell/terminal.h"
 #include "viz/chart/case_map.h"
-#include "viz/formats/files.h"
+#include "viz/formats/formats.h"
 #include "viz/player/reader_state.h"
 #include "viz/text/spelling.h"
 
@@ -40,94 +36,6 @@ void change(Excerpt& to, const std::vector<std::string>& changes) {
   to.parameters = changed(*to.lesson, before, changes);
   to.folder += name_of_change(before, to.parameters);
   if (!to.preset.empty() && to.parameters != viz::preset(*to.lesson, to.preset).parameters) to.preset.clear();
-}
-
-/// Returns the objects of a file and the questions in it.
-Excerpt from_scene(const std::string& text, const PresetFile& file) {
-  const SaidLater busy = deciding(file.path);
-  Excerpt e;
-  e.lesson = scene::naming_scene(
-      file.path, [&] { return &scene::kept_lesson_of(text, fs::path(file.path).parent_path().string()); });
-  e.folder = file.name;
-  e.path = file.path;
-  e.parameters = e.lesson->presets.front().parameters;
-  return e;
-}
-
-/// Returns the method for many objects that a preset beside a scene names, if the lesson has several.
-std::string method_for(const viz::Lesson& lesson, const std::vector<std::string>& presets) {
-  if (presets.empty()) return {};
-  const viz::Preset& preset = viz::preset(lesson, presets.front());
-  const std::vector<std::string> known = scene::methods_for_many(lesson.id);
-  if (const auto at = preset.parameters.find(lesson.group_by); at != preset.parameters.end() && presets.size() == 1)
-    if (const auto* name = std::get_if<std::string>(&at->second);
-        name && std::ranges::find(known, *name) != known.end())
-      return *name;
-  throw viz::BadInput(fmt::format("preset: beside --scene, whose objects are taken, {}",
-                                  known.empty()
-                                      ? lesson.id + " takes none"
-                                      : fmt::format("it is for the method, one of {}", fmt::join(known, ", "))));
-}
-
-/// Returns the lesson's walks through a scene's objects.
-Excerpt from_scene_for(const viz::Lesson& lesson, const std::string& method, const PresetFile& file) {
-  require_utf8(file);
-  try {
-    Excerpt e;
-    const std::string text = read_named_file(file.path);
-    const SaidLater busy = deciding(file.path);
-    e.lesson = scene::naming_scene(file.path, [&] {
-      return &scene::kept_walks_of(lesson, method, text, fs::path(file.path).parent_path().string());
-    });
-    e.folder = lesson.id + "-" + file.name;
-    e.path = file.path;
-    e.parameters = e.lesson->presets.front().parameters;
-    return e;
-  } catch (const viz::BadInput& e) {
-    throw viz::BadInput(fmt::format("{}: {}", file.path, e.what()));
-  }
-}
-
-Excerpt at(const std::vector<const viz::Lesson*>& lessons, const viz::ReaderState& state, const PresetFile& file) {
-  Excerpt e;
-  e.lesson = &viz::lesson_named(lessons, state.lesson);
-  e.folder = file.name;
-  e.preset = state.preset;
-  e.parameters = *state.parameters;
-  e.camera = state.camera;
-  e.step = state.step;
-  return e;
-}
-
-/// Returns the preset of a file, whose name becomes the folder; or the place where a figure was made, and its folder.
-Excerpt from_file(const Program& program, const PresetFile& file) {
-  if (std::error_code absent; fs::is_directory(file.path, absent))
-    throw viz::FileError(
-        fmt::format("preset: \"{0}\" is a folder; render --dir {0} draws all presets and scenes in it", file.path));
-  if (const viz::Format* format = viz::format_of(file.path)) {
-    std::vector<const viz::Lesson*> lessons = program.lessons;
-    const FigurePlace found = place_in_figure(program, file.path, *format, lessons);
-    Excerpt e = at(lessons, found.state, file);
-    e.several = found.steps;
-    e.style = found.style;
-    if (!found.folder.empty()) e.folder = found.folder;
-    return e;
-  }
-  viz::ReaderState state;
-  try {
-    require_utf8(file);
-    const std::string text = read_named_file(file.path);
-    if (scene::is_scene(text)) return from_scene(text, file);
-    if (is_playlist(text))
-      throw viz::BadInput(
-          "this is a playlist, which show, handout, deck and quiz take; a preset's file has \"lesson\"");
-    state = viz::reader_state_from_json(text, program.lessons);
-  } catch (const viz::BadInput& e) {
-    throw viz::BadInput(fmt::format("{}: {}", file.path, e.what()));
-  }
-  Excerpt e = at(program.lessons, state, file);
-  e.path = file.path;
-  return e;
 }
 
 std::vector<std::string> ids_of(const Program& program) {
@@ -160,42 +68,33 @@ std::vector<const viz::Lesson*> lessons_of(const Program& program, const Selecti
   return lessons;
 }
 
-/// Returns where a file lies, links followed; the name of a pipe, such as <(command), which lies nowhere.
-fs::path place_of(const std::string& path) {
-  std::error_code nowhere;
-  const fs::path place = fs::weakly_canonical(path, nowhere);
-  return nowhere ? fs::absolute(path).lexically_normal() : place;
+/// Returns the steps that are asked for, else those that a file names, else all.
+std::string steps_for(const Excerpt& e, const std::string& asked) {
+  return !asked.empty() ? asked : !e.several.empty() ? e.several : e.step ? std::to_string(*e.step + 1) : "all";
 }
 
-/// Returns the files in order, each once, by their own names; if two have the same name, by where they lie.
-std::vector<PresetFile> named_files(const std::vector<std::string>& paths) {
-  std::vector<PresetFile> files;
-  std::set<fs::path> known;
-  std::set<std::string> names;
-  for (const std::string& path : paths)
-    if (known.insert(place_of(path)).second) {
-      files.push_back({path, fs::path(path).stem().string()});
-      names.insert(files.back().name);
-    }
-  if (names.size() == files.size()) return files;
-  const fs::path first = *known.begin(), last = *known.rbegin();  // sorted: all lie where these two do
-  fs::path above = first.parent_path();
-  while (last.lexically_relative(above).string().starts_with("..")) above = above.parent_path();
-  for (PresetFile& file : files) file.name = place_of(file.path).lexically_relative(above).replace_extension().string();
-  return files;
-}
-
-void walk(Excerpt& e, const std::string& asked, bool one_of_many) {
-  e.walk = e.lesson->walk(e.parameters);
-  const std::string text = !asked.empty()       ? asked
-                           : !e.several.empty() ? e.several
-                           : e.step             ? std::to_string(*e.step + 1)
-                                                : "all";
-  one_of_many = one_of_many && !asked.empty();  // the step that a file names must exist
-  const std::optional<Steps> wanted = Steps::read(text);
-  if (!wanted || (!one_of_many && !wanted->all_in(e.walk))) throw unknown_steps("step", text, e.walk, e.folder);
-  e.steps = wanted->of(e.walk);
+/// Walks the setting and chooses its steps; those that a file names must exist.
+void walk(Excerpt& e, const Selection& asked, bool one_of_many) {
+  take_steps(e, steps_for(e, asked.step), one_of_many && !asked.step.empty() && !asked.every_step);
+  const bool unnamed = asked.step.empty() && e.several.empty() && !e.step;
+  if (unnamed && asked.to_verdict) e.steps.resize(static_cast<std::size_t>(verdict_of(e.walk)) + 1);
   sweep_shown_map(e);
+}
+
+/// Puts a setting that is drawn at one scale with others into their list as it is now, with all steps that it has there
+/// and here.
+void join_others(Excerpt& e, bool changed) {
+  if (!e.scaled_with) return;
+  std::vector<Excerpt> all = *e.scaled_with;
+  Excerpt own = e;
+  own.scaled_with.reset();
+  if (!changed)
+    for (const int step : all[e.scaled_as].steps)
+      if (std::ranges::find(own.steps, step) == own.steps.end()) own.steps.push_back(step);
+  std::ranges::sort(own.steps);
+  sweep_shown_map(own);
+  all[e.scaled_as] = std::move(own);
+  e.scaled_with = std::make_shared<const std::vector<Excerpt>>(std::move(all));
 }
 
 /// Prints one line on what was asked for and is missing in some presets.
@@ -236,8 +135,9 @@ viz::BadInput no_such_step(const std::vector<Excerpt>& found, const std::string&
 
 /// Whether both are one setting: a figure in two formats, or two steps of one setting, may be given side by side.
 bool same_setting(const Excerpt& a, const Excerpt& b) {
-  return a.lesson == b.lesson && a.folder == b.folder && !a.style.empty() && a.style == b.style &&
-         a.parameters == b.parameters;
+  const bool one_lesson = a.lesson == b.lesson || (!a.lesson->made_from.empty() && a.lesson->id == b.lesson->id &&
+                                                   a.lesson->made_from == b.lesson->made_from);
+  return one_lesson && a.folder == b.folder && !a.style.empty() && a.style == b.style && a.parameters == b.parameters;
 }
 
 /// Throws viz::BadInput if two would be written to the same place.
@@ -258,28 +158,41 @@ void require_own_places(std::vector<Excerpt>& found) {
 std::vector<Excerpt> from_folder(const Program& program, const Selection& asked) {
   const std::vector<const viz::Lesson*> lessons = lessons_of(program, asked);
   std::vector<Excerpt> found;
-  for (const PresetFile& file : asked.files) {
-    Excerpt e = from_file(program, file);
-    if (lessons.empty() || std::ranges::find(lessons, e.lesson) != lessons.end()) found.push_back(std::move(e));
-  }
+  for (const PresetFile& file : asked.files)
+    for (Excerpt& e : settings_in(program, file))
+      if (lessons.empty() || std::ranges::find(lessons, e.lesson) != lessons.end()) found.push_back(std::move(e));
   if (found.empty())
     throw viz::BadInput(fmt::format("lesson: no preset file is for {}", fmt::join(asked.lessons, ", ")));
   std::ranges::stable_sort(found, {}, [](const Excerpt& e) { return e.lesson->id; });
   return found;
 }
 
-std::vector<Excerpt> named(const viz::Lesson& lesson, const std::vector<std::string>& names, bool all) {
+/// Returns the presets of a lesson that are named: its first one if none is, or with `all` every one. Of several
+/// lessons each takes the names that it has. Throws viz::BadInput if no lesson has a name, or this one has none of
+/// them.
+std::vector<Excerpt> named(const viz::Lesson& lesson, const std::vector<std::string>& names, bool all,
+                           const std::vector<const viz::Lesson*>& lessons) {
   std::vector<Excerpt> found;
   const auto add = [&](const viz::Preset& p) { found.push_back({&lesson, p.id, p.id, p.parameters, {}, {}}); };
-  const bool every = std::ranges::find(names, "all") != names.end();
-  if (every || (names.empty() && all))
+  const auto is_elsewhere = [&](const std::string& name) {
+    const auto has_it = [&](const viz::Lesson* l) {
+      return std::ranges::find(l->presets, name, &viz::Preset::id) != l->presets.end();
+    };
+    return !has_it(&lesson) && std::ranges::any_of(lessons, has_it);
+  };
+  if (std::ranges::find(names, "all") != names.end() || (names.empty() && all))
     std::ranges::for_each(lesson.presets, add);
   else if (names.empty())
     add(lesson.presets.front());
   else
     for (const std::string& name : names)
-      if (std::ranges::find(found, name, &Excerpt::preset) == found.end()) add(viz::preset(lesson, name));
-  return found;
+      if (std::ranges::find(found, name, &Excerpt::preset) == found.end() && !is_elsewhere(name))
+        add(viz::preset(lesson, name));
+  if (!found.empty()) return found;
+  std::vector<std::string> ids;
+  for (const viz::Preset& p : lesson.presets) ids.push_back(p.id);
+  throw viz::BadInput(fmt::format("preset: {} has none called {}; allowed: {}", lesson.id, fmt::join(names, " or "),
+                                  fmt::join(ids, ", ")));
 }
 
 /// Splits presets joined by commas, as formats are. A file with that very name is taken as a whole.
@@ -296,38 +209,106 @@ std::vector<std::string> each_of(const std::vector<std::string>& words) {
   return all;
 }
 
-/// Returns the presets that words name: files, and names in each of the lessons.
-std::vector<Excerpt> from_words(const Program& program, Selection asked) {
-  std::vector<std::string> names = each_of(asked.presets), files;
-  if (!asked.preset.empty()) names.push_back(asked.preset);
-  for (std::vector<std::string>* words : {&names, &asked.lessons}) {
-    std::ranges::copy_if(*words, std::back_inserter(files), is_file);
-    std::erase_if(*words, is_file);
+/// The settings that words name, in the order of these words.
+class NamedSettings {
+ public:
+  NamedSettings(const Program& program, Selection asked)
+      : words_(asked.lessons), presets_(each_of(asked.presets)), presets_first_(asked.presets_first), all_(asked.all) {
+    if (!asked.preset.empty()) presets_.push_back(asked.preset);
+    names_ = presets_;
+    for (std::vector<std::string>* words : {&names_, &asked.lessons}) {
+      std::ranges::copy_if(*words, std::back_inserter(files_), is_file);
+      std::erase_if(*words, is_file);
+    }
+    lessons_ = lessons_of(program, asked);
+    std::vector<std::string> scenes = each_of(asked.scenes);
+    if (!asked.scene.empty()) scenes.push_back(asked.scene);
+
+    for (const PresetFile& file : named_files(files_)) add_file(program, file);
+    if (!scenes.empty()) {
+      add_scenes(scenes);
+    } else {
+      if (lessons_.empty() && (files_.empty() || !names_.empty()))
+        throw viz::BadInput(fmt::format("lesson: none given; allowed: {}", fmt::join(ids_of(program), ", ")));
+      for (const viz::Lesson* lesson : lessons_) add_presets(*lesson);
+    }
+    std::ranges::stable_sort(found_, {}, &Found::place);
   }
-  const std::vector<const viz::Lesson*> lessons = lessons_of(program, asked);
-  std::vector<Excerpt> found;
-  if (!asked.scene.empty()) {
-    if (lessons.size() != 1 || !files.empty())
-      throw viz::BadInput("scene: one lesson is to take its objects; name that, and no other file");
-    const viz::Lesson& lesson = *lessons.front();
-    return {from_scene_for(lesson, method_for(lesson, names), {asked.scene, fs::path(asked.scene).stem().string()})};
+
+  std::vector<Excerpt> settings() {
+    std::vector<Excerpt> all;
+    for (Found& one : found_) all.push_back(std::move(one.e));
+    return all;
   }
-  if (files.empty() || !names.empty()) {
-    if (lessons.empty())
-      throw viz::BadInput(fmt::format("lesson: none given; allowed: {}", fmt::join(ids_of(program), ", ")));
-    for (const viz::Lesson* lesson : lessons)
-      std::ranges::move(named(*lesson, names, asked.all), std::back_inserter(found));
+
+ private:
+  /// Where it stands: before the words, among them or behind them; at which word; at which preset.
+  using Place = std::array<std::size_t, 3>;
+  struct Found {
+    Place place;
+    Excerpt e;
+  };
+
+  static std::size_t in(const std::vector<std::string>& words, const std::string& word) {
+    return static_cast<std::size_t>(std::ranges::find(words, word) - words.begin());
   }
-  for (const PresetFile& file : named_files(files)) {
-    found.push_back(from_file(program, file));
-    const viz::Lesson* lesson = found.back().lesson;
-    if (!lessons.empty() && std::ranges::find(lessons, lesson) == lessons.end())
-      throw viz::BadInput(fmt::format("preset: {} is for {}, not for {}", file.path, lesson->id, lessons[0]->id));
+  /// Returns where a preset's name or file stands that is one of the lesson's: the lesson's own place counts, if it is
+  /// named before.
+  Place place_of_preset(const viz::Lesson& lesson, const std::string& word) const {
+    return {presets_first_ ? std::size_t{0} : std::size_t{lessons_.empty() ? 2u : 1u}, word_of(lesson),
+            in(presets_, word)};
   }
-  return found;
-}
+  std::size_t word_of(const viz::Lesson& lesson) const {
+    if (const std::size_t at = in(words_, lesson.id); at < words_.size()) return at;
+    return static_cast<std::size_t>(std::ranges::find(lessons_, &lesson) - lessons_.begin());
+  }
+
+  /// Adds what a file holds. One that is given as a preset must be for a lesson that is named, if any is.
+  void add_file(const Program& program, const PresetFile& file) {
+    const bool as_preset = std::ranges::find(presets_, file.path) != presets_.end();
+    for (Excerpt& e : settings_in(program, file)) {
+      if (as_preset && !lessons_.empty() && std::ranges::find(lessons_, e.lesson) == lessons_.end())
+        throw viz::BadInput(fmt::format("preset: {} is for {}, not for {}", file.path, e.lesson->id, lessons_[0]->id));
+      const Place place = as_preset ? place_of_preset(*e.lesson, file.path) : Place{1, in(words_, file.path), 0};
+      found_.push_back({place, std::move(e)});
+    }
+  }
+
+  void add_scenes(const std::vector<std::string>& scenes) {
+    const bool as_presets = names_.size() < presets_.size();
+    if (lessons_.size() != 1 || as_presets)
+      throw viz::BadInput("scene: one lesson is to take its objects; name that, and no preset's file");
+    const viz::Lesson& lesson = *lessons_.front();
+    const std::string method = method_for(lesson, names_);
+    for (const PresetFile& file : named_files(scenes))
+      found_.push_back({{1, word_of(lesson), found_.size()}, setting_of_scene(lesson, method, file)});
+  }
+
+  /// Adds the lesson's presets; none where files are given that decide, unless some are named.
+  void add_presets(const viz::Lesson& lesson) {
+    const auto is_for_it = [&](const Found& one) { return one.e.lesson == &lesson; };
+    const bool as_presets = names_.size() < presets_.size();
+    if (names_.empty() && (as_presets || (all_ && !files_.empty()) || std::ranges::any_of(found_, is_for_it))) return;
+    for (Excerpt& e : named(lesson, names_, all_, lessons_)) {
+      const Place place = names_.empty() ? Place{1, word_of(lesson), 0} : place_of_preset(lesson, e.preset);
+      found_.push_back({place, std::move(e)});
+    }
+  }
+
+  std::vector<std::string> words_, presets_, names_, files_;
+  std::vector<const viz::Lesson*> lessons_;
+  bool presets_first_, all_;
+  std::vector<Found> found_;
+};
 
 }  // namespace
+
+void take_steps(Excerpt& e, const std::string& text, bool some) {
+  e.walk = e.lesson->walk(e.parameters);
+  const std::optional<Steps> wanted = Steps::read(text);
+  if (!wanted || (!some && !wanted->all_in(e.walk))) throw unknown_steps("step", text, e.walk, e.folder);
+  e.steps = wanted->of(e.walk);
+}
 
 void sweep_shown_map(Excerpt& e) {
   const auto shows_map = [&](int step) { return e.walk.steps[step].slug == viz::case_map_slug; };
@@ -351,10 +332,12 @@ std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
   for (const std::string& text : asked.changes)  // checked before a word after it is taken for a lesson
     if (text.find('=') == text.npos)
       throw viz::BadInput(fmt::format("set: \"{}\" has no '='; write name=value, such as {}=2", text, text));
-  std::vector<Excerpt> found = asked.files.empty() ? from_words(program, asked) : from_folder(program, asked);
+  std::vector<Excerpt> found =
+      asked.files.empty() ? NamedSettings(program, asked).settings() : from_folder(program, asked);
   for (Excerpt& e : found) {
     change(e, asked.changes);
-    walk(e, asked.step, found.size() > 1);
+    walk(e, asked, found.size() > 1);
+    join_others(e, !asked.changes.empty());
   }
   if (std::ranges::all_of(found, [](const Excerpt& e) { return e.steps.empty(); }))
     throw no_such_step(found, asked.step);
@@ -367,7 +350,12 @@ Excerpt excerpt(const Program& program, const Selection& asked) {
   if (asked.preset == "all") throw viz::BadInput("preset: \"all\" is not allowed here; name one");
   if (const std::size_t several = each_of({asked.preset}).size(); several > 1)
     throw viz::BadInput(fmt::format("preset: \"{}\" names {}; here is room for one", asked.preset, several));
-  return std::move(excerpts(program, asked).front());
+  std::vector<Excerpt> found = excerpts(program, asked);
+  if (found.size() > 1)
+    throw viz::BadInput(fmt::format("preset: {} are given, {} the first of them; here is room for one", found.size(),
+                                    found.front().folder));
+  found.front().scaled_with.reset();  // it is told alone
+  return std::move(found.front());
 }
 
 }  // namespace isect::program

@@ -34,6 +34,7 @@ struct RenderOptions {
   StyleOptions style;
   std::string dir, out = "figures", backend = "auto", each, camera;
   double seconds = 2.5;  ///< per step of an animation
+  bool same_scale = false;
 };
 
 /// Returns the manifest's entry for a figure, except for its step.
@@ -60,7 +61,10 @@ class FigureMakers {
       if (made_.contains(e.style)) continue;
       StyleOptions own = options.style;
       if (!e.style.empty()) fill_in(own, e.style);
-      if (!own.columns.empty()) own.width = options.style.width, own.columns.clear();  // it was a strip of several
+      if (!own.columns.empty()) {  // it was a strip of several
+        own.width = options.style.width, own.columns.clear();
+        if (own.width.empty()) own.text_size = options.style.text_size;
+      }
       if (!made_.empty() && own.font != font_)
         throw viz::BadInput("font: these figures are set in several, and a run sets all in one; give --font");
       font_ = own.font;
@@ -101,7 +105,7 @@ std::vector<Job> jobs_of(const std::vector<Excerpt>& chosen, const FigureMakers&
     for (const viz::Format* format : makers.style(e).formats) (format->film ? moving : still).push_back(format);
     for (const int step : e.steps)
       if (!still.empty()) jobs.push_back({e, info_of(e, step), still});
-    if (!moving.empty() && !e.steps.empty()) jobs.push_back({e, info_of(e, "steps"), moving});
+    if (!moving.empty() && !e.steps.empty()) jobs.push_back({e, info_of(Excerpts(&e, 1), "steps"), moving});
   }
   return jobs;
 }
@@ -183,12 +187,25 @@ void turn(std::vector<Excerpt>& chosen, const std::string& direction) {
   }
 }
 
+/// Gives all one scale, and each the list of all.
+void scale_alike(std::vector<Excerpt>& chosen) {
+  for (Excerpt& e : chosen) {
+    e.scaled_with.reset();
+    if (e.style != chosen.front().style)
+      throw viz::BadInput(
+          "same-scale: these figures were not drawn in one way; give their lessons and presets in their place");
+  }
+  const auto all = std::make_shared<const std::vector<Excerpt>>(chosen);
+  for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i].scaled_with = all, chosen[i].scaled_as = i;
+}
+
 int render(const Program& program, RenderOptions options) {
   if (!options.each.empty()) options.seconds = seconds_of(options.each);
   const bool whole = options.dir.empty() || choose_folder(program, options);
   if (!whole && options.asked.files.empty()) return bad_input;
   std::vector<Excerpt> chosen = excerpts(program, options.asked);
   if (!options.camera.empty()) turn(chosen, options.camera);
+  if (options.same_scale) scale_alike(chosen);
   FigureMakers makers(chosen, options);  // sets the font before any is used
   need_environment(program);
   const std::vector<Job> jobs = jobs_of(chosen, makers);
@@ -224,13 +241,16 @@ void add_render(CLI::App& app, Program& program) {
            "counted from 1: 3, 3-6, 3,5,7-9 or all; -1 is the last; or by\nname: intersect; verdict is the last before "
            "map and "
            "card. If\nnot given, that of the preset's file, or all");
-  add_scene_file(sub, program, options->asked);
+  add_scene_file(sub, program, options->asked, Takes::many);
   add_set(sub, options->asked);
   sub.add_option(
          "--camera", options->camera,
          "where space is seen from, in degrees: azimuth, 0 from +z and 90\nfrom +x, and elevation, 90 from above")
       ->type_name("AZ,EL")
       ->check(not_empty());
+  sub.add_flag("--same-scale", options->same_scale,
+               "one size and one scale for all: a unit of the world has one length\nin all figures, and eyes in "
+               "perspective have one distance");
   add_style(sub, options->style, viz::format_names());
   sub.add_option("--seconds", options->each,
                  "of each step in gif, apng and mp4; 2.5 if not given; a card of\ntext stays four times as long")
@@ -243,7 +263,10 @@ void add_render(CLI::App& app, Program& program) {
       "steps that are gone is removed, in every format; nothing else ever is. What someone has edited stays as it is.\n"
       "Example: " +
       program.name + " render" + (program.only ? "" : " ray-sphere") + " --preset tangent --format pdf --width 8cm");
-  sub.callback([&program, options] { program.chosen = [&program, options] { return render(program, *options); }; });
+  sub.callback([&program, options, &sub] {
+    note_order(sub, options->asked);
+    program.chosen = [&program, options] { return render(program, *options); };
+  });
 }
 
 }  // namespace isect::program

@@ -37,6 +37,38 @@ std::vector<fs::path> figures_in(const fs::path& folder) {
   return figures;
 }
 
+/// Returns the lesson and the preset of an excerpt.
+Json place_of(const Excerpt& e) {
+  return {{"lesson", e.lesson->id}, {"preset", e.preset.empty() ? Json(nullptr) : Json(e.preset)}};
+}
+
+/// Returns what the manifest says of a figure's steps.
+Json steps_in(const Excerpt& e, const FigureInfo& info) {
+  Json entry = place_of(e);
+  if (!shows_several(info.metadata)) {
+    entry.update({{"step", info.steps.front() + 1}, {"slug", e.walk.steps[info.steps.front()].slug}});
+    return entry;
+  }
+  entry["steps"] = Json::array();
+  for (const int step : info.steps) entry["steps"].push_back(step + 1);
+  return entry;
+}
+
+/// Returns what the manifest says of the parts of a figure of several settings.
+Json parts_of(Excerpts cases) {
+  Json parts = Json::array();
+  for (const Excerpt& e : cases)
+    for (const int step : e.steps) {
+      Json part = place_of(e);
+      part.update({{"step", step + 1}, {"slug", e.walk.steps[step].slug}});
+      part["parameters"] = Json::parse(viz::to_json(e.parameters));
+      parts.push_back(std::move(part));
+    }
+  Json entry;
+  entry["parts"] = std::move(parts);
+  return entry;
+}
+
 [[noreturn]] void not_ours(const std::string& path) {
   throw viz::FileError(
       fmt::format("cannot write '{}': the file there was not made by isect; move it away, or give another folder "
@@ -121,6 +153,11 @@ FigureFolder::Manifest FigureFolder::read_manifest() const {
 
 std::string FigureFolder::add(const Excerpt& e, const FigureInfo& info, const std::string& format,
                               const std::string& bytes, Json about) {
+  return add(Excerpts(&e, 1), info, format, bytes, std::move(about));
+}
+
+std::string FigureFolder::add(Excerpts cases, const FigureInfo& info, const std::string& format,
+                              const std::string& bytes, Json about) {
   const std::string file = info.stem + "." + format;
   if (is_edited(file, &Manifest::figures, bytes)) {
     left_alone_.insert(path(file));
@@ -132,19 +169,14 @@ std::string FigureFolder::add(const Excerpt& e, const FigureInfo& info, const st
   else
     left_alone_.insert(path(info.stem + ".txt"));
 
-  Json entry = {
-      {"file", file}, {"lesson", e.lesson->id}, {"preset", e.preset.empty() ? Json(nullptr) : Json(e.preset)}};
-  if (shows_several(info.metadata)) {
-    entry["steps"] = Json::array();
-    for (const int step : info.steps) entry["steps"].push_back(step + 1);
-  } else {
-    entry.update({{"step", info.steps.front() + 1}, {"slug", e.walk.steps[info.steps.front()].slug}});
-  }
+  Json entry;
+  entry["file"] = file;
+  entry.update(cases.size() == 1 ? steps_in(cases[0], info) : parts_of(cases));
   entry.update({{"title", viz::plain(info.title)},
                 {"caption", viz::plain(info.caption)},
                 {"caption_tex", viz::tex(info.caption)},
                 {"alt", info.alt}});
-  entry["parameters"] = Json::parse(viz::to_json(e.parameters));
+  if (cases.size() == 1) entry["parameters"] = Json::parse(viz::to_json(cases[0].parameters));
   entry.update(about);
   entry["version"] = viz::version();
   entry["digest"] = digest(bytes);

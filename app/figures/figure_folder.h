@@ -29,6 +29,9 @@ class FigureFolder {
   /// someone has edited it, all of that stays as it was, and no line is returned.
   std::string add(const Excerpt&, const FigureInfo&, const std::string& format, const std::string& bytes,
                   nlohmann::ordered_json about);
+  /// Does the same for a figure of several settings, which the manifest lists as its parts.
+  std::string add(Excerpts, const FigureInfo&, const std::string& format, const std::string& bytes,
+                  nlohmann::ordered_json about);
   /// Writes a page that shows figures; returns the same.
   std::string add_page(const std::string& file, const std::string& text);
   /// Removes figures that isect made for this folder, of steps that the walk no longer has, with their alt texts.

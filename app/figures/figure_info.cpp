@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/figures/cases.h"
 #include "app/figures/ownership.h"
 #include "app/shell/option_values.h"
 #include "viz/text/rich_text.h"
@@ -15,14 +16,18 @@ namespace {
 
 constexpr const char* several = "steps";
 
-/// Returns "03-06" if the steps follow each other, "03+05" otherwise.
-std::string numbers(const std::vector<int>& steps) {
-  const bool in_a_row = steps.back() - steps.front() + 1 == static_cast<int>(steps.size());
-  std::string text;
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    if (!in_a_row || i == 0 || i + 1 == steps.size())
-      text += fmt::format("{}{:02}", text.empty() ? "" : in_a_row ? "-" : "+", steps[i] + 1);
-  return text;
+/// Returns the titles of the lessons, each once.
+std::string lessons_of(Excerpts cases) {
+  std::vector<std::string> titles;
+  for (const Excerpt& e : cases)
+    if (std::ranges::find(titles, e.lesson->title) == titles.end()) titles.push_back(e.lesson->title);
+  return fmt::format("{}", fmt::join(titles, "; "));
+}
+
+/// Adds to what a figure carries the settings at whose scale it is drawn.
+viz::Metadata with_scale(viz::Metadata data, const Excerpt& e) {
+  if (e.scaled_with) keep_cases(data, *e.scaled_with, e.scaled_as);
+  return data;
 }
 
 }  // namespace
@@ -35,29 +40,41 @@ FigureInfo info_of(const Excerpt& e, int step) {
           s.caption,
           viz::figure_title(*e.lesson, s),
           viz::alt_text(*e.lesson, e.parameters, e.walk, step),
-          metadata_of(e, step)};
+          with_scale(metadata_of(e, step), e)};
 }
 
-FigureInfo info_of(const Excerpt& e, const std::string& kind) {
-  FigureInfo info = {fmt::format("{}/{}-{}", folder_of(e), kind, numbers(e.steps)), e.steps, {}, {}, {}, {}, {}};
-  info.title = e.lesson->title;
-  info.imprint = fmt::format("{}: steps {}", viz::plain(e.lesson->title), numbers(e.steps));
-  for (std::size_t i = 0; i < e.steps.size(); ++i) {
-    const FigureInfo one = info_of(e, e.steps[i]);
-    const char letter = static_cast<char>('a' + i % 26);
-    info.caption += fmt::format("{}({}) {}", i == 0 ? "" : " ", letter, viz::as_sentence(one.title));
-    info.alt += fmt::format("{}({}) {}", i == 0 ? "" : "\n\n", letter, one.alt);
-  }
-  info.metadata = metadata_of(e, e.steps.front());
+FigureInfo info_of(Excerpts cases, const std::string& kind) {
+  const bool one = cases.size() == 1;
+  const Excerpt& first = cases[0];
+  FigureInfo info = {stem_of(cases, kind), {}, {}, {}, {}, {}, {}};
+  info.title = lessons_of(cases);
+  const std::vector<std::string> titles = part_captions(cases, false);
+  for (const Excerpt& e : cases)
+    for (const int step : e.steps) {
+      const std::size_t i = info.steps.size();
+      info.steps.push_back(step);
+      const char letter = static_cast<char>('a' + i % 26);
+      const std::string title = viz::as_sentence(titles[i]);
+      info.caption += fmt::format("{}({}) {}", i == 0 ? "" : " ", letter, title);
+      info.alt += fmt::format("{}({}) {}{}", i == 0 ? "" : "\n\n", letter, one ? "" : viz::plain(title) + " ",
+                              viz::alt_text(*e.lesson, e.parameters, e.walk, step));
+    }
+  std::vector<std::string> called = case_titles(cases);
+  for (std::string& title : called) title = viz::plain(title);
+  info.imprint = viz::plain(info.title) + ": " +
+                 (one ? "steps " + numbers_of(first.steps) : fmt::format("{}", fmt::join(called, ", ")));
+  info.metadata = metadata_of(first, first.steps.front());
   info.metadata["file"] = info.stem;
-  info.metadata[several] = numbers(e.steps);
+  if (one) info.metadata[several] = numbers_of(first.steps);
+  if (one) info.metadata = with_scale(std::move(info.metadata), first);
+  if (!one) keep_cases(info.metadata, cases);
   return info;
 }
 
-bool shows_several(const viz::Metadata& data) { return data.contains(several); }
+bool shows_several(const viz::Metadata& data) { return data.contains(several) || shows_cases(data); }
 
 std::string steps_of(const viz::Metadata& data) {
-  if (!shows_several(data)) return {};
+  if (!data.contains(several)) return {};
   std::string text = data.at(several);
   std::ranges::replace(text, '+', ',');
   return Steps::read(text) ? text : std::string();

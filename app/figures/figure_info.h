@@ -11,7 +11,7 @@ namespace isect::program {
 
 struct FigureInfo {
   std::string stem;        ///< its file, without the ending: "ray-sphere/two-roots/03-foot"
-  std::vector<int> steps;  ///< from 0
+  std::vector<int> steps;  ///< from 0; of several settings those of one after the other
   std::string title;       ///< markup
   std::string caption;     ///< markup
   std::string imprint;     ///< its title inside the file, plain
@@ -20,9 +20,10 @@ struct FigureInfo {
 };
 
 FigureInfo info_of(const Excerpt&, int step);
-/// Returns all chosen steps in one file, "strip-03-06": `kind` is its first word.
-FigureInfo info_of(const Excerpt&, const std::string& kind);
-/// Whether a figure shows several steps.
+/// Returns all chosen steps in one file, "strip-03-06": `kind` is its first word. Of several settings it names each;
+/// see cases.h.
+FigureInfo info_of(Excerpts, const std::string& kind);
+/// Whether a figure shows several steps, or settings.
 bool shows_several(const viz::Metadata&);
 /// Returns the steps of a figure of several, as --step takes them; empty for a figure of one.
 std::string steps_of(const viz::Metadata&);

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <stdexcept>
 
+#include "app/figures/cases.h"
 #include "app/figures/ownership.h"
 #include "app/shell/terminal.h"
 #include "viz/compose/crop.h"
 #include "viz/compose/strip.h"
-#include "viz/walk/step_text.h"
 
 namespace isect::program {
 
@@ -59,6 +61,15 @@ double shape_of(const Excerpt& e, const viz::Walk& walk) {
   return size.y() > 0 && size.x() > 0 ? std::clamp(size.x() / size.y(), highest_shape, widest_shape) : widest_shape;
 }
 
+/// Puts each in the middle of a frame that holds the largest.
+std::vector<viz::Drawing> equally_large(std::vector<viz::Drawing> drawings) {
+  double width = 0, height = 0;
+  for (const viz::Drawing& drawing : drawings)
+    width = std::max(width, drawing.width), height = std::max(height, drawing.height);
+  for (viz::Drawing& drawing : drawings) drawing = viz::centred(std::move(drawing), width, height);
+  return drawings;
+}
+
 /// Frames all walks of the lesson alike.
 viz::Camera framed_alike(const Excerpt& e, double aspect) {
   return viz::frame_alike(viz::opening(*e.lesson), e.walk, walks_of(*e.lesson), aspect);
@@ -91,33 +102,67 @@ FigureMaker::FigureMaker(const Style& style, const std::string& backend) : style
 viz::Drawing FigureMaker::draw(const Excerpt& e, int step) { return draw(e, std::vector{step}).front(); }
 
 std::vector<viz::Drawing> FigureMaker::draw(const Excerpt& e, const std::vector<int>& steps) {
-  Drawings drawings;
-  if (!style_.paper) {
-    const viz::PageLayout page =
-        viz::page_layout(e.walk, style_.theme, style_.size.width, style_.size.height, style_.title);
-    for (const int step : steps) drawings.push_back(composed(e, step, page).drawing);
-    if (style_.crop) drawings = viz::cropped(std::move(drawings), page.theme.sizes.margin);
-  } else if (style_.crop) {
-    drawings = cropped_to_paper([&](const viz::PaperSize& size) { return whole(e, steps, size); });
-  } else {
-    drawings = whole(e, steps, *style_.paper);
-  }
+  Drawings drawings = e.scaled_with ? draw_with_others(e, steps) : draw_alone(e, steps);
   if (style_.paper) tell_widened(steps.size() == 1 ? file_of(e, steps.front()) : folder_of(e), drawings.front().width);
   for (viz::Drawing& drawing : drawings)
     if (style_.transparent) drawing.background.a = 0;
   return drawings;
 }
 
+std::vector<viz::Drawing> FigureMaker::draw_alone(const Excerpt& e, const std::vector<int>& steps) {
+  if (style_.paper && style_.crop)
+    return cropped_to_paper([&](const viz::PaperSize& size) { return whole(e, steps, size); });
+  if (style_.paper) return whole(e, steps, *style_.paper);
+  const viz::PageLayout page =
+      viz::page_layout(e.walk, style_.theme, style_.size.width, style_.size.height, style_.title);
+  Drawings drawings;
+  for (const int step : steps) drawings.push_back(composed(e, step, page).drawing);
+  return style_.crop ? viz::cropped(std::move(drawings), page.theme.sizes.margin) : drawings;
+}
+
+std::vector<viz::Drawing> FigureMaker::draw_alike(Excerpts all) {
+  const OneScale scale(all);
+  if (style_.paper) {
+    const auto at = [&](const viz::PaperSize& size) {
+      Drawings drawings;
+      for (viz::Figure& figure : equally_wide(
+               scale.walk(), [&](int step) { return sight(scale, all, step); }, size, style_.title))
+        drawings.push_back(std::move(figure.drawing));
+      return equally_large(std::move(drawings));
+    };
+    return style_.crop ? cropped_to_paper(at) : at(*style_.paper);
+  }
+  const viz::PageLayout page =
+      viz::page_layout(scale.walk(), style_.theme, style_.size.width, style_.size.height, style_.title);
+  Drawings drawings;
+  for (int step = 0; step < static_cast<int>(scale.walk().steps.size()); ++step)
+    drawings.push_back(
+        viz::figure(scale.walk().steps[step], scale.camera(step, page.width / page.picture_height()), page).drawing);
+  return style_.crop ? viz::cropped(std::move(drawings), page.theme.sizes.margin) : drawings;
+}
+
+std::vector<viz::Drawing> FigureMaker::draw_with_others(const Excerpt& e, const std::vector<int>& steps) {
+  const std::vector<Excerpt>& all = *e.scaled_with;
+  const auto [found, is_new] = alike_.try_emplace(e.scaled_with);
+  if (is_new) found->second = draw_alike(all);
+  const auto own = all.begin() + static_cast<std::ptrdiff_t>(e.scaled_as);
+  const std::size_t first = std::accumulate(
+      all.begin(), own, std::size_t{0}, [](std::size_t sum, const Excerpt& other) { return sum + other.steps.size(); });
+  Drawings drawings;
+  for (const int step : steps) {
+    const auto at = std::ranges::find(own->steps, step);
+    if (at == own->steps.end()) throw std::logic_error("this step is not among those at one scale");
+    drawings.push_back(found->second[first + static_cast<std::size_t>(at - own->steps.begin())]);
+  }
+  return drawings;
+}
+
 std::vector<viz::Drawing> FigureMaker::whole(const Excerpt& e, const std::vector<int>& steps,
                                              const viz::PaperSize& size) {
   Drawings drawings;
-  double width = 0, height = 0;
-  for (const int step : steps) {
-    drawings.push_back(on_paper(e, e.walk, step, size, style_.title).figure.drawing);
-    width = std::max(width, drawings.back().width), height = std::max(height, drawings.back().height);
-  }
-  for (viz::Drawing& drawing : drawings) drawing = viz::centred(std::move(drawing), width, height);
-  return drawings;
+  for (const int step : steps)
+    drawings.push_back(on_paper(e.walk, step, sight(e, e.walk, step), size, style_.title).figure.drawing);
+  return equally_large(std::move(drawings));
 }
 
 std::vector<viz::Drawing> FigureMaker::cropped_to_paper(
@@ -160,52 +205,80 @@ void FigureMaker::tell_widened(const std::string& which, double width) {
   if (is_widened(width)) widened_.push_back(told(which, width));
 }
 
-viz::OnPaper FigureMaker::on_paper(const Excerpt& e, const viz::Walk& walk, int step, viz::PaperSize size, bool title) {
-  const auto camera = [&](double aspect) { return paper_camera(e, walk.steps[step], aspect); };
+FigureMaker::Sight FigureMaker::sight(const Excerpt& e, const viz::Walk& walk, int step) {
+  return {folder_of(e), [&] { return shape_of(e, walk); },
+          [&, step](double aspect) { return paper_camera(e, walk.steps[step], aspect); }};
+}
+
+FigureMaker::Sight FigureMaker::sight(const OneScale& scale, Excerpts all, int step) {
+  return {folder_of(all[scale.case_of(step)]), [&] { return std::clamp(scale.shape(), highest_shape, widest_shape); },
+          [&, step](double aspect) { return scale.camera(step, aspect); }};
+}
+
+viz::OnPaper FigureMaker::on_paper(const viz::Walk& walk, int step, const Sight& seen, viz::PaperSize size,
+                                   bool title) {
   if (!(size.height > 0) && !walk.steps[step].scene.chart) {
     const double usual = viz::paper_layout(walk, step, style_.theme, size, title).height;
-    size.height = usual + size.width * (1 / shape_of(e, walk) - 1 / widest_shape);
+    size.height = usual + size.width * (1 / seen.shape() - 1 / widest_shape);
   }
-  auto made = viz::readable_figure(walk, step, style_.theme, size, title, camera);
+  auto made = viz::readable_figure(walk, step, style_.theme, size, title, seen.camera);
   if (!made)
     throw viz::BadInput(
         fmt::format("width: at {:.1f} cm the labels of {} meet or leave it, and at 8 times that, too; "
                     "give more, or a smaller --text-size",
-                    size.width / points_a_cm, folder_of(e) + ", " + walk.steps[step].slug));
+                    size.width / points_a_cm, seen.whose + ", " + walk.steps[step].slug));
   return std::move(*made);
 }
 
-viz::Drawing FigureMaker::draw_strip(const Excerpt& e, int columns, bool fewer, bool captions) {
-  const auto at = [&](const viz::PaperSize& size) { return whole_strip(e, columns, captions, size); };
+std::vector<viz::Figure> FigureMaker::equally_wide(const viz::Walk& walk, const std::function<Sight(int)>& sight_of,
+                                                   viz::PaperSize size, bool title) {
+  std::vector<viz::Figure> figures;
+  const int steps = static_cast<int>(walk.steps.size());
+  for (int step = 0; step < steps;) {
+    viz::OnPaper made = on_paper(walk, step, sight_of(step), size, title);
+    if (made.size.width > size.width) {  // all again
+      size = made.size, figures.clear(), step = 0;
+      continue;
+    }
+    figures.push_back(std::move(made.figure)), ++step;
+  }
+  return figures;
+}
+
+viz::Drawing FigureMaker::draw_strip(Excerpts cases, int columns, bool fewer, bool captions) {
+  const auto at = [&](const viz::PaperSize& size) { return whole_strip(cases, columns, captions, size); };
   const auto drawn = [&] {
     if (!style_.crop) return at(*style_.paper);
     return cropped_to_paper([&](const viz::PaperSize& size) { return Drawings{at(size)}; }).front();
   };
   viz::Drawing drawing = drawn();
   while (fewer && columns > 1 && is_widened(drawing.width)) --columns, drawing = drawn();
-  tell_widened(folder_of(e), drawing.width);
+  tell_widened(cases.size() == 1 ? folder_of(cases[0]) : stem_of(cases, "strip"), drawing.width);
   if (style_.transparent) drawing.background.a = 0;
   return drawing;
 }
 
-viz::Drawing FigureMaker::whole_strip(const Excerpt& e, int columns, bool captions, const viz::PaperSize& size) {
+viz::Drawing FigureMaker::whole_strip(Excerpts cases, int columns, bool captions, const viz::PaperSize& size) {
   const viz::Theme theme = viz::paper_theme(style_.theme, size.text_size);
   const double gap = strip_gap * size.text_size;
   viz::PaperSize each = size;
   each.width = (each.width - (columns - 1) * gap) / columns;
-  viz::Walk part = e.walk;  // rows that none of these steps needs are omitted
-  part.steps.clear();
-  for (const int step : e.steps) part.steps.push_back(e.walk.steps[step]);
-  std::vector<viz::Frame> frames;
-  for (std::size_t i = 0; i < part.steps.size(); ++i) {  // all get the width of the one that needs most
-    viz::OnPaper made = on_paper(e, part, static_cast<int>(i), each, false);
-    if (made.size.width > each.width) {
-      each = made.size, frames.clear(), i = static_cast<std::size_t>(-1);
-      continue;
-    }
-    const viz::Step& step = part.steps[i];
-    frames.push_back({std::move(made.figure), captions ? viz::figure_caption(*e.lesson, step) : step.title});
+  std::vector<viz::Figure> figures;
+  if (cases.size() > 1) {
+    const OneScale scale(cases);
+    figures = equally_wide(
+        scale.walk(), [&](int step) { return sight(scale, cases, step); }, each, false);
+  } else {
+    const Excerpt& e = cases[0];
+    viz::Walk part = e.walk;  // rows that none of these steps needs are omitted
+    part.steps.clear();
+    for (const int step : e.steps) part.steps.push_back(e.walk.steps[step]);
+    figures = equally_wide(
+        part, [&](int step) { return sight(e, part, step); }, each, false);
   }
+  const std::vector<std::string> words = part_captions(cases, captions);
+  std::vector<viz::Frame> frames;
+  for (std::size_t i = 0; i < figures.size(); ++i) frames.push_back({std::move(figures[i]), words[i]});
   return viz::strip(frames, columns, theme, gap).drawing;
 }
 

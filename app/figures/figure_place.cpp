@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/figures/cases.h"
 #include "app/figures/figure_info.h"
 #include "app/scene/lesson.h"
 #include "app/shell/named_file.h"
@@ -25,6 +26,20 @@ std::string folder_in(const viz::Metadata& data, const std::string& lesson) {
   return folder.string();
 }
 
+FigurePlace place_of(const viz::Metadata& data, std::vector<const viz::Lesson*>& to) {
+  if (data.contains("scene"))
+    to.push_back(&scene::kept_lesson_of(data.at("scene"), ""));
+  else if (data.contains("lesson") && data.at("lesson") == "scene")
+    throw viz::BadInput("this baseline shows a scene, but does not hold it; name the scene's file instead");
+  FigurePlace place;
+  place.state = viz::reader_state_from_metadata(data, to);
+  place.lesson = &viz::lesson_named(to, place.state.lesson);
+  place.steps = steps_of(data);
+  place.folder = folder_in(data, place.state.lesson);
+  place.style = data.contains("style") ? data.at("style") : "";
+  return place;
+}
+
 }  // namespace
 
 FigurePlace place_in_figure(const Program& program, const std::string& path, const viz::Format& format,
@@ -38,13 +53,14 @@ FigurePlace place_in_figure(const Program& program, const std::string& path, con
                       "last removed it. "
                       "Name its place instead: {}--preset P --step N",
                       program.only ? "" : "LESSON "));
-    if (data.contains("scene"))
-      to.push_back(&scene::kept_lesson_of(data.at("scene"), ""));
-    else if (data.contains("lesson") && data.at("lesson") == "scene")
-      throw viz::BadInput("this baseline shows a scene, but does not hold it; name the scene's file instead");
-    viz::ReaderState state = viz::reader_state_from_metadata(data, to);
-    const std::string folder = folder_in(data, state.lesson);
-    return {std::move(state), steps_of(data), folder, data.contains("style") ? data.at("style") : ""};
+    FigurePlace place = place_of(data, to);
+    const CasesInFigure all = cases_of(data);
+    for (const viz::Metadata& one : all.cases) {
+      std::vector<const viz::Lesson*> lessons = program.lessons;  // each with its own scene
+      place.cases.push_back(place_of(one, lessons));
+    }
+    place.scaled_as = all.own;
+    return place;
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", path, e.what()));
   } catch (const viz::FileError& e) {

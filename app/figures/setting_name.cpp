@@ -23,7 +23,10 @@ std::string name_of_change(const viz::Parameters& from, const viz::Parameters& t
   for (const auto& [name, value] : to)
     if (const auto before = from.find(name); before == from.end() || before->second != value)
       exact += "+" + name + "=" + viz::to_text(value);
+  return plain_name(exact);
+}
 
+std::string plain_name(const std::string& exact) {
   constexpr std::size_t most = 80;
   if (exact.size() <= most && std::ranges::all_of(exact, is_plain)) return exact;
   std::string name = exact.substr(0, most - 17);

@@ -64,6 +64,9 @@ struct Note {
   std::string text;  ///< markup
 };
 
+/// The title of a scene that has none of its own.
+inline constexpr const char* untitled = "A scene";
+
 struct File {
   std::string title;
   std::vector<Object> objects;

@@ -1,5 +1,7 @@
 #include "app/shell/options.h"
 
+#include <algorithm>
+
 #include "app/scene/walks.h"
 #include "viz/text/spelling.h"
 
@@ -22,7 +24,7 @@ void add_step(CLI::App& sub, Selection& to, Takes takes, const std::string& help
   sub.add_option("--step", to.step, help)->type_name(takes == Takes::one ? "N|NAME" : "N|A-B|NAME|all");
 }
 
-void add_scene_file(CLI::App& sub, const Program& program, Selection& to) {
+void add_scene_file(CLI::App& sub, const Program& program, Selection& to, Takes takes) {
   if (program.only) return;
   constexpr std::size_t widest = 60;
   std::string help = "the lesson on the objects of a scene's file; those that take\nsome: ", row = "some: ";
@@ -31,10 +33,20 @@ void add_scene_file(CLI::App& sub, const Program& program, Selection& to) {
     help += id + ", ", row += id + ", ";
   }
   help.resize(help.size() - 2);
-  sub.add_option("--scene", to.scene, help + ".\nIn collision and hierarchy --preset chooses the method")
-      ->type_name("FILE")
-      ->check(not_empty());
+  help += ".\nIn collision and hierarchy --preset chooses the method";
+  CLI::Option* scene = takes == Takes::one
+                           ? sub.add_option("--scene", to.scene, help)->type_name("FILE")
+                           : sub.add_option("--scene", to.scenes, help)->type_name("FILE,...")->allow_extra_args(false);
+  scene->check(not_empty());
 }
+
+void note_order(const CLI::App& sub, Selection& to) {
+  const auto place = [&](const char* name) {
+    return std::ranges::find(sub.parse_order(), sub.get_option_no_throw(name)) - sub.parse_order().begin();
+  };
+  to.presets_first = place("--preset") < place("LESSON");
+}
+
 void add_set(CLI::App& sub, Selection& to) {
   sub.add_option("--set", to.changes, "change a parameter; may be repeated")
       ->type_name("NAME=VALUE")

@@ -25,10 +25,14 @@ struct Selection {
   bool all = false;
   std::string preset;                ///< empty: the lesson's first (every one with `all`)
   std::vector<std::string> presets;  ///< several, in place of one; those of a word joined by commas
+  bool presets_first = false;        ///< the presets stand before the first of the lessons
   std::string scene;                 ///< a scene's file with the objects for the lesson; empty: none
+  std::vector<std::string> scenes;   ///< several, in place of one; those of a word joined by commas
   std::string step;                  ///< empty: the step of the preset's file, or all where it names none
   std::vector<std::string> changes;  ///< name=value
   std::vector<PresetFile> files;     ///< in place of names
+  bool every_step = false;  ///< each preset must have the steps; else one of several that lacks them is left out
+  bool to_verdict = false;  ///< where no step is named: those up to the verdict, without map and card
 };
 
 /// Adds the lesson's name as a positional argument, if the program has more than one lesson.
@@ -38,7 +42,9 @@ void add_preset(CLI::App&, Selection&, Takes, const std::string& help);
 void add_step(CLI::App&, Selection&, Takes, const std::string& help);
 void add_set(CLI::App&, Selection&);
 /// Adds the option for a scene, if the program has more than one lesson: each lesson takes certain objects only.
-void add_scene_file(CLI::App&, const Program&, Selection&);
+void add_scene_file(CLI::App&, const Program&, Selection&, Takes = Takes::one);
+/// Notes in which order lessons and presets stand on the command line, once it is parsed.
+void note_order(const CLI::App&, Selection&);
 /// Returns the parameters with these changes, name=value each. Throws viz::BadInput.
 viz::Parameters changed(const viz::Lesson&, viz::Parameters, const std::vector<std::string>& changes);
 /// Refuses an empty value, mostly a shell variable that is not set.

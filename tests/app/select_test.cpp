@@ -394,7 +394,7 @@ TEST_CASE("several presets are joined by commas, as formats are", "[select]") {
   const Ran unknown = shell("isect render ray-sphere --preset tangent,two-rots");
   CHECK(unknown.status == 2);
   CHECK_THAT(unknown.err, Contains("two-rots") && Contains("two-roots"));
-  const Ran one = shell("isect strip ray-sphere --preset tangent,two-roots");
+  const Ran one = shell("isect explain ray-sphere --preset tangent,two-roots");
   CHECK(one.status == 2);
   CHECK_THAT(one.err, Contains("preset: \"tangent,two-roots\" names 2"));
   CHECK(shell("isect render ray-sphere --preset tangent, --step 1").status == 2);

@@ -181,7 +181,7 @@ TEST_CASE("a strip refuses what it can't do, by name", "[strip]") {
     CHECK(r.status == 2);
     return r.err;
   };
-  CHECK_THAT(refused("--step 3"), Contains("step: a strip has 2 to 26 steps, and here are 1"));
+  CHECK_THAT(refused("--step 3"), Contains("step: a strip has 2 to 26 parts, and here is 1"));
   CHECK_THAT(refused("--step 2-3 --columns 0"), Contains("columns: \"0\"") && Contains("1 to 12"));
   CHECK_THAT(refused("--step 2-3 --size 300x200"), Contains("size: ") && Contains("--width"));
   CHECK_THAT(refused("--step 2-3 --height 5cm"), Contains("height: "));

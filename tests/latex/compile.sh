@@ -24,6 +24,8 @@ for lesson in ray-sphere crossings obb-obb; do
   "$isect" deck "$lesson" >/dev/null
   "$isect" strip "$lesson" --step 1-4 --columns 2 --format tikz --width 12cm --out figures >/dev/null 2>&1
 done
+"$isect" strip ray-sphere --preset two-roots,tangent,miss --captions --format tikz --width 14cm \
+  --out figures >/dev/null 2>&1
 
 printf '%s\n' '{"title": "Rays & balls: 50 % of an hour", "stops": [' \
   '{"lesson": "ray-sphere", "preset": "tangent", "steps": "3-6", "note": "Where does it *end*? #1_a\nAnd *t*^2?"},' \

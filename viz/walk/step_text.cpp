@@ -124,8 +124,8 @@ char choice_letter(std::size_t i) { return static_cast<char>('a' + i); }
 
 std::string given_text(const std::vector<Value>& values) { return fmt::format("Given: {}.", listed(values)); }
 
-std::string figure_caption(const Lesson& lesson, const Step& step) {
-  std::string text = as_sentence(step.title) + " " + own_caption(lesson, step);
+std::string figure_caption(const Lesson& lesson, const Step& step, const std::string& title) {
+  std::string text = as_sentence(title.empty() ? step.title : title) + " " + own_caption(lesson, step);
   std::ranges::replace(text, '\n', ' ');
   return text;
 }

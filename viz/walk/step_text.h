@@ -80,7 +80,8 @@ std::string compared_numbers(const Comparison&);
 char choice_letter(std::size_t i);
 /// Returns "Given: *s* = 1.022, *l*^2 = 1.1604."
 std::string given_text(const std::vector<Value>&);
-/// Returns title and own caption on one line: for a figure that stands alone.
-std::string figure_caption(const Lesson&, const Step&);
+/// Returns title and own caption on one line: for a figure that stands alone. `title`: in place of the step's own;
+/// empty: that one.
+std::string figure_caption(const Lesson&, const Step&, const std::string& title = {});
 
 }  // namespace isect::viz
