@@ -24,7 +24,8 @@ std::string zip_archive(const std::vector<ZipEntry>& entries, const std::string&
   const std::unique_ptr<zip_source_t, void (*)(zip_source_t*)> made(zip_source_buffer_create(nullptr, 0, 0, &error),
                                                                     zip_source_free);
   if (!made) not_made(zip_error_strerror(&error));
-  std::unique_ptr<zip_t, void (*)(zip_t*)> archive(zip_open_from_source(made.get(), ZIP_TRUNCATE, &error), zip_discard);
+  std::unique_ptr<zip_t, void (*)(zip_t*)> archive(zip_open_from_source(made.get(), ZIP_CREATE | ZIP_TRUNCATE, &error),
+                                                   zip_discard);
   if (!archive) not_made(zip_error_strerror(&error));
   zip_source_keep(made.get());  // the archive frees it when it is closed, and then it is read
 
