@@ -49,8 +49,9 @@ async function leave() {
   await browser.open(pathToFileURL(empty).href);
   return heard();
 }
+const article = `(document.querySelector(".live article") ?? document.querySelector(".walk.shown > .steps > .shown"))`;
 const look = () => ask(`(() => {
-  const article = document.querySelector(".live article") ?? document.querySelector(".walk.shown > .steps > .shown");
+  const article = ${article};
   return { asks: article.classList.contains("ask") && !article.classList.contains("told"), typing: article.classList.contains("typing"),
     asked: article.dataset.asked ?? "", right: [...article.querySelectorAll(".choices li")].findIndex(li => "right" in li.dataset),
     end: document.querySelector(".transport .next").disabled, hash: location.hash };
@@ -60,7 +61,7 @@ async function answer(right) {
   for (let i = 0; i < 60; ++i) {
     const now = await look();
     if (now.asks) {
-      if (now.typing) await browser.press("a");
+      if (now.typing) await ask(`${article}.querySelector(".show-choices").click()`);
       await browser.press("abcdefgh"[right ? now.right : now.right === 0 ? 1 : 0]);
       return now.asked;
     }
