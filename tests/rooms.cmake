@@ -22,8 +22,9 @@ set(app_figures files scene shell)
 set(app_pages files shell figures)
 set(app_checks files shell figures)
 set(app_book files scene shell figures pages)
-set(app_commands files query scene shell figures pages checks book)
-set(app_files query scene shell figures pages checks book)
+set(app_platforms files shell figures pages)
+set(app_commands files query scene shell figures pages checks book platforms)
+set(app_files query scene shell figures pages checks book platforms)
 
 # Which rings a ring may include besides itself.
 set(core_ring "")

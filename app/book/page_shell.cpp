@@ -1,6 +1,7 @@
 #include "app/book/page_shell.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/pages/html.h"
 #include "viz/formats/svg_path.h"
@@ -31,7 +32,11 @@ std::string attributes_of_body(const Page& page, bool lives) {
   if (page.lesson.empty()) return {};
   const std::string live =
       lives ? fmt::format(" data-live=\"{}\"", page.neighbours.alone ? "#live-code" : page.live) : "";
-  return fmt::format(" data-lesson=\"{}\"{}", page.lesson, live);
+  const std::string scorm =
+      page.reported
+          ? fmt::format(" data-scorm=\"{}\"", viz::xml_escaped(fmt::format("{}", fmt::join(*page.reported, " "))))
+          : "";
+  return fmt::format(" data-lesson=\"{}\"{}{}", page.lesson, live, scorm);
 }
 
 /// A ray that enters a ball, as in the window's corner.

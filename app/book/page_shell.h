@@ -1,6 +1,7 @@
 #pragma once
 // Pages of the book as HTML: the shell that all of them share.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,8 @@ struct Page {
   bool is_contents = false;
   std::string lesson = {};  ///< the lesson's id; empty: the page has none
   std::string live = live_file;
+  /// The names of its questions, which it reports to a learning platform (scorm.js); none: it reports to none.
+  std::optional<std::vector<std::string>> reported = {};
 };
 
 /// What a page needs: inside it if it stands alone, and beside it otherwise, where only `live` counts: whether there is

@@ -160,16 +160,6 @@ std::string WalkSection::asked(const viz::QuestionText& q, int step) const {
                      folded("Answer", prose(q.answer + " " + q.because)), in_numbers(values(q.known)));
 }
 
-namespace {
-
-std::string letters_of(const std::vector<int>& order) {
-  std::string letters;
-  for (const int tile : order) letters += viz::tile_letter(tile);
-  return letters;
-}
-
-}  // namespace
-
 /// Returns, as an attribute, what book.js needs to judge what is given as the answer; empty where that is a choice.
 std::string WalkSection::asked_for(const viz::Question& q, int step) const {
   if (!viz::wants_more(q)) return {};
@@ -185,9 +175,9 @@ std::string WalkSection::asked_for(const viz::Question& q, int step) const {
   if (q.order) {
     all["ranks"] = q.order->ranks, all["tiles"] = all["offered"] = nlohmann::json::array();
     for (const std::string& tile : q.order->tiles) all["tiles"].push_back(html_text(tile));
-    for (const std::vector<int>& order : q.order->offered) all["offered"].push_back(letters_of(order));
+    for (const std::vector<int>& order : q.order->offered) all["offered"].push_back(viz::letters_of(order));
     for (const viz::WrongOrder& wrong : q.order->wrong)
-      all["wrong"].push_back(nlohmann::json::array({letters_of(wrong.order), html_text(wrong.reply)}));
+      all["wrong"].push_back(nlohmann::json::array({viz::letters_of(wrong.order), html_text(wrong.reply)}));
     return attribute("order");
   }
   const viz::Numeric& number = *q.number;

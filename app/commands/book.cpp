@@ -21,6 +21,7 @@
 #include "app/figures/digest.h"
 #include "app/figures/ownership.h"
 #include "app/pages/pages.h"
+#include "app/platforms/scorm.h"
 #include "app/shell/environment.h"
 #include "app/shell/options.h"
 #include "app/shell/terminal.h"
@@ -39,7 +40,7 @@ struct BookOptions {
   std::string lesson, out = "book";
   std::string live, live_scenes;  ///< files with the compiled lessons
   std::vector<std::string> playlists;
-  bool single = false;
+  bool single = false, scorm = false;
 };
 
 /// The fonts once more, for figures that are saved: a script can't read a style sheet from disk.
@@ -60,13 +61,18 @@ std::string comment(const std::string& file, const std::string& words) {
   if (file.ends_with(".js")) return fmt::format("// {}", words);
   return fmt::format("<!-- {} -->", words);
 }
+/// Whether a file is a package: all that says whose it is stands in its last line, its archive's comment.
+bool is_package(const std::string& file) { return file.ends_with(".zip"); }
 std::string first_line(const std::string& file) {
+  if (is_package(file)) return {};
   return (file.ends_with(".wasm") ? wasm_head : std::string()) + comment(file, book::mark(file));
 }
 
 /// Returns the last line, which shows that nobody has edited what stands above.
 std::string last_line(const std::string& file, const std::string& text) {
-  const std::string line = comment(file, "Digest of all above: " + digest(text));
+  const std::string told = "Digest of all above: " + digest(text);
+  if (is_package(file)) return told + ". " + book::mark(file);
+  const std::string line = comment(file, told);
   return file.ends_with(".wasm") ? line : "\n" + line + "\n";
 }
 /// Whether somebody has edited a page; one from before there were such lines counts as not edited.
@@ -87,7 +93,8 @@ class Shelf {
                       "--out book",
                       folder, trace->string()));
     std::vector<PageFile> own;
-    for (const std::string& file : files) own.push_back({file, first_line(file)});
+    for (const std::string& file : files)
+      own.push_back({file, is_package(file) ? book::mark(file) : first_line(file), is_package(file)});
     need_own(path(""), own);
   }
 
@@ -188,19 +195,36 @@ std::vector<book::PlaylistPages> playlists_of(const Program& program, const std:
   return all;
 }
 
+/// Returns the names of a lesson's questions, each once.
+std::vector<std::string> question_names(const viz::Lesson& lesson) {
+  std::vector<std::string> names;
+  for (const viz::ReviewPrompt& prompt : viz::prompts_of(lesson))
+    if (std::ranges::count(names, prompt.question) == 0) names.push_back(prompt.question);
+  return names;
+}
+
 int single(const Program& program, const BookOptions& options) {
   const viz::Lesson& lesson = program.only ? *program.only : viz::lesson_named(program.lessons, options.lesson);
-  const std::string file = book::file_of(lesson);
+  const std::string file = book::file_of(lesson), package = lesson.id + ".scorm.zip";
   const LiveCode live = live_code(options.live);
-  Shelf shelf(options.out, program, {file});
+  Shelf shelf(options.out, program, {options.scorm ? package : file});
   need_environment(program);
   viz::PageColours colours;
-  const book::Page page =
+  book::Page page =
       book::lesson_page(lesson, all_presets(program, lesson), program.lessons, {nullptr, nullptr, true}, colours);
+  if (options.scorm) page.reported = question_names(lesson);
   const std::string terms = book::terms_script(lessons::course(), program.lessons, true);
-  shelf.add(file,
-            first_line(file) + book::html(page, {book::fonts_text(page.body + terms + lesson_letters), style(colours),
-                                                 book::script_text() + terms, live.script + live.packed}));
+  const std::string html =
+      first_line(file) + book::html(page, {book::fonts_text(page.body + terms + lesson_letters), style(colours),
+                                           book::script_text() + terms, live.script + live.packed});
+  if (!options.scorm) {
+    shelf.add(file, html);
+    return done;
+  }
+  // The archive's comment is the file's last line, which the shelf adds: it is always as long as this one.
+  const std::string end = last_line(package, {});
+  const std::string archive = platforms::scorm_package(lesson, {file, html + last_line(file, html)}, end);
+  shelf.add(package, archive.substr(0, archive.size() - end.size()));
   return done;
 }
 
@@ -271,15 +295,18 @@ int whole(const Program& program, const BookOptions& options) {
 }
 
 int make_book(const Program& program, const BookOptions& options) {
-  if (options.single && !program.only && options.lesson.empty())
-    throw viz::BadInput("single: one lesson in one file; name the lesson, such as isect book ray-sphere --single");
-  if (options.single && !options.playlists.empty())
-    throw viz::BadInput("playlist: it leads through the pages of a whole book; leave out --single");
-  if (!options.single && !options.lesson.empty())
+  const char* alone = options.scorm ? "scorm" : "single";
+  const bool single_lesson = options.single || options.scorm;
+  if (single_lesson && !program.only && options.lesson.empty())
+    throw viz::BadInput(
+        fmt::format("{0}: one lesson in one file; name the lesson, such as isect book ray-sphere --{0}", alone));
+  if (single_lesson && !options.playlists.empty())
+    throw viz::BadInput(fmt::format("playlist: it leads through the pages of a whole book; leave out --{}", alone));
+  if (!single_lesson && !options.lesson.empty())
     throw viz::BadInput(
         fmt::format("lesson: a book holds all lessons; for {0} alone, in one file: isect book {0} --single",
                     viz::lesson_named(program.lessons, options.lesson).id));
-  return options.single || program.only ? single(program, options) : whole(program, options);
+  return single_lesson || program.only ? single(program, options) : whole(program, options);
 }
 
 }  // namespace
@@ -288,9 +315,10 @@ void add_book(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("book", "the lessons as web pages");
   const auto options = std::make_shared<BookOptions>();
   if (!program.only) {
-    sub.add_option("LESSON", options->lesson, "with --single: the lesson")->type_name("");
+    sub.add_option("LESSON", options->lesson, "with --single or --scorm: the lesson")->type_name("");
     sub.add_flag("--single", options->single, "one lesson in one file, for a learning platform");
   }
+  sub.add_flag("--scorm", options->scorm, "one lesson as a SCORM 1.2 package");
   add_path(sub, "--live", options->live,
            "the compiled lessons, build/web/live.js: the pages can be dragged and changed", "FILE");
   if (!program.only)
@@ -313,6 +341,12 @@ void add_book(CLI::App& app, Program& program) {
       "the arrows go on and back from there, question by question. Scenes and settings made by hand have pages of\n"
       "their own.\n"
       "With --live what they show can be dragged and changed, too: ./run book compiles the lessons for that.\n"
+      "With --scorm the file is DIR/LESSON.scorm.zip. Its page tells the learning platform a score, a status, a place\n"
+      "and the time. The score is the share of the questions of all presets that were answered right the last time; a\n"
+      "question that several presets ask counts once. The status is completed when a preset's last step was shown. At\n"
+      "the place the reader goes on, with the answers that were given. A newer package of the same lesson has the "
+      "same\n"
+      "identifiers: it can replace the older one.\n"
       "Example: " +
       program.name + " book" + (program.only ? "" : " ray-sphere --single") + " --out site");
   sub.callback([&program, options] { program.chosen = [&program, options] { return make_book(program, *options); }; });

@@ -19,12 +19,15 @@ namespace fs = std::filesystem;
 
 void need_own(const std::string& folder, const std::vector<PageFile>& files) {
   std::error_code absent;
-  for (const auto& [name, mark] : files)
-    if (fs::is_regular_file(folder + name, absent) && !viz::read_regular_file(folder + name).starts_with(mark))
+  const auto is_own = [](const PageFile& file, const std::string& bytes) {
+    return file.at_end ? bytes.ends_with(file.mark) : bytes.starts_with(file.mark);
+  };
+  for (const PageFile& file : files)
+    if (fs::is_regular_file(folder + file.name, absent) && !is_own(file, viz::read_regular_file(folder + file.name)))
       throw viz::FileError(
           fmt::format("cannot write '{}': the file there was not made by isect; move it away, or give another folder "
                       "with --out",
-                      folder + name));
+                      folder + file.name));
 }
 
 PageFolder::PageFolder(const Program& program, const PageOptions& options, const Paper& paper, const std::string& kind,

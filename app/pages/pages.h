@@ -13,6 +13,7 @@ namespace isect::program {
 
 struct PageFile {
   std::string name, mark;  ///< "handout.tex", and the first line of those that isect wrote
+  bool at_end = false;     ///< the mark stands at the end instead: of a package
 };
 
 /// Throws viz::FileError if a file of somebody else's has the name.

@@ -62,6 +62,20 @@ void note_repeats(Paper& paper) {
     }
 }
 
+/// Leaves out steps without a question, and parts without any.
+void keep_asking(Paper& paper) {
+  for (PaperPart& part : paper.parts)
+    std::erase_if(part.e.steps, [&](int step) { return !part.e.walk.steps[step].question; });
+  std::erase_if(paper.parts, [](const PaperPart& part) { return part.e.steps.empty(); });
+}
+
+/// Throws viz::BadInput if nothing is left of what was asked for, which is `whose`.
+void need_parts(const Paper& paper, const Program& program, const std::string& whose) {
+  if (paper.parts.empty())
+    throw viz::BadInput(fmt::format("step: no step of {} asks a question; `{} handout` prints the steps themselves",
+                                    whose, program.name));
+}
+
 }  // namespace
 
 Paper paper_of(const Program& program, const Selection& asked, PaperSteps which) {
@@ -75,14 +89,24 @@ Paper paper_of(const Program& program, const Selection& asked, PaperSteps which)
   } else {
     paper = paper_of_playlist(program, playlist);
   }
-  if (which == PaperSteps::asking) {
-    for (PaperPart& part : paper.parts)
-      std::erase_if(part.e.steps, [&](int step) { return !part.e.walk.steps[step].question; });
-    std::erase_if(paper.parts, [](const PaperPart& part) { return part.e.steps.empty(); });
+  if (which == PaperSteps::asking) keep_asking(paper);
+  need_parts(paper, program, playlist.empty() ? "\"" + viz::plain(paper.title) + "\"" : playlist);
+  note_repeats(paper);
+  return paper;
+}
+
+Paper paper_of_presets(const Program& program, Selection asked) {
+  playlist_asked(asked);  // refused: its stops are settings of their own
+  asked.preset.clear(), asked.presets = {"all"};
+  Paper paper;
+  for (Excerpt& e : excerpts(program, asked)) {
+    paper.title = e.lesson->title, paper.folder = e.lesson->id;
+    PaperPart part;
+    part.e = std::move(e);
+    paper.parts.push_back(std::move(part));
   }
-  if (paper.parts.empty())
-    throw viz::BadInput(fmt::format("step: no step of {} asks a question; `{} handout` prints the steps themselves",
-                                    playlist.empty() ? "\"" + viz::plain(paper.title) + "\"" : playlist, program.name));
+  keep_asking(paper);
+  need_parts(paper, program, "\"" + viz::plain(paper.title) + "\"");
   note_repeats(paper);
   return paper;
 }

@@ -33,6 +33,8 @@ enum class PaperSteps { all, asking };
 /// Returns what is asked for; `asking`: the steps with a question alone, and no parts without any. A setting's name may
 /// be the answer to a question, so nothing tells it. Throws viz::BadInput, also if nothing is left, and viz::FileError.
 Paper paper_of(const Program&, const Selection&, PaperSteps = PaperSteps::all);
+/// Returns the questions of all presets of a lesson, a part for each preset that asks. Throws as paper_of does.
+Paper paper_of_presets(const Program&, Selection);
 
 /// Returns the caption of a step, with the lesson's opening only where that is new.
 std::string caption_on_paper(const PaperPart&, int step);

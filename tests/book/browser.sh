@@ -31,5 +31,8 @@ node "$here/light.mjs" "$scratch/site"
 node "$here/sizes.mjs" "$scratch/site"
 node "$here/progress.mjs" "$scratch/site"
 node "$here/pages.mjs" "$scratch/site"
+"$isect" book ray-sphere --scorm --out "$scratch/scorm" >/dev/null
+python3 -m zipfile -e "$scratch/scorm/ray-sphere.scorm.zip" "$scratch/scorm/package"
+node "$here/scorm.mjs" "$scratch/scorm/package"
 "$isect" book --playlist "$playlist" --out "$scratch/hour" >/dev/null
 exec node "$here/hour.mjs" "$scratch/hour"

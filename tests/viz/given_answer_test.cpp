@@ -25,12 +25,6 @@ json cases() {
   return json::parse(file);  // app/book/answers.js is held to it, too
 }
 
-std::string letters_of(const std::vector<int>& order) {
-  std::string letters;
-  for (const int tile : order) letters += tile_letter(tile);
-  return letters;
-}
-
 OrderAsked asked_by(const json& one) {
   OrderAsked asked;
   asked.tiles = one.at("tiles").get<std::vector<std::string>>();

@@ -19,11 +19,6 @@ std::vector<int> sorted_ranks(const OrderAsked& asked) {
   return ranks;
 }
 
-bool has_ties(const OrderAsked& asked) {
-  const std::vector<int> ranks = sorted_ranks(asked);
-  return std::ranges::adjacent_find(ranks) != ranks.end();
-}
-
 }  // namespace
 
 std::vector<int> order_from(const std::string& typed, int tiles) {
@@ -39,6 +34,17 @@ std::vector<int> order_from(const std::string& typed, int tiles) {
   for (int tile = 0; tile < tiles; ++tile)
     if (std::ranges::count(order, tile) == 0) throw BadInput(fmt::format("{} is missing", tile_letter(tile)));
   return order;
+}
+
+std::string letters_of(const std::vector<int>& order) {
+  std::string letters;
+  for (const int tile : order) letters += tile_letter(tile);
+  return letters;
+}
+
+bool has_ties(const OrderAsked& asked) {
+  const std::vector<int> ranks = sorted_ranks(asked);
+  return std::ranges::adjacent_find(ranks) != ranks.end();
 }
 
 std::string how_to_order(const OrderAsked& asked) {

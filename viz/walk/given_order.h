@@ -14,6 +14,10 @@ inline char tile_letter(int tile) { return static_cast<char>('a' + tile); }
 /// Returns the tiles in the order of their letters as typed: "cab", "c, a, b". Throws BadInput, which says what is
 /// wrong: each of the tiles must be there once.
 std::vector<int> order_from(const std::string& typed, int tiles);
+/// Returns the letters of an order: "cab".
+std::string letters_of(const std::vector<int>& order);
+/// Whether some tiles may come in any order among themselves.
+bool has_ties(const OrderAsked&);
 /// Returns what a reader is told to do.
 std::string how_to_order(const OrderAsked&);
 /// Returns the first place, from 0, whose tile does not belong there; -1: the order is right.
