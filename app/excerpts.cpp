@@ -50,6 +50,7 @@ Excerpt from_scene(const std::string& text, const PresetFile& file) {
       file.path, [&] { return &scene::kept_lesson_of(text, fs::path(file.path).parent_path().string()); });
   e.folder = file.name;
   e.path = file.path;
+  e.guards = guards_in(text);
   e.parameters = e.lesson->presets.front().parameters;
   return e;
 }
@@ -114,6 +115,7 @@ Excerpt from_file(const Program& program, const PresetFile& file) {
     return e;
   }
   viz::ReaderState state;
+  std::vector<Guard> guards;
   try {
     require_utf8(file);
     const std::string text = read_named_file(file.path);
@@ -122,11 +124,13 @@ Excerpt from_file(const Program& program, const PresetFile& file) {
       throw viz::BadInput(
           "this is a playlist, which show, handout, deck and quiz take; a preset's file has \"lesson\"");
     state = viz::reader_state_from_json(text, program.lessons);
+    guards = guards_in(text);
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", file.path, e.what()));
   }
   Excerpt e = at(program.lessons, state, file);
   e.path = file.path;
+  e.guards = std::move(guards);
   return e;
 }
 
