@@ -10,7 +10,7 @@ namespace isect::program {
 
 struct Report;
 
-/// Of a picture of which the trace tells nothing.
+/// The cause of a difference of which the trace tells nothing.
 inline constexpr const char* only_pixels = "only pixels differ";
 
 /// Returns the cause of a trace's changes, which are sorted by what they are of: the first.

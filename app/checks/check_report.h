@@ -48,7 +48,7 @@ std::string accept_file_command(const Report&);
 /// Returns the text quoted as one word for a shell.
 std::string quoted(const std::string& word);
 
-/// Of many failures with one cause the first is told in full, the others in a line each.
+/// Tells the first of many failures with one cause in full, the others in a line each.
 std::string to_text(const Report&);
 std::string to_json(const Report&);
 

@@ -271,7 +271,7 @@ TEST_CASE("drawings in which the same happened have one cause, however far and i
   of_object<Text>(other, "label b").markup = "*c*";
   CHECK(causes(other) == Lines{"the text of the label b changed"});
 
-  // Of settings the values belong to the cause, of what is computed from them they do not.
+  // The values of settings belong to the cause, what is computed from them does not.
   const std::vector<Change> moved = compare_traces(trace(at(0.5)), trace(at(1)));
   REQUIRE_FALSE(moved.empty());
   CHECK(moved[0].cause == moved[0].what);
