@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/guard.h"
 #include "viz/lesson.h"
 
 namespace isect::program {
@@ -24,6 +25,7 @@ struct Excerpt {
   std::string several = {};                ///< for a figure of several steps, these: "2-4"; else empty
   std::string style = {};                  ///< for a figure, how it was asked for (see app/figures/style.h); else empty
   std::string path = {};                   ///< of the preset's or the scene's file; empty where there is none
+  std::vector<Guard> guards = {};          ///< of the preset's or the scene's file: looks that `check` guards besides
   std::string place = {};  ///< of a playlist's stop, the folder of its files: "hour/03-ray-sphere"; else empty
   /// All settings that are drawn at one scale, this one among them at place `scaled_as`, and none with such a list of
   /// its own. Null: it has its own scale.

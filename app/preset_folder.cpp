@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/figures/ownership.h"
+#include "app/guard.h"
 #include "app/playlist_file.h"
 #include "app/scene/lesson.h"
 #include "app/shell/terminal.h"
@@ -71,6 +72,7 @@ PresetFolder preset_folder(const std::string& folder, const Program& program) {
       if (scene::holds_objects(text) || is_broken_scene(text)) {
         require_utf8(file);
         scene::lesson_of(text, std::filesystem::path(file.path).parent_path().string());
+        guards_in(text);
         found.presets.push_back(file);
         continue;
       }
@@ -81,6 +83,7 @@ PresetFolder preset_folder(const std::string& folder, const Program& program) {
       }
       require_utf8(file);
       viz::reader_state_from_json(text, program.lessons);
+      guards_in(text);
       found.presets.push_back(file);
     } catch (const viz::FileError& e) {
       found.broken.push_back({file, e.what()});

@@ -39,6 +39,7 @@ Excerpt from_scene(const std::string& text, const PresetFile& file) {
       file.path, [&] { return &scene::kept_lesson_of(text, fs::path(file.path).parent_path().string()); });
   e.folder = file.name;
   e.path = file.path;
+  e.guards = guards_in(text);
   e.parameters = e.lesson->presets.front().parameters;
   return e;
 }
@@ -100,6 +101,7 @@ std::vector<Excerpt> settings_in(const Program& program, const PresetFile& file)
         fmt::format("preset: \"{0}\" is a folder; render --dir {0} draws all presets and scenes in it", file.path));
   if (const viz::Format* format = viz::format_of(file.path)) return in_figure(program, file, *format);
   viz::ReaderState state;
+  std::vector<Guard> guards;
   try {
     require_utf8(file);
     const std::string text = read_named_file(file.path);
@@ -108,11 +110,13 @@ std::vector<Excerpt> settings_in(const Program& program, const PresetFile& file)
       throw viz::BadInput(
           "this is a playlist, which show, handout, deck and quiz take; a preset's file has \"lesson\"");
     state = viz::reader_state_from_json(text, program.lessons);
+    guards = guards_in(text);
   } catch (const viz::BadInput& e) {
     throw viz::BadInput(fmt::format("{}: {}", file.path, e.what()));
   }
   Excerpt e = at(viz::lesson_named(program.lessons, state.lesson), state, file.name);
   e.path = file.path;
+  e.guards = std::move(guards);
   return {std::move(e)};
 }
 

@@ -23,7 +23,8 @@ function isect_key_rows(live) {
 }
 
 let isect_sheet = null;
-function isect_show_keys() {
+/// Shows a sheet of such rows.
+function isect_show_sheet(all) {
   const make = isect_element;
   if (!isect_sheet) {
     document.body.append(isect_sheet = make("dialog", { class: "keys", "aria-labelledby": "keys-head" }));
@@ -34,7 +35,7 @@ function isect_show_keys() {
     isect_sheet.addEventListener("click", event => event.target === isect_sheet && isect_sheet.close());
   }
   const box = make("div", {}, make("h2", { id: "keys-head" }, "Keys and fingers"));
-  for (const [title, rows] of Object.entries(isect_key_rows(document.documentElement.dataset.live === "ready"))) {
+  for (const [title, rows] of Object.entries(all)) {
     const body = make("tbody", {}, ...rows.map(([pressed, does]) => make("tr", {}, make("th", { scope: "row" }, pressed), make("td", {}, does))));
     box.append(make("table", {}, make("caption", {}, title), body));
   }
@@ -43,9 +44,11 @@ function isect_show_keys() {
   if (!isect_sheet.open) isect_sheet.showModal();
 }
 
+function isect_show_keys() { isect_show_sheet(isect_key_rows(document.documentElement.dataset.live === "ready")); }
+
 /// Returns a button that opens the sheet.
-function isect_key_button() {
-  const made = isect_button("?", isect_show_keys, "show-keys");
+function isect_key_button(show = isect_show_keys) {
+  const made = isect_button("?", () => show(), "show-keys");
   made.title = "Keys and fingers", made.setAttribute("aria-label", made.title), made.setAttribute("aria-haspopup", "dialog");
   return made;
 }

@@ -25,11 +25,16 @@ std::string as_asked(const std::string& preset, const Asked& asked) {
   return !asked.dir.empty() && (preset == "all" || preset.ends_with(".json")) ? preset + ".json" : preset;
 }
 
+/// Returns the options that say where the baselines are, and what draws.
+std::string places(const Asked& asked) {
+  return option("--dir", asked.dir) + option("--snapshots", asked.snapshots) + option("--backend", asked.backend);
+}
+
 std::string command(const Asked& asked, bool only_missing) {
   std::string text = quoted(asked.program) + " check";
   for (const std::string& lesson : asked.lessons) text += " " + quoted(lesson);
-  return text + option("--preset", asked.preset) + option("--dir", asked.dir) + option("--snapshots", asked.snapshots) +
-         option("--backend", asked.backend) + (only_missing ? " --update=missing" : " --update=failed");
+  return text + option("--preset", asked.preset) + places(asked) +
+         (only_missing ? " --update=missing" : " --update=failed");
 }
 
 /// Returns the lessons that failed, as others need not be run again; none if they are all or do not cover all failures.
@@ -66,6 +71,10 @@ std::string accept_command(const Report& r) {
   if (asked.lessons.empty()) asked.lessons = lessons_to_name(r);
   return command(asked, std::ranges::all_of(
                             r.failures, [](const Failure& f) { return !acceptable(f) || f.kind == Kind::missing; }));
+}
+
+std::string accept_file_command(const Report& r) {
+  return quoted(r.asked.program) + " check" + places(r.asked) + " --accept";
 }
 
 std::string accept_command(const Report& r, const Failure& f) {

@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <array>
 
+#include "app/checks/causes.h"
 #include "app/checks/failure_pictures.h"
+#include "app/checks/pictured.h"
+#include "app/checks/text_difference.h"
+#include "app/figures/digest.h"
 #include "app/figures/figure_maker.h"
 #include "viz/compose/compose.h"
 #include "viz/player/reader_state.h"
@@ -24,37 +28,6 @@ constexpr viz::ThemeName theme = viz::ThemeName::screen;
 
 /// Returns "llvmpipe" of "llvmpipe (LLVM 15.0.6, 256 bits)": the rest names the processor, which may differ.
 std::string family(const std::string& driver) { return driver.substr(0, driver.find(' ')); }
-
-/// Returns a failure of this walk, or of one of its steps.
-Failure about(const Excerpt& e, int step, Failure f) {
-  f.lesson = e.lesson->id;
-  f.preset = e.folder;
-  f.step = step;
-  if (step >= 0 && step < static_cast<int>(e.walk.steps.size())) f.slug = e.walk.steps[step].slug;
-  return f;
-}
-
-Failure failure(Kind kind, const std::string& what, const std::string& baseline) {
-  Failure f;
-  f.kind = kind;
-  f.what = what;
-  f.baseline = baseline;
-  return f;
-}
-
-/// Returns the failure that a pointer stands in place of the file itself.
-Failure lfs_pointer(const std::string& baseline) {
-  Failure f = failure(Kind::unreadable, "a Git LFS pointer, not the file itself; git lfs pull fetches that", baseline);
-  f.pointer = true;
-  return f;
-}
-
-/// Returns what an accepted picture carries: neither a scene's texts nor the version, which change where no pixel does.
-viz::Metadata kept_metadata(const Excerpt& e, int step) {
-  viz::Metadata data = metadata_of(e, step);
-  data.erase("scene"), data.erase("version");
-  return data;
-}
 
 std::vector<std::string> in_words(const std::vector<viz::Change>& changes) {
   std::vector<std::string> lines;
@@ -89,8 +62,8 @@ bool has_picture(const Excerpt& e, int step) {
 }
 
 std::string name_of(Kind kind) {
-  constexpr std::array names = {"missing",    "trace",  "picture", "size", "blank",
-                                "unreadable", "orphan", "preset",  "moved"};
+  constexpr std::array names = {"missing",    "trace",  "picture", "size",  "blank",
+                                "unreadable", "orphan", "preset",  "moved", "text"};
   return names.at(static_cast<std::size_t>(kind));
 }
 
@@ -104,8 +77,13 @@ Update update_named(const std::string& name) {
   throw viz::unknown("update", name, update_names());
 }
 
-Baselines::Baselines(std::string folder, Update update, bool keep_pictures, viz::Offscreen& offscreen)
-    : folder_(std::move(folder)), update_(update), keep_pictures_(keep_pictures), offscreen_(offscreen) {
+Baselines::Baselines(std::string folder, Update update, bool keep_pictures, viz::Offscreen& offscreen,
+                     Acceptance* acceptance)
+    : folder_(std::move(folder)),
+      update_(update),
+      keep_pictures_(keep_pictures),
+      offscreen_(offscreen),
+      acceptance_(acceptance) {
   const viz::Fonts fonts = viz::fonts();
   stamp_ = {family(offscreen.driver()), fonts.figure + ", " + fonts.window, viz::name_of(theme),
             fmt::format("{}x{}", picture_size.width, picture_size.height)};
@@ -113,6 +91,14 @@ Baselines::Baselines(std::string folder, Update update, bool keep_pictures, viz:
 
 std::string Baselines::path(const Excerpt& e, const std::string& file) const {
   return fmt::format("{}/{}/{}/{}", folder_, e.lesson->id, e.folder, file);
+}
+
+std::string Baselines::below(const std::string& baseline) const {
+  return fs::path(baseline).lexically_relative(folder_).string();
+}
+
+bool Baselines::passes_over(const std::string& baseline) const {
+  return acceptance_ && !acceptance_->names(below(baseline));
 }
 
 bool Baselines::accepts(Kind kind) const {
@@ -137,11 +123,14 @@ std::string Baselines::trace_now(const Excerpt& e, const std::vector<viz::Drawin
 
 std::vector<Failure> Baselines::check(const Excerpt& e) {
   std::vector<Failure> found;
-  const bool seen = viz::is_there(path(e, "")) || accepts(Kind::missing) || keep_pictures_;
+  const bool seen = viz::is_there(path(e, "")) || accepts(Kind::missing) || keep_pictures_ || acceptance_;
   const std::vector<viz::Drawing> drawings = seen ? drawings_of(e) : std::vector<viz::Drawing>(e.walk.steps.size());
   const std::vector<viz::Change> changes = check_trace(e, drawings, found);
   for (int step = 0; step < static_cast<int>(e.walk.steps.size()); ++step)
-    if (has_picture(e, step)) check_picture(e, step, drawings[step], changes, found);
+    if (has_picture(e, step))
+      if (const Pictured p = pictured(e, step, nullptr); !need_no_drawing(p, found))
+        check_picture(p, drawings[step], changes, found);
+  for (const Guard& guard : e.guards) check_guard(e, guard, changes, found);
   return found;
 }
 
@@ -153,8 +142,9 @@ const std::optional<OwnTrace>& Baselines::trace_of(const std::string& folder) {
   return traces_[folder] = std::move(trace);
 }
 
-bool Baselines::settle(const std::string& baseline, bool ours, std::optional<Failure>& f) {
+bool Baselines::settle(const std::string& baseline, bool ours, std::optional<Failure>& f, const std::string& now) {
   if (f) f->foreign = !ours;
+  if (acceptance_) return settle_reviewed(baseline, f, now);
   if (!(f ? accepts(f->kind) : update_ == Update::all)) return false;
   if (f)
     f->accepted = ours;
@@ -163,10 +153,29 @@ bool Baselines::settle(const std::string& baseline, bool ours, std::optional<Fai
   return ours;
 }
 
+bool Baselines::settle_reviewed(const std::string& baseline, std::optional<Failure>& f, const std::string& now) {
+  Acceptance::Found found{digest(now), {}, f.has_value()};
+  try {
+    if (viz::is_there(baseline)) found.there = digest(viz::read_regular_file(baseline));
+  } catch (const viz::FileError&) {  // it is no file of ours, then
+  }
+  if (f && f->kind == Kind::blank)
+    found.hindrance = f->what;
+  else if (f && f->pointer)
+    found.hindrance = "the file in its place is " + f->what;
+  else if (f && f->foreign)
+    found.hindrance = "the file in its place was not made by isect; move it away first";
+  const bool taken = acceptance_->takes(below(baseline), found);
+  if (f) f->accepted = taken;
+  return taken;
+}
+
 std::vector<viz::Change> Baselines::check_trace(const Excerpt& e, const std::vector<viz::Drawing>& drawings,
                                                 std::vector<Failure>& found) {
   const std::string baseline = path(e, "trace.json");
-  const std::string now = viz::is_there(baseline) || accepts(Kind::missing) ? trace_now(e, drawings) : "";
+  if (passes_over(baseline)) return {};
+  const bool wanted = viz::is_there(baseline) || accepts(Kind::missing) || keep_pictures_ || acceptance_;
+  const std::string now = wanted ? trace_now(e, drawings) : "";
   const bool ours = trace_of(folder_of(e)).has_value() || !viz::is_there(baseline);
   std::optional<Failure> f;
   std::vector<viz::Change> changes;
@@ -184,12 +193,15 @@ std::vector<viz::Change> Baselines::check_trace(const Excerpt& e, const std::vec
       if (!changes.empty()) {
         f = about(e, changes[0].step, failure(Kind::trace, changes[0].what, baseline));
         f->more = in_words({changes.begin() + 1, changes.end()});
+        f->cause = cause_of_trace(changes);
+        f->line = first_difference(was, now).line;
       }
     } catch (const viz::FileError& error) {
       f = about(e, -1, failure(Kind::unreadable, error.what(), baseline));
     }
   }
-  if (settle(baseline, ours, f)) viz::write_file(baseline, now);
+  if (settle(baseline, ours, f, now)) viz::write_file(baseline, now);
+  if (f && keep_pictures_) f->reviewed = {{below(baseline), digest(now)}};
   if (f) found.push_back(*f);
   return changes;
 }
@@ -207,11 +219,13 @@ std::optional<Failure> Baselines::compare_with_baseline(const viz::Picture& now,
     return failure(Kind::unreadable, error.what(), baseline);
   }
   Failure f = failure(Kind::picture, {}, baseline);
-  f.accepted_png = std::move(bytes);
+  f.accepted_file = std::move(bytes);
   f.pixels = viz::compare(accepted.picture, now, accepted.slack);
   if (f.pixels.passes()) return {};
+  f.eye = viz::perceived(accepted.picture, now, accepted.slack);
   if (!f.pixels.same_size) {
     f.kind = Kind::size;
+    f.cause = cause_of(f.kind);
     f.what = fmt::format("the accepted picture is {}x{}, the new one {}x{}", accepted.picture.width,
                          accepted.picture.height, now.width, now.height);
     return f;
@@ -221,39 +235,59 @@ std::optional<Failure> Baselines::compare_with_baseline(const viz::Picture& now,
   return f;
 }
 
-void Baselines::check_picture(const Excerpt& e, int index, const viz::Drawing& drawing,
-                              const std::vector<viz::Change>& changes, std::vector<Failure>& found) {
-  const viz::Step& step = e.walk.steps[index];
-  const std::string baseline = path(e, viz::file_stem(index, step) + ".png");
-  const bool absent = !viz::is_there(baseline);
-  if (absent && !accepts(Kind::missing) && !keep_pictures_) {  // nobody would see a drawing
-    found.push_back(about(e, index, failure(Kind::missing, "no picture was accepted yet", baseline)));
-    return;
-  }
+Pictured Baselines::pictured(const Excerpt& e, int step, const Guard* guard) const {
+  const std::string stem = viz::file_stem(step, e.walk.steps[step]);
+  return {&e, step, guard, path(e, guard ? guard->file(stem) : stem + ".png"), {}};
+}
+
+bool Baselines::need_no_drawing(const Pictured& p, std::vector<Failure>& found) const {
+  if (acceptance_) return passes_over(p.baseline);
+  if (viz::is_there(p.baseline) || accepts(Kind::missing) || keep_pictures_) return false;
+  found.push_back(about(p, failure(Kind::missing, "no picture was accepted yet", p.baseline)));
+  return true;
+}
+
+void Baselines::check_picture(const Pictured& p, const viz::Drawing& drawing, const std::vector<viz::Change>& changes,
+                              std::vector<Failure>& found) {
   const viz::Picture now = offscreen_.render(drawing);
-  std::optional<Failure> f = compare_with_baseline(now, baseline);
-  if (f && f->kind == Kind::picture) f->what = drawn(changes, index) + f->what;
-  const std::string folder = folder_of(e);
-  const bool ours =
-      absent || ((f || update_ == Update::all) && made_for(metadata_in(baseline), folder, trace_of(folder)));
-  const bool replaced = settle(baseline, ours, f);
-  const bool beside = f && !replaced && !absent;  // are the pictures written beside the baseline?
+  std::optional<Failure> f = compare_with_baseline(now, p.baseline);
+  if (f && f->kind == Kind::picture) {
+    f->cause = cause_of_picture(changes, p.step);
+    if (!p.guard) f->what = drawn(changes, p.step) + f->what;
+  }
+  const auto kept = [&] { return viz::baseline_png(now, kept_metadata(p)); };
+  conclude(
+      p, std::move(f), kept,
+      [&](const Failure& differing) -> std::string {
+        if (differing.kind != Kind::picture) return {};
+        const viz::BaselinePicture accepted = viz::read_baseline_png(differing.accepted_file);
+        return viz::png(viz::difference_picture(accepted.picture, now, accepted.slack), kept_metadata(p));
+      },
+      found);
+}
+
+void Baselines::conclude(const Pictured& p, std::optional<Failure> f, const std::function<std::string()>& now,
+                         const std::function<std::string(const Failure&)>& difference, std::vector<Failure>& found) {
+  const std::string& baseline = p.baseline;
+  const std::string folder = folder_of(*p.excerpt);
+  const bool absent = !viz::is_there(baseline), looked_at = f || update_ == Update::all;
+  const bool ours = absent || (looked_at && made_for(metadata_in(baseline), folder, trace_of(folder)));
+  std::string bytes;
+  if (acceptance_) bytes = now();
+  const bool replaced = settle(baseline, ours, f, bytes);
+  const bool beside = f && !replaced && !absent && !acceptance_;  // are the pictures written beside the baseline?
   const bool shown = f && (beside || keep_pictures_);
-  std::string png;
-  if (replaced || shown) png = viz::baseline_png(now, kept_metadata(e, index));
-  if (replaced) viz::write_file(baseline, png);
-  if (!f || replaced) remove_failure_pictures(baseline, folder);
+  if (bytes.empty() && (replaced || shown)) bytes = now();
+  if (replaced) viz::write_file(baseline, bytes);
+  if (replaced || (!f && !acceptance_)) remove_failure_pictures(baseline, folder);
   if (!f) return;
 
-  f->fresh_png = std::move(png);
-  if (shown && f->kind == Kind::picture) {
-    const viz::BaselinePicture accepted = viz::read_baseline_png(f->accepted_png);
-    f->difference_png =
-        viz::png(viz::difference_picture(accepted.picture, now, accepted.slack), kept_metadata(e, index));
-  }
+  if (keep_pictures_ && f->kind != Kind::blank) f->reviewed = {{below(baseline), digest(bytes)}};
+  if (shown) f->difference_file = difference(*f);
+  f->fresh_file = std::move(bytes);
   if (beside) write_failure_pictures(*f, folder);
-  if (!keep_pictures_) f->accepted_png.clear(), f->fresh_png.clear(), f->difference_png.clear();
-  found.push_back(about(e, index, *f));
+  if (!keep_pictures_) f->accepted_file.clear(), f->fresh_file.clear(), f->difference_file.clear();
+  found.push_back(about(p, std::move(*f)));
 }
 
 }  // namespace isect::program

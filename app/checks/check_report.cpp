@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/checks/causes.h"
 #include "app/shell/terminal.h"
 #include "viz/formats/files.h"
 #include "viz/player/reader_state.h"
@@ -37,7 +38,11 @@ bool all_missing(const Failure& f) {
   return f.kind == Kind::missing && !viz::is_there(std::filesystem::path(f.baseline).parent_path());
 }
 
-std::string text_of(const Failure& f) {
+/// More failures of one cause than this are told in a line each, after the first.
+constexpr std::size_t most_in_full = 6;
+
+/// Returns a failure's line, and if it is told `in_full`, the lines below it.
+std::string text_of(const Failure& f, bool in_full) {
   if (f.accepted)
     return fmt::format("{} {}: {}\n", inked(Ink::good, f.kind == Kind::orphan ? "removed" : "accepted"), where(f),
                        f.kind == Kind::moved ? "moved from " + f.baseline : f.baseline);
@@ -50,10 +55,32 @@ std::string text_of(const Failure& f) {
   if (f.kind == Kind::missing) return fmt::format("{} {}: {}\n", inked(Ink::bad, "MISSING"), where(f), f.baseline);
   if (f.pointer) return fmt::format("{} {}: {} is {}\n", inked(Ink::bad, "FAILED"), where(f), f.baseline, f.what);
   std::string text = fmt::format("{} {}: {}: {}\n", inked(Ink::bad, "FAILED"), where(f), name_of(f.kind), f.what);
+  if (!in_full) return text;
   constexpr std::size_t enough = 4;
   for (std::size_t i = 0; i < std::min(enough, f.more.size()); ++i) text += fmt::format("    {}\n", f.more[i]);
   if (f.more.size() > enough) text += fmt::format("    and {} more\n", f.more.size() - enough);
   for (const std::string& line : details(f)) text += "    " + line + "\n";
+  return text;
+}
+
+/// Whether a failure that is told in full takes several lines.
+bool takes_lines(const Failure& f) {
+  return f.kind != Kind::missing && f.kind != Kind::orphan && f.kind != Kind::moved && !f.pointer;
+}
+
+/// Returns all failures, and how many there are of each cause.
+std::string text_of_all(const Report& r) {
+  const std::vector<CauseGroup> groups = by_cause(r);
+  std::set<const Failure*> in_short;
+  for (const CauseGroup& group : groups)
+    if (group.failures.size() > most_in_full && takes_lines(*group.failures.front()))
+      in_short.insert(group.failures.begin() + 1, group.failures.end());
+  std::string text;
+  for (const Failure& f : r.failures)
+    if (!(r.nothing_there && f.kind == Kind::missing)) text += text_of(f, !in_short.contains(&f));
+  if (in_short.empty() || r.nothing_there) return text;
+  text += "by cause:\n";
+  for (const CauseGroup& group : groups) text += "    " + heading(group) + "\n";
   return text;
 }
 
@@ -73,6 +100,7 @@ std::string nothing_there(const Report& r) {
 std::string where(const Failure& f) {
   std::string text = f.lesson.empty() ? f.preset : f.lesson + " " + f.preset;
   if (f.step >= 0) text += fmt::format(", step {}{}", f.step + 1, f.slug.empty() ? "" : " (" + f.slug + ")");
+  if (!f.look.empty()) text += ", " + f.look;
   return text;
 }
 
@@ -119,9 +147,7 @@ int status(const Report& r) {
 }
 
 std::string to_text(const Report& r) {
-  std::string text;
-  for (const Failure& f : r.failures)
-    if (!(r.nothing_there && f.kind == Kind::missing)) text += text_of(f);
+  std::string text = text_of_all(r);
   if (r.nothing_there) return text + nothing_there(r);
   for (const std::string& file : r.left_alone) text += fmt::format("left alone: {}\n", left_alone_text(file));
   if (const std::string command = accept_command(r); !command.empty())
@@ -134,20 +160,34 @@ std::string to_json(const Report& r) {
   for (const Failure& f : r.failures) {
     Json object = {{"kind", name_of(f.kind)}, {"lesson", f.lesson}, {"preset", f.preset}};
     if (f.step >= 0) object.update({{"step", f.step + 1}, {"slug", f.slug}});
-    object.update({{"what", f.what}, {"baseline", f.baseline}});
+    if (!f.look.empty()) object["look"] = f.look;
+    object.update({{"what", f.what}, {"cause", cause_of(f)}, {"baseline", f.baseline}});
+    if (f.line > 0) object["line"] = f.line;
     if (!f.more.empty()) object["more"] = f.more;
     if (!f.notes.empty()) object["notes"] = f.notes;
     if (f.foreign) object["foreign"] = true;
     if (f.kind == Kind::picture)
-      object.update({{"pixels_over_8", f.pixels.over_8}, {"pixels_over_1", f.pixels.over_1}});
+      object.update({{"pixels_over_8", f.pixels.over_8},
+                     {"pixels_over_1", f.pixels.over_1},
+                     {"share_seen", f.eye.share_seen()},
+                     {"largest_oklab", f.eye.largest},
+                     {"mean_oklab", f.eye.mean}});
     if (!f.fresh.empty()) object["new"] = f.fresh;
     if (!f.difference.empty()) object["difference"] = f.difference;
     object["accepted"] = f.accepted;
     if (const std::string command = accept_command(r, f); !command.empty()) object["accept"] = command;
     failures.push_back(object);
   }
-  Json result = {{"passed", open_failures(r) == 0}, {"version", viz::version()}, {"lessons", r.lessons},
-                 {"presets", r.checked.size()},     {"pictures", r.pictures},    {"failures", failures},
+  Json causes = Json::array();
+  for (const CauseGroup& group : by_cause(r))
+    causes.push_back({{"cause", group.cause}, {"failures", group.failures.size()}});
+  Json result = {{"passed", open_failures(r) == 0},
+                 {"version", viz::version()},
+                 {"lessons", r.lessons},
+                 {"presets", r.checked.size()},
+                 {"pictures", r.pictures},
+                 {"causes", causes},
+                 {"failures", failures},
                  {"left_alone", r.left_alone}};
   if (const std::string command = accept_command(r); !command.empty()) result["accept"] = command;
   return result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

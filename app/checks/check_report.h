@@ -1,6 +1,8 @@
 #pragma once
-// The result of a check: as text, as JSON and JUnit XML for programs, and as one HTML page with pictures inside.
+// The result of a check: as text, as JSON, JUnit XML and GitHub's annotations for programs, and as an HTML page with
+// pictures, in which a person ticks what is to be accepted.
 
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -40,16 +42,39 @@ bool may_be_accepted(const Failure&);
 std::string accept_command(const Report&);
 /// Returns the command that accepts this failure, and others of its preset; empty if it may not be accepted.
 std::string accept_command(const Report&, const Failure&);
+/// Returns the command that accepts what a file lists, without the file's name, which is the last word.
+std::string accept_file_command(const Report&);
 
 /// Returns the text quoted as one word for a shell.
 std::string quoted(const std::string& word);
 
+/// Tells the first of many failures with one cause in full, the others in a line each.
 std::string to_text(const Report&);
 std::string to_json(const Report&);
-/// Returns a self-contained page: old, new and difference side by side.
-std::string to_html(const Report&);
+
+/// The files of an HTML report. Pictures stand inside the page, unless they are more than a browser opens at once: then
+/// they lie beside it, in a folder with its name.
+struct HtmlReport {
+  std::string page;
+  std::string folder;                           ///< "check-pictures", beside the page; empty if there is none
+  std::map<std::string, std::string> pictures;  ///< by their names in that folder, which are their digests
+};
+/// `file`: the page's name; `most_inside`: bytes of pictures that may stand in the page.
+HtmlReport to_html(const Report&, const std::string& file, std::size_t most_inside = std::size_t{24} << 20);
+/// Writes the page and its pictures. Pictures of an earlier report that it no longer shows are removed; they are known
+/// by their digests. Throws viz::FileError.
+void write_html(const HtmlReport&, const std::string& file);
+
 /// Returns one test suite per lesson, one test case per preset.
 std::string to_junit(const Report&);
+/// Returns GitHub's workflow commands, an error a cause: as many as GitHub shows of a step, and the last one tells of
+/// the rest. Empty if nothing failed.
+std::string to_github(const Report&);
+/// Returns the result as Markdown for GitHub's summary of a job: never more than 100 kB, however much failed.
+std::string to_markdown(const Report&);
+/// Escape text for such a command: its message, and a property, in which colons and commas mean something, too.
+std::string github_message(const std::string&);
+std::string github_property(const std::string&);
 /// Whether a file that begins so is a report of isect's as HTML, as JUnit XML.
 bool begins_html_report(const std::string& bytes);
 bool begins_junit_report(const std::string& bytes);

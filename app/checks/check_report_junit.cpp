@@ -34,6 +34,15 @@ std::vector<std::pair<std::string, Cases>> suites(const Report& r) {
   return found;
 }
 
+/// Names the pictures that were written, as GitLab and Jenkins look for them.
+std::string attachments(const Case& failures) {
+  std::string files;
+  for (const Failure* f : failures)
+    for (const std::string& file : {f->fresh, f->difference})
+      if (!file.empty()) files += "[[ATTACHMENT|" + escaped(file) + "]]\n";
+  return files.empty() ? files : "      <system-out>" + files + "</system-out>\n";
+}
+
 std::string test_case(const Report& r, const std::string& lesson, const std::string& preset, const Case& failures) {
   const std::string head = fmt::format("    <testcase classname=\"{}\" name=\"{}\"", escaped(lesson), escaped(preset));
   if (failures.empty()) return head + "/>\n";
@@ -50,8 +59,8 @@ std::string test_case(const Report& r, const std::string& lesson, const std::str
   if (!accept.empty()) text += "to accept: " + accept + "\n";
   const Failure& first = *failures.front();
   const char* tag = first.kind == Kind::preset ? "error" : "failure";
-  return fmt::format("{0}>\n      <{1} type=\"{2}\" message=\"{3}\">{4}</{1}>\n    </testcase>\n", head, tag,
-                     name_of(first.kind), escaped(first.what), escaped(text));
+  return fmt::format("{0}>\n      <{1} type=\"{2}\" message=\"{3}\">{4}</{1}>\n{5}    </testcase>\n", head, tag,
+                     name_of(first.kind), escaped(first.what), escaped(text), attachments(failures));
 }
 
 /// Returns "tests=\"27\" failures=\"2\" errors=\"0\"" for these suites.

@@ -1,5 +1,5 @@
 #pragma once
-// X.new.png and X.diff.png: files beside a baseline X.png that fails, until it no longer does.
+// X.new.png and X.diff.png: files beside a baseline X.png that fails, until it no longer does; X.new.svg beside X.svg.
 
 #include <filesystem>
 #include <string>

@@ -5,7 +5,10 @@
 #include <algorithm>
 
 #include "app/checks/baselines.h"
+#include "app/checks/causes.h"
 #include "app/checks/failure_pictures.h"
+#include "app/checks/pictured.h"
+#include "app/figures/digest.h"
 #include "viz/player/reader_state.h"
 #include "viz/snapshot/snapshot.h"
 
@@ -16,7 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_baseline(const fs::path& file) {
-  return file.filename() == "trace.json" || (file.extension() == ".png" && !is_failure_picture(file));
+  const bool picture = file.extension() == ".png" || file.extension() == ".svg" || file.extension() == ".tikz";
+  return file.filename() == "trace.json" || (picture && !is_failure_picture(file));
 }
 
 std::vector<fs::path> sorted_children(const fs::path& folder) {
@@ -61,8 +65,11 @@ std::vector<Failure> Baselines::orphans(const std::vector<Excerpt>& checked, con
   std::set<fs::path> wanted;
   for (const Excerpt& e : checked) {
     wanted.insert(path(e, "trace.json"));
-    for (int i = 0; i < static_cast<int>(e.walk.steps.size()); ++i)
-      if (has_picture(e, i)) wanted.insert(path(e, viz::file_stem(i, e.walk.steps[i]) + ".png"));
+    for (int i = 0; i < static_cast<int>(e.walk.steps.size()); ++i) {
+      if (!has_picture(e, i)) continue;
+      wanted.insert(pictured(e, i, nullptr).baseline);
+      for (const Guard& guard : e.guards) wanted.insert(pictured(e, i, &guard).baseline);
+    }
   }
   std::vector<Failure> found;
   for (const auto& [lesson, preset] : in_reach(checked, reach)) orphans_in(lesson, preset, wanted, found);
@@ -107,6 +114,9 @@ void Baselines::join(const std::vector<Move>& moves, std::vector<Failure>& failu
     if (first == failures.end()) continue;
     Failure whole{Failure::Kind::moved, move.lesson, move.to};
     whole.what = fmt::format("says and shows what {} did, which is no more", move.from);
+    whole.cause = cause_of(whole.kind);
+    for (const Failure& f : failures)
+      if (of(f)) whole.reviewed.insert(whole.reviewed.end(), f.reviewed.begin(), f.reviewed.end());
     whole.baseline = (fs::path(folder_) / move.lesson / move.from).string();
     whole.accepted = std::ranges::all_of(failures, [&](const Failure& f) { return !of(f) || f.accepted; });
     *first = whole;
@@ -132,10 +142,13 @@ void Baselines::orphans_in(const std::string& lesson, const std::string& preset,
     }
     Failure f{Failure::Kind::orphan, lesson, preset};
     f.what = "belongs to no step of any preset";
+    f.cause = cause_of(f.kind);
     f.baseline = file;
-    f.accepted = accepts(f.kind);
+    const std::string there = keep_pictures_ || acceptance_ ? digest(viz::read_regular_file(file)) : "";
+    if (keep_pictures_) f.reviewed = {{below(f.baseline), there, true}};
+    f.accepted = acceptance_ ? acceptance_->takes_away(below(f.baseline), there) : accepts(f.kind);
     if (f.accepted) {
-      if (file.extension() == ".png") remove_failure_pictures(file, folder);
+      if (file.filename() != "trace.json") remove_failure_pictures(file, folder);
       removed |= fs::remove(file);
     }
     found.push_back(f);

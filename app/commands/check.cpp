@@ -6,14 +6,18 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <limits>
 #include <memory>
 
 #include "app/checks/baselines.h"
+#include "app/checks/check_choice.h"
 #include "app/checks/check_report.h"
 #include "app/figures/ownership.h"
-#include "app/preset_folder.h"
 #include "app/shell/environment.h"
+#include "app/shell/named_file.h"
 #include "app/shell/terminal.h"
 #include "viz/formats/writable.h"
 
@@ -25,11 +29,15 @@ namespace fs = std::filesystem;
 
 struct CheckOptions {
   Selection asked;
-  std::string snapshots, dir, report, junit, update, backend;
-  bool json = false;
-};
+  std::string snapshots, dir, report, junit, update, accept, backend;
+  bool json = false, github = false;
 
-const char* const default_snapshots = "snapshots";
+  /// Returns the folder of the baselines.
+  std::string folder() const {
+    if (!dir.empty()) return (fs::path(dir) / "snapshots").string();
+    return snapshots.empty() ? "snapshots" : snapshots;
+  }
+};
 
 /// Returns the program as a shell would find it again: "isect", "./run", "build/release/bin/isect".
 std::string called() {
@@ -52,47 +60,6 @@ bool say_old_layout(const Program& program, const std::string& dir) {
   say(fmt::format("{}: baselines lie beside the presets of {}; they have a folder of their own now. To move them:{}",
                   program.name, dir, moves));
   return true;
-}
-
-/// Returns the name that is meant: the file's own, with or without its ending.
-std::string named_as(const std::string& asked, const std::vector<std::string>& names) {
-  const std::string ending = ".json";
-  for (const std::string& name :
-       {asked, asked.ends_with(ending) ? asked.substr(0, asked.size() - ending.size()) : asked})
-    if (std::ranges::find(names, name) != names.end()) return name;
-  throw viz::unknown("preset", asked, names);
-}
-
-/// Stores in `asked` the presets of a folder that are asked for. Returns the broken ones as failures.
-std::vector<Failure> choose_own(const Program& program, const std::string& dir, Selection& asked) {
-  PresetFolder folder = preset_folder(dir, program);
-  say_passed_over(folder);
-  if (asked.preset != "all") {
-    std::vector<std::string> names;
-    for (const PresetFile& file : folder.presets) names.push_back(file.name);
-    for (const BrokenPreset& broken : folder.broken) names.push_back(broken.file.name);
-    const std::string name = named_as(asked.preset, names);
-    std::erase_if(folder.presets, [&](const PresetFile& file) { return file.name != name; });
-    std::erase_if(folder.broken, [&](const BrokenPreset& broken) { return broken.file.name != name; });
-  }
-  asked.files = folder.presets;
-  std::vector<Failure> failures;
-  for (const BrokenPreset& broken : folder.broken) {
-    Failure f{Failure::Kind::preset, {}, broken.file.name};
-    f.what = broken.what;
-    f.baseline = broken.file.path;
-    failures.push_back(std::move(f));
-  }
-  return failures;
-}
-
-std::vector<Excerpt> chosen_of(const Program& program, const CheckOptions& options, const Selection& asked) {
-  if (!options.dir.empty() && asked.files.empty()) return {};  // all of them are broken
-  std::vector<Excerpt> chosen = excerpts(program, asked);
-  for (const Excerpt& e : chosen)
-    if (is_own(e) && options.dir.empty())
-      throw viz::BadInput("preset: only the lesson's own presets have baselines here; for files of yours give --dir");
-  return chosen;
 }
 
 /// Whether there is no baseline: neither of these presets nor of one that may have had another name.
@@ -147,11 +114,33 @@ void require_own_places(const CheckOptions& options) {
   }
 }
 
+/// Returns the file that GitHub takes a job's summary from; empty outside GitHub.
+std::string summary_file(const CheckOptions& options) {
+  const char* const file = options.github ? std::getenv("GITHUB_STEP_SUMMARY") : nullptr;
+  return file ? file : "";
+}
+
+/// Appends, as other steps of the job write to the same file.
+void append(const std::string& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary | std::ios::app);
+  out << text << std::flush;
+  if (!out) throw viz::FileError(fmt::format("cannot write '{}': {}", file, std::strerror(errno)));
+}
+
+void write_page(const Report& report, const std::string& file) {
+  constexpr std::size_t all_inside = std::numeric_limits<std::size_t>::max();
+  std::error_code absent;
+  const bool stream = fs::exists(file, absent) && !fs::is_regular_file(file, absent);  // nothing lies beside a pipe
+  write_html(stream ? to_html(report, file, all_inside) : to_html(report, file), file);
+}
+
 /// Prints the result, even if a report of it can't be written.
 void tell(const Report& report, const CheckOptions& options) {
-  const std::string result = options.json ? to_json(report) : to_text(report);
+  const std::string result =
+      options.json ? to_json(report) : to_text(report) + (options.github ? to_github(report) : "");
   try {
-    if (!options.report.empty()) viz::write_file(options.report, to_html(report));
+    if (!options.report.empty()) write_page(report, options.report);
+    if (const std::string file = summary_file(options); !file.empty()) append(file, to_markdown(report));
     if (!options.junit.empty()) viz::write_file(options.junit, to_junit(report));
   } catch (const viz::FileError&) {
     print(result);
@@ -160,8 +149,46 @@ void tell(const Report& report, const CheckOptions& options) {
   print(result);
 }
 
+/// Accepts what was ticked in a report, as far as it is still what was looked at.
+int accept_reviewed(const Program& program, const CheckOptions& options) {
+  if (!options.asked.lessons.empty() || options.asked.preset != "all")
+    throw viz::BadInput("accept: the file says which pictures are accepted; name no lesson or preset besides");
+  std::optional<Acceptance> acceptance;
+  try {
+    acceptance.emplace(read_accept_file(read_named_file(options.accept)));
+  } catch (const viz::BadInput& e) {
+    throw viz::BadInput(fmt::format("{}: {}", options.accept, e.what()));
+  }
+  const viz::Backend backend = viz::backend_named(options.backend.empty() ? "auto" : options.backend);
+  Selection asked;
+  asked.preset = "all";
+  if (options.dir.empty() && !program.only && !acceptance->removes())  // others need not be walked
+    for (const viz::Lesson* lesson : program.lessons)
+      if (acceptance->names_some_in(lesson->id)) asked.lessons.push_back(lesson->id);
+  const CheckChoice choice = check_choice(program, asked, options.dir);
+  for (const Failure& broken : choice.broken) say(broken.what);
+  std::vector<const Excerpt*> named;
+  for (const Excerpt& e : choice.presets)
+    if (acceptance->names_some_in(folder_of(e))) named.push_back(&e);
+  if (!named.empty() || acceptance->removes()) {
+    need_environment(program);
+    viz::Offscreen offscreen(backend);
+    Baselines baselines(options.folder(), Update::none, false, offscreen, &*acceptance);
+    Progress progress(named.size());
+    for (const Excerpt* e : named) {
+      baselines.check(*e);
+      progress.done(folder_of(*e));
+    }
+    if (acceptance->removes()) baselines.orphans(choice.presets, choice.reach);
+  }
+  acceptance->close(options.folder());
+  print(options.json ? to_json(*acceptance) : to_text(*acceptance));
+  return status(*acceptance);
+}
+
 int check(const Program& program, const CheckOptions& options) {
   require_own_places(options);
+  if (const std::string file = summary_file(options); !file.empty()) viz::need_writable(file);
   for (const std::string& name : options.asked.lessons)
     if (std::error_code absent; options.dir.empty() && fs::is_regular_file(name, absent))
       throw viz::BadInput(
@@ -172,22 +199,14 @@ int check(const Program& program, const CheckOptions& options) {
   const viz::Backend backend = viz::backend_named(options.backend.empty() ? "auto" : options.backend);
   const bool own = !options.dir.empty();  // presets of the user's own
   if (own && say_old_layout(program, options.dir)) return baseline_missing;
+  if (!options.accept.empty()) return accept_reviewed(program, options);
 
   Report report;
   report.asked = {called(),    options.asked.lessons, options.asked.preset == "all" ? "" : options.asked.preset,
                   options.dir, options.snapshots,     options.backend};
-  report.folder = own                         ? (fs::path(options.dir) / "snapshots").string()
-                  : options.snapshots.empty() ? default_snapshots
-                                              : options.snapshots;
-  Selection asked = options.asked;
-  const bool all = asked.lessons.empty() && !program.only;
-  asked.all = all && !own;
-  asked.step = "all";
-  if (own) report.failures = choose_own(program, options.dir, asked);
-  Baselines::Reach reach{all && asked.preset == "all", asked.preset == "all"};
-  for (const Failure& broken : report.failures) reach.spared.insert(broken.preset);
-
-  const std::vector<Excerpt> chosen = chosen_of(program, options, asked);
+  report.folder = options.folder();
+  const auto [chosen, broken, reach] = check_choice(program, options.asked, options.dir);
+  report.failures = broken;
   for (const Excerpt& e : chosen) {
     if (report.lessons.empty() || report.lessons.back() != e.lesson->id) {
       report.lessons.push_back(e.lesson->id);
@@ -195,7 +214,8 @@ int check(const Program& program, const CheckOptions& options) {
       if (listed && !program.only) report.by_name.push_back(e.lesson->id);
     }
     report.checked.push_back({e.lesson->id, e.folder});
-    for (int step = 0; step < static_cast<int>(e.walk.steps.size()); ++step) report.pictures += has_picture(e, step);
+    for (int step = 0; step < static_cast<int>(e.walk.steps.size()); ++step)
+      if (has_picture(e, step)) report.pictures += 1 + e.guards.size();
   }
   const bool pages = !options.report.empty() || !options.junit.empty() || options.json;
   report.nothing_there = update == Update::none && !chosen.empty() && nothing_there(report.folder, chosen, reach);
@@ -226,15 +246,31 @@ void add_check(CLI::App& app, Program& program) {
                "accept what this run complains of (failed, if no more is\n"
                "said), what has no baseline yet (missing), or all anew")
       ->type_name("[=MODE]");
+  add_path(sub, "--accept", options->accept,
+           "accept just what was ticked in a report, which saves this file;\n"
+           "what is another picture by now is refused",
+           "FILE.json")
+      ->excludes("--update");
   add_path(sub, "--snapshots", options->snapshots, "folder of the baselines; snapshots if not given", "DIR");
   add_path(sub, "--dir", options->dir,
            "check the preset files of this folder and those below it (*.json)\n"
-           "against baselines in DIR/snapshots",
+           "against baselines in DIR/snapshots; \"guard\": [{\"theme\": \"dark\"}] in\n"
+           "one guards further looks: theme, size or width, format (png, svg, tikz)",
            "DIR")
       ->excludes("--snapshots");
-  add_path(sub, "--report", options->report, "one page with accepted, new and difference side by side", "FILE.html");
-  add_path(sub, "--junit", options->junit, "the result as JUnit XML, a test case a preset", "FILE.xml");
+  add_path(sub, "--report", options->report,
+           "one page with the changes by cause; tick there what is to be\n"
+           "accepted (? lists the keys)",
+           "FILE.html")
+      ->excludes("--accept");
+  add_path(sub, "--junit", options->junit, "the result as JUnit XML, a test case a preset", "FILE.xml")
+      ->excludes("--accept");
   sub.add_flag("--json", options->json, "the result for programs");
+  sub.add_flag("--github", options->github,
+               "annotations for GitHub Actions, an error a cause, and the job's\n"
+               "summary where GITHUB_STEP_SUMMARY is set")
+      ->excludes("--accept")
+      ->excludes("--json");
   sub.add_option("--backend", options->backend, "auto (if not given), osmesa or egl")->type_name("NAME");
   sub.footer(
       "A file that isect did not make is never changed or removed, and no failure unless a baseline belongs "

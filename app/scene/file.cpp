@@ -29,7 +29,7 @@ class SceneReader {
                      "this is a preset’s file, which show, render and explain take; a scene has \"objects\"");
     if (json().is_object() && json().contains("stops") && !json().contains("objects"))
       source_.refuse({"stops"}, "this is a playlist, which show, handout, deck and quiz take; a scene has \"objects\"");
-    source_.only(json(), {}, {"title", "objects", "ask", "notes", "camera"}, beside_);
+    source_.only(json(), {}, {"title", "objects", "ask", "notes", "camera", "guard"}, beside_);  // the last for `check`
     file_.title = json().contains("title") ? source_.text(json()["title"], {"title"}) : untitled;
     ReadObjects objects = read_objects(source_, folder_);
     file_.objects = std::move(objects.all), file_.parameters = std::move(objects.parameters);

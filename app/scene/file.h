@@ -18,7 +18,8 @@
 //              {"walk": ["A", "B", "C"], "lesson": "collision",      // of many, or "all"
 //               "method": "sweep"} ],
 //     "notes": [ {"at": [0, 2, 0], "text": "the *y*-axis"} ],
-//     "camera": {"azimuth": 30, "elevation": 20} }                   // degrees
+//     "camera": {"azimuth": 30, "elevation": 20},                    // degrees
+//     "guard": [ {"theme": "dark"} ] }                               // for `isect check`: see app/guard.h
 //
 // The first field of an object is its type with its name; the others are those of app/scene/types.h, in the plane with
 // two coordinates, in space with three. "hidden": true leaves an object out of the picture, not out of the answers.

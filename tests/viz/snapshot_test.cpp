@@ -239,6 +239,48 @@ TEST_CASE("an object that is gone, new or moved is told by its name", "[snapshot
   CHECK(told_of(drawn(ball_and_line()), drawing) == Lines{"the label b moved 0.5 px"});
 }
 
+TEST_CASE("drawings in which the same happened have one cause, however far and in whatever order", "[snapshot]") {
+  const auto causes = [](const Drawing& is) {
+    const Parameters p = at(0.5);
+    const Drawing was = drawn(ball_and_line());
+    std::vector<std::string> found;
+    for (const Change& c : compare_traces(trace_json(toy(), "near", p, toy().walk(p), {was}, stamp),
+                                          trace_json(toy(), "near", p, toy().walk(p), {is}, stamp)))
+      if (c.step == 0) found.push_back(c.cause);
+    return found;
+  };
+  const auto labels_moved = [&](double b, double t) {
+    Drawing is = drawn(ball_and_line());
+    of_object<Text>(is, "label b").at.x() += b;
+    of_object<Text>(is, "label t").at.x() += t;
+    return causes(is);
+  };
+  CHECK(labels_moved(3, 0) == Lines{"the label b moved"});
+  CHECK(labels_moved(7.5, 0) == labels_moved(3, 0));
+  CHECK(labels_moved(1, 2) == Lines{"the label b and the label t moved"});
+  CHECK(labels_moved(9, 2) == labels_moved(1, 2));  // told the other way round
+  const auto larger = [&](double times) {
+    Scene scene = ball_and_line();
+    std::get<Ball>(scene.items[0]).radius *= times;
+    return causes(drawn(scene));
+  };
+  CHECK(larger(1.001) == Lines{"the ball b is larger"});
+  CHECK(larger(1.002) == larger(1.001));
+  CHECK(larger(0.999) == Lines{"the ball b is smaller"});
+  Drawing other = drawn(ball_and_line());
+  of_object<Text>(other, "label b").markup = "*c*";
+  CHECK(causes(other) == Lines{"the text of the label b changed"});
+
+  // The values of settings belong to the cause, what is computed from them does not.
+  const std::vector<Change> moved = compare_traces(trace(at(0.5)), trace(at(1)));
+  REQUIRE_FALSE(moved.empty());
+  CHECK(moved[0].cause == moved[0].what);
+  const auto computed = std::ranges::find(moved, Change::Of::course, &Change::of);
+  REQUIRE(computed != moved.end());
+  CHECK_THAT(computed->what, Contains(" was ") || Contains(" became "));
+  CHECK_THAT(computed->cause, !Contains(" was "));
+}
+
 TEST_CASE("a ball larger by a thousandth is told as larger", "[snapshot]") {
   Scene scene = ball_and_line();
   std::get<Ball>(scene.items[0]).radius *= 1.001;

@@ -222,7 +222,8 @@ OtherSide beside_of(const Json& object, const Lesson& lesson) {
 }
 
 ReaderState state_of(const Json& object, const std::vector<const Lesson*>& lessons) {
-  only_fields(object, "the state", {"lesson", "preset", "step", "parameters", "camera", "beside"});
+  // "guard" is for `isect check` alone.
+  only_fields(object, "the state", {"lesson", "preset", "step", "parameters", "camera", "beside", "guard"});
   if (!object.contains("lesson")) throw BadInput("lesson: missing; the state of which lesson is it?");
   const Lesson& lesson = lesson_named(lessons, text_of(object["lesson"], "lesson"));
   ReaderState state;

@@ -22,6 +22,7 @@ struct Saying {
   std::string subject, verb;  ///< "the ball b", "moved"
   double pixels = 0;          ///< how far, where that is said
   std::string what = {};      ///< the subject's part that the verb is about: "width"; empty: the subject itself
+  std::string plainly = {};  ///< the verb without numbers that differ from drawing to drawing; empty: the verb has none
 };
 
 bool is_colour(const std::string& key) { return key.ends_with("colour") || key == "rim"; }
@@ -207,14 +208,16 @@ class Comparer {
     if (!motion_.shifts.empty() && motion_.most >= 0.02 && motion_.alike())
       say(Said::moved, "moved", motion_.most);
     else if (grown_ && std::abs(*grown_ - 1) >= 5e-5)
-      say(Said::size, fmt::format("is {:.4g} times as large", *grown_));
+      out_.push_back({Said::size, subject_, fmt::format("is {:.4g} times as large", *grown_), 0, {}, resized(*grown_)});
     else
       say(Said::shape, motion_.most >= 0.02 ? "changed its shape" : "changed its inner shape", motion_.most);
   }
   void say(Said kind, const std::string& verb, double pixels = 0) { out_.push_back({kind, subject_, verb, pixels}); }
   void say_value(Said kind, const std::string& what, const std::string& was, const std::string& is) {
-    out_.push_back({kind, subject_, fmt::format("was {}, is {}", was, is), 0, what});
+    const bool of_one = kind == Said::text || what == "mean colour";  // other drawings have other values
+    out_.push_back({kind, subject_, fmt::format("was {}, is {}", was, is), 0, what, of_one ? "changed" : ""});
   }
+  static std::string resized(double times) { return times > 1 ? "is larger" : "is smaller"; }
 
   std::string subject_;
   std::vector<Saying>& out_;
@@ -302,12 +305,18 @@ std::string of_several(const std::string& verb) {
   return verb;
 }
 
-/// Joins what is said of several objects alike into one sentence, the farthest moved first.
-std::vector<std::string> sentences(std::vector<Saying> sayings) {
+/// Returns "the width of the ball b and the line t" or the subjects alone.
+std::string subject_of(const std::string& what, const std::vector<std::string>& subjects) {
+  return (what.empty() ? "" : "the " + what + " of ") + joined(subjects);
+}
+
+/// Joins what is said of several objects alike into one sentence, the farthest moved first. In the cause, which is
+/// compared, they stand in order of their names.
+std::vector<Sentence> sentences(std::vector<Saying> sayings) {
   std::ranges::stable_sort(sayings, [](const Saying& a, const Saying& b) {
     return a.kind != b.kind ? a.kind < b.kind : a.pixels > b.pixels;
   });
-  std::vector<std::string> texts;
+  std::vector<Sentence> texts;
   while (!sayings.empty()) {
     const Saying first = sayings.front();
     std::vector<std::string> subjects;
@@ -317,23 +326,26 @@ std::vector<std::string> sentences(std::vector<Saying> sayings) {
       return true;
     });
     const bool many = subjects.size() > 1 && first.what.empty();
-    std::string text = (first.what.empty() ? "" : "the " + first.what + " of ") + joined(subjects) + ' ' +
-                       (many ? of_several(first.verb) : first.verb);
+    const auto said = [&](const std::string& verb) {
+      return subject_of(first.what, subjects) + ' ' + (many ? of_several(verb) : verb);
+    };
+    std::string text = said(first.verb);
     if (first.pixels > 0)
       text += fmt::format(" {}{:.2g} px", subjects.size() > 1 || first.kind == Said::shape ? "by up to " : "",
                           first.pixels);
-    texts.push_back(text);
+    std::ranges::sort(subjects);
+    texts.push_back({text, said(first.plainly.empty() ? first.verb : first.plainly)});
   }
   return texts;
 }
 
 }  // namespace
 
-std::vector<std::string> differences(const Json& was, const Json& is) {
+std::vector<Sentence> differences(const Json& was, const Json& is) {
   if (was == is) return {};
   std::vector<Saying> sayings;
   const Json &old_ones = at(was, "objects"), &new_ones = at(is, "objects");
-  if (!old_ones.is_object()) return {"the drawing was not kept"};
+  if (!old_ones.is_object()) return {{"the drawing was not kept", "the drawing was not kept"}};
   for (const auto& item : old_ones.items())
     if (!new_ones.contains(item.key())) sayings.push_back({Said::gone, "the " + item.key(), "is gone"});
   for (const auto& item : new_ones.items()) {

@@ -23,8 +23,12 @@ Json drawing_summary(const Drawing&);
 Json change(const Json& before, const Json& after);
 Json after(Json before, const Json& change);
 
+struct Sentence {
+  std::string what;   ///< "the ball b and the label r moved by up to 14 px"
+  std::string cause;  ///< the same of every drawing in which that happened: "the ball b and the label r moved"
+};
 /// Returns the differences in words, those that explain most first: what is gone or new, then what moved, then styles
 /// and paint order. Empty if no eye sees a difference.
-std::vector<std::string> differences(const Json& was, const Json& is);
+std::vector<Sentence> differences(const Json& was, const Json& is);
 
 }  // namespace isect::viz::snap

@@ -68,6 +68,10 @@ void compare_lists(const std::string& what, const Json& was, const Json& is, Cha
       changes.compare_texts(fmt::format("{} of {} {}", item.key(), what, i + 1), at(was[i], item.key()), item.value());
 }
 
+std::vector<Change> lone_change(const std::string& what, const std::string& cause) {
+  return {{-1, what, Change::Of::course, cause}};
+}
+
 Json without_drawing(Json step) {
   if (step.is_object()) step.erase("drawing");
   return step;
@@ -82,7 +86,7 @@ void compare_all_steps(const Json& were, const Json& are, Changes& changes) {
     summary_was = snap::after(std::move(summary_was), at(were[i], "drawing"));
     summary_is = snap::after(std::move(summary_is), at(are[i], "drawing"));
     changes.are_of(Change::Of::drawing);
-    for (const std::string& what : snap::differences(summary_was, summary_is)) changes.add(what);
+    for (const auto& [what, cause] : snap::differences(summary_was, summary_is)) changes.add(what, cause);
   }
   changes.of_step(-1);
   changes.are_of(Change::Of::course);
@@ -123,11 +127,12 @@ std::vector<Change> compare_traces(const std::string& accepted, const std::strin
   if (accepted == fresh) return {};
   const Json was = snap::parsed(accepted), is = Json::parse(fresh);
   if (!was.is_object() || !at(was, "steps").is_array())
-    return {{-1, "the accepted trace is damaged: no JSON with steps"}};
+    return lone_change("the accepted trace is damaged: no JSON with steps", "the accepted trace is damaged");
   if (at(was, "format") != at(is, "format"))
-    return {{-1, fmt::format("the accepted trace has format {}, this program writes format {}, which tells more: "
-                             "accept it anew, and nothing else is compared until then",
-                             snap::shown(at(was, "format")), at(is, "format").dump())}};
+    return lone_change(fmt::format("the accepted trace has format {}, this program writes format {}, which tells more: "
+                                   "accept it anew, and nothing else is compared until then",
+                                   snap::shown(at(was, "format")), at(is, "format").dump()),
+                       "the accepted trace has another format");
 
   Changes changes;
   changes.are_of(Change::Of::setting);

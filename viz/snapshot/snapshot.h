@@ -33,6 +33,9 @@ struct Change {
   /// What changed, ordered by how much it explains: what the walk was made with, what its steps compute and decide, how
   /// they put it, what they show.
   enum class Of { setting, course, wording, drawing } of = Of::course;
+  /// The change without the numbers that differ from step to step and from walk to walk: "the ball b moved". Equal for
+  /// changes that probably have one cause; those of settings keep their values.
+  std::string cause = {};
 };
 /// Returns what leads from the accepted trace to the new one: stamp and parameters, then steps in order, then
 /// pseudocode and what belongs to no step. Empty if the traces say the same, though the numbers of a drawing may be

@@ -116,13 +116,15 @@ void compare_questions(const Json& was, const Json& is, Changes& changes) {
 
 }  // namespace
 
-void Changes::add(const std::string& what) {
+void Changes::add(const std::string& what, const std::string& cause) {
   const auto known = [&](const Change& c) { return c.step == step_ && c.what == what; };
-  if (std::ranges::none_of(found_, known)) found_.push_back({step_, what, of_});
+  if (std::ranges::none_of(found_, known)) found_.push_back({step_, what, of_, cause.empty() ? what : cause});
 }
 
 void Changes::compare(const std::string& name, const Json& was, const Json& is) {
-  if (was != is) add(fmt::format("{} was {}, is {}", name, shown(was), shown(is)));
+  if (was == is) return;
+  const std::string what = fmt::format("{} was {}, is {}", name, shown(was), shown(is));
+  add(what, of_ == Change::Of::setting ? what : name + " changed");
 }
 
 void Changes::compare_texts(const std::string& name, const Json& was, const Json& is) {
@@ -131,7 +133,7 @@ void Changes::compare_texts(const std::string& name, const Json& was, const Json
   const std::string before = readable(was), now = readable(is);
   if (before == now) return compare("markup of the " + name, was, is);
   const auto [old_words, new_words] = differing_words(before, now);
-  add(fmt::format("{} was {}, is {}", name, old_words, new_words));
+  add(fmt::format("{} was {}, is {}", name, old_words, new_words), name + " changed");
 }
 
 void Changes::compare_all(const std::string& prefix, const Json& was, const Json& is) {

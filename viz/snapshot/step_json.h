@@ -21,8 +21,8 @@ class Changes {
  public:
   void of_step(int step) { step_ = step; }
   void are_of(Change::Of what) { of_ = what; }
-  /// Adds a change, unless it was said already (a value that is also compared).
-  void add(const std::string& what);
+  /// Adds a change, unless it was said already (a value that is also compared). `cause`: as in Change; empty: the same.
+  void add(const std::string& what, const std::string& cause = {});
   void compare(const std::string& name, const Json& was, const Json& is);
   /// Compares texts with markup: shows the words around the difference.
   void compare_texts(const std::string& name, const Json& was, const Json& is);
