@@ -61,9 +61,10 @@ class FigureMakers {
       StyleOptions own = options.style;
       if (!e.style.empty()) fill_in(own, e.style);
       if (!own.columns.empty()) own.width = options.style.width, own.columns.clear();  // it was a strip of several
-      if (!made_.empty() && own.font != font_)
+      const std::string font = font_of(own);
+      if (!made_.empty() && font != font_)
         throw viz::BadInput("font: these figures are set in several, and a run sets all in one; give --font");
-      font_ = own.font;
+      font_ = font;
       made_[e.style].style = style_of(own);
     }
   }
