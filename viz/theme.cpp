@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 
 #include "viz/lesson.h"
 #include "viz/text/spelling.h"
@@ -218,6 +219,10 @@ std::vector<std::string> theme_names() {
   std::vector<std::string> all;
   for (const Named& named : named_themes) all.emplace_back(named.text);
   return all;
+}
+
+bool is_theme_name(const std::string& text) {
+  return std::any_of(std::begin(named_themes), std::end(named_themes), [&](const Named& n) { return text == n.text; });
 }
 
 ThemeName theme_named(const std::string& text) {

@@ -104,6 +104,8 @@ Theme paper_theme(const ThemeChoice&, double text_size = usual_text_size);
 Theme window_theme(ThemeName, double scale = 1);
 
 std::vector<std::string> theme_names();
+/// Whether a built-in theme has this name.
+bool is_theme_name(const std::string&);
 /// Returns the theme with this name. Throws BadInput naming the nearest one.
 ThemeName theme_named(const std::string&);
 std::string name_of(ThemeName);

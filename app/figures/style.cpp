@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/figures/theme_file.h"
+#include "app/figures/theme_choice.h"
 #include "viz/gl/offscreen.h"
 #include "viz/lesson.h"
 

@@ -66,8 +66,6 @@ std::optional<Near> nearest_roles(const OwnTheme& theme, Vision vision) {
   return nearest;
 }
 
-std::string distance_text(const std::optional<Near>& near) { return near ? fmt::format("{:g}", near->distance) : "–"; }
-
 class Swatch {
  public:
   Swatch(const OwnTheme& theme, double width) : own_(theme), theme_(viz::paper_theme(viz::ThemeChoice(theme))) {
@@ -160,7 +158,8 @@ class Swatch {
     const double baseline = y_ + pitch / 2 + 0.35 * size();
     text("least apart", {margin, baseline}, Role::text, 0);
     for (const Vision vision : viz::all_visions)
-      text(distance_text(nearest_roles(own_, vision)), {middle(vision), baseline}, Role::text, 0.5);
+      if (const std::optional<Near> near = nearest_roles(own_, vision))
+        text(fmt::format("{:g}", near->distance), {middle(vision), baseline}, Role::text, 0.5);
     y_ += pitch;
     as_object("distances", {});
   }

@@ -7,7 +7,7 @@
 
 #include "app/figures/ownership.h"
 #include "app/figures/question_figure.h"
-#include "app/figures/theme_file.h"
+#include "app/figures/theme_choice.h"
 #include "app/pages/html.h"
 #include "app/pages/latex.h"
 #include "app/shell/environment.h"

@@ -125,9 +125,13 @@ class ThemeChecker {
       if (width > least) continue;
       const std::string why = fmt::format("{:g} pt, and at {:.3g} pt or less it is no wider than {}", width, least,
                                           named_lines()[index_of(thin)].name);
-      width = std::ceil(110 * least) / 100;
-      out_.faults.push_back(
-          {ThemeFault::Of::line, named_lines()[index_of(line)].name, why, fmt::format("{:g} would do", width)});
+      const double wider = std::ceil(110 * least) / 100;
+      const bool can_be = wider <= widest_line;
+      if (can_be) width = wider;
+      out_.is_mended = out_.is_mended && can_be;
+      const std::string cure = can_be ? fmt::format("{:g} would do", wider)
+                                      : fmt::format("make {} thinner", named_lines()[index_of(thin)].name);
+      out_.faults.push_back({ThemeFault::Of::line, named_lines()[index_of(line)].name, why, cure});
     }
   }
 
@@ -152,8 +156,9 @@ std::vector<std::string> contrast_faults(const OwnTheme& theme, std::size_t inde
   };
   if (index == at_background || index == at_panel) {
     demand(hex(is_dark ? 0xFFFFFF : 0), demands::ground,
-           fmt::format("{} (a theme based on {} has {} grounds)", is_dark ? "white" : "black", name_of(theme.based_on),
-                       is_dark ? "dark" : "light"));
+           fmt::format("{}, as {} has {} grounds and {} one is based on {}", is_dark ? "white" : "black",
+                       name_of(theme.based_on), is_dark ? "dark" : "light", is_dark ? "a light" : "a dark",
+                       is_dark ? "print" : "dark"));
     return whys;
   }
   switch (static_cast<Role>(index)) {

@@ -19,6 +19,9 @@ constexpr double in_grey = 10;  ///< distance in lightness of the first and the 
 constexpr double greys = 2.5;   ///< contrast of these two in a theme of greys
 }  // namespace demands
 
+/// What the width of a line may be, in points.
+constexpr double thinnest_line = 0.1, widest_line = 6;
+
 /// The roles that a reader must tell apart by their colours.
 constexpr std::array main_roles = {Role::first, Role::second, Role::hit, Role::miss};
 

@@ -1,15 +1,11 @@
-#include "app/figures/theme_file.h"
+#include "app/figures/theme_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <map>
-#include <optional>
 
 #include "app/scene/source.h"
-#include "app/shell/named_file.h"
 #include "viz/colour/theme_check.h"
 #include "viz/colour/two_colours.h"
 #include "viz/lesson.h"
@@ -19,7 +15,6 @@ namespace isect::program {
 
 namespace {
 
-namespace fs = std::filesystem;
 using scene::Json;
 using scene::Path;
 
@@ -31,18 +26,14 @@ bool is_derived(const std::string& role) {
   return std::ranges::any_of(viz::main_roles, [&](viz::Role main) { return role == viz::name_of(main); });
 }
 
-bool is_built_in(const std::string& name) {
-  const std::vector<std::string> all = viz::theme_names();
-  return std::ranges::find(all, name) != all.end();
-}
-
 class ThemeReader {
  public:
-  ThemeReader(const std::string& text, const std::string& name) : source_(text) { read_.theme.name = name; }
+  ThemeReader(const std::string& text, const std::string& name)
+      : source_(text), name_(can_be_name(name) ? name : "own") {}
 
   ReadTheme read() {
     need_fields();
-    const std::string name = json().contains("name") ? read_name() : read_.theme.name;
+    const std::string name = json().contains("name") ? read_name() : name_;
     read_.theme = viz::values_of(base());
     read_.theme.name = name;
     if (json().contains("hatch")) read_hatch();
@@ -55,6 +46,17 @@ class ThemeReader {
   }
 
  private:
+  static constexpr std::size_t longest_name = 80;
+
+  static bool can_be_name(const std::string& name) try {
+    static_cast<void>(Json(name).dump());  // throws what is not UTF-8
+    const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
+    return name.find_first_not_of(' ') != name.npos && name.size() <= longest_name && !viz::is_theme_name(name) &&
+           std::none_of(name.begin(), name.end(), is_control);
+  } catch (const Json::exception&) {
+    return false;
+  }
+
   const Json& json() const { return source_.json(); }
   const char* field_of_two() const { return json().contains("colours") ? "colours" : "colors"; }
 
@@ -76,12 +78,9 @@ class ThemeReader {
   }
 
   std::string read_name() const {
-    constexpr std::size_t longest = 80;
     const std::string name = some_text("name", "a text");
-    const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
-    if (name.size() > longest || std::ranges::any_of(name, is_control))
-      source_.refuse({"name"}, fmt::format("give a text of one line, of at most {} bytes", longest));
-    if (is_built_in(name)) source_.refuse({"name"}, fmt::format("\"{}\" is built in; give another name", name));
+    if (viz::is_theme_name(name)) source_.refuse({"name"}, fmt::format("\"{}\" is built in; give another name", name));
+    if (!can_be_name(name)) source_.refuse({"name"}, fmt::format("give one line of at most {} bytes", longest_name));
     return name;
   }
 
@@ -89,7 +88,7 @@ class ThemeReader {
     if (!json().contains("based on")) return viz::ThemeName::print;
     const std::vector<std::string> allowed = viz::theme_names();
     const std::string name = some_text("based on", "one of " + spelling::listed(allowed));
-    if (!is_built_in(name))
+    if (!viz::is_theme_name(name))
       source_.refuse({"based on"},
                      fmt::format("\"{}\" is not built in{}", name,
                                  spelling::instead(name, allowed, "allowed: " + spelling::listed(allowed))));
@@ -127,7 +126,7 @@ class ThemeReader {
 
   /// Reads the widths of some lines, or one factor for all.
   void read_lines() {
-    constexpr double least = 0.25, most = 4;
+    constexpr double least = 0.25, most = 2.5;  // so that each width is allowed
     const Json& lines = json()["lines"];
     if (lines.is_number()) {
       const double factor = source_.number(lines, {"lines"});
@@ -139,7 +138,6 @@ class ThemeReader {
     }
     if (!lines.is_object())
       source_.refuse({"lines"}, "widths in points are expected, as in {\"ray\": 1}, or a factor for all lines");
-    constexpr double thinnest = 0.1, widest = 6;
     std::vector<std::string> names;
     for (const viz::NamedLine& line : viz::named_lines()) names.emplace_back(line.name);
     source_.only(lines, {"lines"}, names);
@@ -147,8 +145,9 @@ class ThemeReader {
       if (!lines.contains(names[i])) continue;
       const Path path = {"lines", names[i]};
       const double width = source_.number(lines[names[i]], path);
-      if (!(width >= thinnest && width <= widest))
-        source_.refuse(path, fmt::format("{:g} is not allowed; give {:g} to {:g} points", width, thinnest, widest));
+      if (!(width >= viz::thinnest_line && width <= viz::widest_line))
+        source_.refuse(path, fmt::format("{:g} is not allowed; give {:g} to {:g} points", width, viz::thinnest_line,
+                                         viz::widest_line));
       read_.theme.lines[i] = to_thousandths(width);
     }
   }
@@ -178,16 +177,9 @@ class ThemeReader {
   }
 
   scene::Source source_;
+  const std::string name_;
   ReadTheme read_;
 };
-
-/// Throws viz::BadInput if the theme has a fault; `where` begins the message.
-const viz::OwnTheme& need_readable(const ReadTheme& read, const std::string& where) {
-  if (read.faults.empty()) return read.theme;
-  const std::size_t more = read.faults.size() - 1;
-  throw viz::BadInput(fmt::format("{}{}{}", where, read.faults.front(),
-                                  more == 0 ? "" : fmt::format("; and {} more, which `isect theme` lists", more)));
-}
 
 Json theme_json(const viz::OwnTheme& theme) {
   Json json = {{"name", theme.name}, {"based on", viz::name_of(theme.based_on)}};
@@ -202,40 +194,6 @@ Json theme_json(const viz::OwnTheme& theme) {
 }  // namespace
 
 ReadTheme read_theme(const std::string& text, const std::string& name) { return ThemeReader(text, name).read(); }
-
-const ReadTheme& read_theme_file(const std::string& path) {
-  static std::map<std::string, ReadTheme> read;
-  if (const auto known = read.find(path); known != read.end()) return known->second;
-  const std::string text = read_named_file(path), stem = fs::path(path).stem().string();
-  try {
-    static_cast<void>(Json(stem).dump());
-  } catch (const Json::exception&) {
-    throw viz::BadInput(fmt::format("theme: {}: the file's name is not UTF-8; rename it", path));
-  }
-  try {
-    return read.emplace(path, read_theme(text, is_built_in(stem) ? "my " + stem : stem)).first->second;
-  } catch (const viz::BadInput& e) {
-    throw viz::BadInput(fmt::format("theme: {}: {}", path, e.what()));
-  }
-}
-
-bool is_theme_file(const std::string& word) {
-  std::error_code absent;
-  return word.ends_with(".json") || word.find('/') != word.npos ||
-         (word.find('.') != word.npos && fs::is_regular_file(word, absent));
-}
-
-viz::ThemeChoice theme_choice(const std::string& word) {
-  if (word.starts_with('{')) {
-    try {
-      return viz::ThemeChoice(need_readable(read_theme(word, "own"), ""));
-    } catch (const viz::BadInput& e) {
-      throw viz::BadInput(fmt::format("theme: its text: {}", e.what()));
-    }
-  }
-  if (!is_theme_file(word)) return viz::theme_named(word);
-  return viz::ThemeChoice(need_readable(read_theme_file(word), fmt::format("theme: {}: ", word)));
-}
 
 std::string theme_text(const viz::OwnTheme& theme) { return theme_json(theme).dump(); }
 std::string theme_text_by_lines(const viz::OwnTheme& theme) { return theme_json(theme).dump(2) + "\n"; }
