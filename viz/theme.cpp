@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <iterator>
 
 #include "viz/lesson.h"
 #include "viz/text/spelling.h"
@@ -104,18 +106,25 @@ const Palette& palette(ThemeName name) {
   return print_palette;
 }
 
-Theme theme_with(ThemeName name, const Sizes& sizes) {
-  const Palette& colours = palette(name);
+/// Returns the sizes with a theme's own line widths, which are in proportion to those of a figure on paper.
+Sizes with_lines(Sizes sizes, const OwnTheme& own) {
+  for (std::size_t i = 0; i < own.lines.size(); ++i)
+    sizes.*named_lines()[i].width *= own.lines[i] / (paper_sizes.*named_lines()[i].width);
+  return sizes;
+}
+
+Theme theme_with(const ThemeChoice& choice, const Sizes& sizes) {
+  const OwnTheme values = choice.own() ? *choice.own() : values_of(choice.base());
   Theme theme;
-  theme.name = name;
-  theme.background = hex(colours.background);
-  theme.panel = hex(colours.panel);
+  theme.name = choice.base();
+  theme.background = values.colours[OwnTheme::background];
+  theme.panel = values.colours[OwnTheme::panel];
   theme.fill_alpha = 0.14;
   theme.overlap_alpha = 0.30;
-  theme.hatch_second = name == ThemeName::grey;
-  theme.floor_grid = name == ThemeName::screen || name == ThemeName::dark;
-  theme.sizes = sizes;
-  std::transform(colours.inks.begin(), colours.inks.end(), theme.inks.begin(), hex);
+  theme.hatch_second = values.hatch;
+  theme.floor_grid = theme.name == ThemeName::screen || theme.name == ThemeName::dark;
+  theme.sizes = choice.own() ? with_lines(sizes, values) : sizes;
+  std::copy_n(values.colours.begin(), theme.inks.size(), theme.inks.begin());
   return theme;
 }
 
@@ -129,6 +138,10 @@ constexpr Named named_themes[] = {
 }  // namespace
 
 Colour hex(unsigned rgb) { return {(rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0, 1}; }
+
+std::string hex_of(const Colour& c) {
+  return fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * c.r), std::lround(255 * c.g), std::lround(255 * c.b));
+}
 
 Colour Theme::ink(Role role) const { return inks[static_cast<std::size_t>(role)]; }
 
@@ -152,18 +165,47 @@ Colour Theme::tint(Role role) const {
   return ink(role).with_alpha(hatched(role) ? fill_alpha / 2 : fill_alpha);
 }
 
-Theme theme(ThemeName name, double width, double height) {
-  if (name == ThemeName::print || name == ThemeName::grey)
-    return theme_with(name, scaled(paper_sizes, std::min(width / 227, height / 142)));
-  return theme_with(name, scaled(in_pixels, std::min(width / 960, height / 600)));
+OwnTheme values_of(ThemeName name) {
+  const Palette& colours = palette(name);
+  OwnTheme values;
+  values.name = name_of(name), values.based_on = name, values.hatch = name == ThemeName::grey;
+  std::transform(colours.inks.begin(), colours.inks.end(), values.colours.begin(), hex);
+  values.colours[OwnTheme::background] = hex(colours.background);
+  values.colours[OwnTheme::panel] = hex(colours.panel);
+  for (std::size_t i = 0; i < values.lines.size(); ++i) values.lines[i] = paper_sizes.*named_lines()[i].width;
+  return values;
 }
 
-Theme paper_theme(ThemeName name, double text_size) {
+std::vector<std::string> colour_names() {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < OwnTheme::background; ++i) all.push_back(name_of(static_cast<Role>(i)));
+  all.insert(all.end(), {"background", "panel"});
+  return all;
+}
+
+const std::array<NamedLine, 7>& named_lines() {
+  static constexpr std::array<NamedLine, 7> all = {{{"outline", &Sizes::outline},
+                                                    {"ray", &Sizes::ray},
+                                                    {"shared", &Sizes::shared},
+                                                    {"highlight", &Sizes::highlight},
+                                                    {"hidden", &Sizes::hidden},
+                                                    {"construction", &Sizes::construction},
+                                                    {"hairline", &Sizes::hairline}}};
+  return all;
+}
+
+Theme theme(const ThemeChoice& choice, double width, double height) {
+  if (choice.base() == ThemeName::print || choice.base() == ThemeName::grey)
+    return theme_with(choice, scaled(paper_sizes, std::min(width / 227, height / 142)));
+  return theme_with(choice, scaled(in_pixels, std::min(width / 960, height / 600)));
+}
+
+Theme paper_theme(const ThemeChoice& choice, double text_size) {
   Sizes sizes = scaled(paper_sizes, text_size / usual_text_size);  // lines are as thin as they were designed
   const Sizes texts = scaled(paper_sizes, text_size / paper_sizes.label);
   sizes.title = sizes.label = sizes.axis = text_size;
   sizes.label_offset = texts.label_offset, sizes.label_clear = texts.label_clear, sizes.label_halo = texts.label_halo;
-  return theme_with(name, sizes);
+  return theme_with(choice, sizes);
 }
 
 Theme window_theme(ThemeName name, double scale) { return theme_with(name, scaled(in_pixels, scale)); }
@@ -177,6 +219,10 @@ std::vector<std::string> theme_names() {
   std::vector<std::string> all;
   for (const Named& named : named_themes) all.emplace_back(named.text);
   return all;
+}
+
+bool is_theme_name(const std::string& text) {
+  return std::any_of(std::begin(named_themes), std::end(named_themes), [&](const Named& n) { return text == n.text; });
 }
 
 ThemeName theme_named(const std::string& text) {
@@ -193,5 +239,7 @@ std::string name_of(ThemeName name) {
     if (name == named.name) return named.text;
   return {};
 }
+
+std::string name_of(const ThemeChoice& choice) { return choice.own() ? choice.own()->name : name_of(choice.base()); }
 
 }  // namespace isect::viz

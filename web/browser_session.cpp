@@ -321,7 +321,7 @@ Json BrowserSession::copy(const Json&) {
   return {{"svg", viz::lone_svg(drawing, alt, "figure-")},
           {"width", drawing.width},
           {"height", drawing.height},
-          {"background", viz::svg_colour(drawing.background)},
+          {"background", viz::hex_of(drawing.background)},
           {"alt", alt},
           {"file", file},
           {"place", viz::to_json(p.reader_state())},

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using Kind = Failure::Kind;
 
 constexpr Size picture_size = {960, 600};
-constexpr viz::ThemeName theme = viz::ThemeName::screen;
+constexpr viz::ThemeName baseline_theme = viz::ThemeName::screen;
 
 /// Returns "llvmpipe" of "llvmpipe (LLVM 15.0.6, 256 bits)": the rest names the processor, which may differ.
 std::string family(const std::string& driver) { return driver.substr(0, driver.find(' ')); }
@@ -85,7 +85,7 @@ Baselines::Baselines(std::string folder, Update update, bool keep_pictures, viz:
       offscreen_(offscreen),
       acceptance_(acceptance) {
   const viz::Fonts fonts = viz::fonts();
-  stamp_ = {family(offscreen.driver()), fonts.figure + ", " + fonts.window, viz::name_of(theme),
+  stamp_ = {family(offscreen.driver()), fonts.figure + ", " + fonts.window, viz::name_of(baseline_theme),
             fmt::format("{}x{}", picture_size.width, picture_size.height)};
 }
 
@@ -108,10 +108,10 @@ bool Baselines::accepts(Kind kind) const {
 
 std::vector<viz::Drawing> Baselines::drawings_of(const Excerpt& e) const {
   std::vector<viz::Drawing> drawings(e.walk.steps.size());
-  const double aspect = viz::picture_aspect(e.walk, theme, picture_size.width, picture_size.height);
+  const double aspect = viz::picture_aspect(e.walk, baseline_theme, picture_size.width, picture_size.height);
   for (int i = 0; i < static_cast<int>(drawings.size()); ++i)
-    drawings[i] = viz::figure(e.walk.steps[i], camera_for(e, e.walk.steps[i], aspect), theme, picture_size.width,
-                              picture_size.height)
+    drawings[i] = viz::figure(e.walk.steps[i], camera_for(e, e.walk.steps[i], aspect), baseline_theme,
+                              picture_size.width, picture_size.height)
                       .drawing;
   return drawings;
 }

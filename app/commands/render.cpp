@@ -65,9 +65,10 @@ class FigureMakers {
         own.width = options.style.width, own.columns.clear();
         if (own.width.empty()) own.text_size = options.style.text_size;
       }
-      if (!made_.empty() && own.font != font_)
+      const std::string font = font_of(own);
+      if (!made_.empty() && font != font_)
         throw viz::BadInput("font: these figures are set in several, and a run sets all in one; give --font");
-      font_ = own.font;
+      font_ = font;
       made_[e.style].style = style_of(own);
     }
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/figures/theme_choice.h"
 #include "viz/gl/offscreen.h"
 #include "viz/lesson.h"
 
@@ -63,7 +64,8 @@ viz::PaperSize paper_of(const StyleOptions& options) {
 std::string words_of(const StyleOptions& options) {
   nlohmann::ordered_json words = nlohmann::ordered_json::object();
   each_kept(options, [&](const char* name, const std::string& value) {
-    if (!value.empty()) words[name] = value;
+    const bool is_json = name == std::string("theme") && value.starts_with('{');
+    if (!value.empty()) words[name] = is_json ? nlohmann::ordered_json::parse(value) : nlohmann::ordered_json(value);
   });
   each_kept_flag(options, [&](const char* name, bool value) {
     if (value) words[name] = true;
@@ -80,7 +82,10 @@ void fill_in(StyleOptions& options, const std::string& text) {
     const bool of_size = name == "size" || name == "width" || name == "height";
     const bool of_paper = name == "text-size" && !options.size.empty();
     if (!value.empty() || (sized && of_size) || of_paper) return;
-    if (const auto found = words.find(name); found != words.end() && found->is_string()) value = *found;
+    const auto found = words.find(name);
+    if (found == words.end()) return;
+    if (found->is_string()) value = *found;
+    if (found->is_object() && name == "theme") value = found->dump();
   });
   each_kept_flag(options, [&](const char* name, bool& value) {
     if (const auto found = words.find(name); found != words.end()) value = value || *found == true;
@@ -88,6 +93,13 @@ void fill_in(StyleOptions& options, const std::string& text) {
   const std::vector<const viz::Format*> formats = formats_of(options.format);  // some formats do not take these
   if (std::ranges::all_of(formats, is_tikz)) options.font = asked.font;
   if (std::ranges::any_of(formats, is_opaque)) options.transparent = asked.transparent;
+}
+
+std::string font_of(const StyleOptions& options) {
+  if (!options.font.empty()) return options.font;
+  if (options.theme.empty() || std::ranges::all_of(formats_of(options.format), is_tikz)) return {};
+  const viz::ThemeChoice theme = theme_choice(options.theme);
+  return theme.own() ? theme.own()->font : std::string();
 }
 
 Style style_of(const StyleOptions& options) {
@@ -99,7 +111,7 @@ Style style_of(const StyleOptions& options) {
       throw viz::BadInput(fmt::format("{}: holds of figures on paper; give their --width, such as 8cm", name));
   Style style;
   style.formats = formats_of(options.format);
-  style.theme = options.theme.empty() ? viz::ThemeName::screen : viz::theme_named(options.theme);
+  if (!options.theme.empty()) style.theme = theme_choice(options.theme);
   if (!options.size.empty()) style.size = size_of(options.size);
   if (on_paper) style.paper = paper_of(options), style.dpi = usual_dpi;
   if (options.width.empty() && on_paper) style.sides = Style::Sides::height;
@@ -112,7 +124,7 @@ Style style_of(const StyleOptions& options) {
   style.letters = letters_of(options.labels, style.formats);
   if (!options.font.empty() && std::ranges::all_of(style.formats, is_tikz))
     throw viz::BadInput("font: LaTeX sets the labels of tikz, in the document’s own");
-  if (!options.font.empty()) viz::use_figure_font(options.font);
+  if (const std::string font = font_of(options); !font.empty()) viz::use_figure_font(font);
   for (const viz::Format* format : style.formats)
     if (format->can_write && !format->can_write())
       throw viz::NoBackend(fmt::format(
@@ -123,6 +135,7 @@ Style style_of(const StyleOptions& options) {
       throw viz::BadInput(
           fmt::format("transparent: {} has no half-transparent pixels; give --format apng", format->name));
   StyleOptions kept = options;
+  if (style.theme.own()) kept.theme = theme_text(*style.theme.own());
   if (style.paper && !on_paper) kept.width = usual_width;
   if (style.paper)  // the same text for every way to write it
     for (const auto& [length, points] : {std::pair{&kept.width, style.paper->width},
@@ -139,7 +152,9 @@ void add_style(CLI::App& sub, StyleOptions& options, const std::vector<std::stri
                  fmt::format("{} (if not given), {}; several are\njoined by commas", formats.front(),
                              fmt::join(formats.begin() + 1, formats.end(), ", ")))
       ->type_name("FORMAT");
-  sub.add_option("--theme", options.theme, "screen (if not given), print, grey or dark")->type_name("THEME");
+  sub.add_option("--theme", options.theme,
+                 "screen (if not given), print, grey, dark, or the file of one of\nyour own: see isect theme --help")
+      ->type_name("THEME");
   sub.add_option("--size", options.size, "in pixels; 960x600 if not given")->type_name("WxH");
   sub.add_option("--width", options.width, "on paper: 8cm, 80mm, 227pt, 3in; texts\nkeep their size")
       ->type_name("LENGTH");

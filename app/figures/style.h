@@ -16,7 +16,8 @@ namespace isect::program {
 /// Options as written on the command line; empty: not given.
 struct StyleOptions {
   std::string format = viz::formats().front().name;
-  std::string theme, size, width, height, text_size, dpi, labels, font;
+  std::string theme;  ///< as theme_choice takes it; a figure carries the values of a theme of one's own
+  std::string size, width, height, text_size, dpi, labels, font;
   bool no_title = false, crop = false, transparent = false;
   std::string columns;  ///< of a strip
   bool captions = false;
@@ -27,10 +28,14 @@ std::string words_of(const StyleOptions&);
 void fill_in(StyleOptions&, const std::string& words);
 void add_style(CLI::App&, StyleOptions&, const std::vector<std::string>& formats);
 
+/// Returns the family of letters that --font names, or the theme; empty: the usual one, and of TikZ the document's own.
+/// Throws what theme_choice throws.
+std::string font_of(const StyleOptions&);
+
 /// The style that every figure of a run shares.
 struct Style {
   std::vector<const viz::Format*> formats;
-  viz::ThemeName theme = viz::ThemeName::screen;
+  viz::ThemeChoice theme = viz::ThemeName::screen;
   Size size;                                                      ///< in pixels
   std::optional<viz::PaperSize> paper;                            ///< in place of the size
   enum class Sides { width, height, both } sides = Sides::width;  ///< sides of the paper that were given

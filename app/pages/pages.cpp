@@ -7,6 +7,7 @@
 
 #include "app/figures/ownership.h"
 #include "app/figures/question_figure.h"
+#include "app/figures/theme_choice.h"
 #include "app/pages/html.h"
 #include "app/pages/latex.h"
 #include "app/shell/environment.h"
@@ -32,7 +33,7 @@ void need_own(const std::string& folder, const std::vector<PageFile>& files) {
 
 PageFolder::PageFolder(const Program& program, const PageOptions& options, const Paper& paper, const std::string& kind,
                        const std::vector<const viz::Format*>& formats, PaperSteps which)
-    : options_(options), paper_(paper), kind_(kind), formats_(formats), figures_(options.out, program) {
+    : paper_(paper), kind_(kind), formats_(formats), figures_(options.out, program) {
   need_own((fs::path(options.out) / paper.folder).string() + "/",
            {{kind + ".tex", latex_mark(kind)}, {kind + ".html", html_mark(kind)}});
   need_environment(program);
@@ -47,7 +48,7 @@ PageFolder::PageFolder(const Program& program, const PageOptions& options, const
 void PageFolder::add(const Excerpt& e, const FigureInfo& info, const viz::Drawing& drawing, FigureMaker& maker) {
   for (const viz::Format* format : formats_)
     figures_.add(e, info, format->name, maker.write(info, drawing, *format),
-                 {{"theme", options_.theme},
+                 {{"theme", viz::name_of(maker.style().theme)},
                   {"width_pt", drawing.width},
                   {"height_pt", drawing.height},
                   {"text_pt", maker.style().paper->text_size}});
@@ -66,8 +67,11 @@ Image image_of(const FigureInfo& info, const Paper& paper) {
 }
 
 std::string theme_of_pages(const PageOptions& options) {
-  if (viz::theme_named(options.theme) == viz::ThemeName::dark)
-    throw viz::BadInput("theme: \"dark\" is not meant for white pages; give print, grey or screen");
+  const viz::ThemeChoice theme = theme_choice(options.theme);
+  if (theme.base() == viz::ThemeName::dark)
+    throw viz::BadInput(fmt::format("theme: \"{}\"{} is not meant for white pages; give print, grey or screen{}",
+                                    viz::name_of(theme), theme.own() ? ", which is based on dark," : "",
+                                    theme.own() ? ", or a theme based on one of them" : ""));
   return options.theme;
 }
 
@@ -79,7 +83,9 @@ void add_page_options(CLI::App& sub, const Program& program, PageOptions& option
   add_step(sub, options.asked, Takes::many, "counted from 1: 3, 3-6, 3,5,7-9 or all (if not given)");
   add_scene_file(sub, program, options.asked);
   add_set(sub, options.asked);
-  sub.add_option("--theme", options.theme, "print (if not given), grey or screen")->type_name("THEME");
+  sub.add_option("--theme", options.theme,
+                 "print (if not given), grey, screen, or the file of one of your own:\nsee isect theme --help")
+      ->type_name("THEME");
   sub.add_option("--width", options.width, fmt::format("of each picture; {} if not given", width))->type_name("LENGTH");
   add_path(sub, "--out", options.out, fmt::format("folder; {} if not given", options.out), "DIR");
 }

@@ -43,7 +43,6 @@ class PageFolder {
   void finish(const std::string& latex, const std::string& html);
 
  private:
-  const PageOptions& options_;
   const Paper& paper_;
   const std::string kind_;
   const std::vector<const viz::Format*> formats_;

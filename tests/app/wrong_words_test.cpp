@@ -73,6 +73,7 @@ TEST_CASE("a wrong command line is refused in our own words", "[program]") {
       {"render ray-sphere --format svg --width 8cm --size 100x100", "size: give either", "not both"},
       {"bench --peers --native", "--peers", "not both"},
       {"bench --from rows.json --quick", "--from", "not both"},
+      {"theme print --json --out s.png", "--out: give either --out or --json", "not both"},
       // Values of the wrong kind.
       {"bench --seed abc", "--seed: \"abc\"", "whole number"},
       {"bench --seed 1.5", "--seed: \"1.5\"", "whole number"},
@@ -93,6 +94,10 @@ TEST_CASE("a wrong command line is refused in our own words", "[program]") {
       {"render ray-sphere --format jpg", "format: \"jpg\"", "mean \"png\""},
       {"render ray-sphere --theme greyscale", "theme: \"greyscale\"", "mean \"grey\""},
       {"render ray-sphere --set radius=big", "radius: \"big\"", "a number from 0"},
+      {"theme", "theme: none given", "one of screen, print"},
+      {"theme prnt", "theme: \"prnt\"", "mean \"print\""},
+      {"theme print --out swatch", "out: \"swatch\"", "png, svg"},
+      {"theme print dark", "theme: \"dark\" is one argument too many", "theme --help"},
       // Names nobody knows.
       {"render ray-spere", "lesson: \"ray-spere\"", "mean \"ray-sphere\""},
       {"list ray-spere", "lesson: \"ray-spere\"", "mean \"ray-sphere\""},

@@ -10,7 +10,7 @@ set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
 build=$root/build/fuzz
 all="query_fuzz cases_fuzz polygon_fuzz files_fuzz scene_file_fuzz scenes_fuzz state_fuzz figure_fuzz results_fuzz
-  trace_fuzz"
+  theme_fuzz trace_fuzz"
 
 refuse() { printf 'fuzz: %s\n' "$*" >&2; exit 2; }
 seconds=${1:-60}
@@ -72,6 +72,13 @@ seeds_of_scene_file_fuzz() {
   done
 }
 
+# The examples, and every value of a theme.
+seeds_of_theme_fuzz() {
+  cp "$root"/examples/themes/*.json seeds/theme_fuzz/
+  echo '{"based on": "dark", "lines": 1.2, "hatch": true, "colours": ["#0af", "#fa0"], "roles": {"panel": "#000"}}' \
+    >seeds/theme_fuzz/short.json
+}
+
 seeds_of_results_fuzz() {
   cp "$root/bench/proof.json" seeds/results_fuzz/
   # The first lines of each list are enough, and quicker to change.
@@ -110,7 +117,7 @@ for target in $targets; do
   case $target in
     query_fuzz) seeds_of_query_fuzz; size=1000000 words=-dict=$root/tests/fuzz/query.dict ;;
     files_fuzz) seeds_of_files_fuzz ;;
-    scene_file_fuzz | results_fuzz) "seeds_of_$target"; size=16384 words=$(words_of "$target") ;;
+    scene_file_fuzz | results_fuzz | theme_fuzz) "seeds_of_$target"; size=16384 words=$(words_of "$target") ;;
     trace_fuzz) seeds_of_trace_fuzz; size=1000000 words=$(words_of "$target") ;;
     state_fuzz) own_seeds "$target"; words=$(words_of "$target") ;;
     figure_fuzz) own_seeds "$target"; size=16384 ;;

@@ -1,10 +1,10 @@
 #include "viz/theme.h"
 
-#include <Eigen/Dense>
-#include <cmath>
+#include <algorithm>
 
 #include "tests/catch.h"
 #include "tests/viz/drawn.h"
+#include "viz/colour/theme_check.h"
 #include "viz/compose/marks.h"
 #include "viz/lesson.h"
 
@@ -15,87 +15,31 @@ namespace {
 
 constexpr ThemeName all_themes[] = {ThemeName::screen, ThemeName::print, ThemeName::grey, ThemeName::dark};
 constexpr ThemeName coloured_themes[] = {ThemeName::screen, ThemeName::print, ThemeName::dark};
-constexpr Role main_roles[] = {Role::first, Role::second, Role::hit, Role::miss};
 constexpr Role text_roles[] = {Role::first,        Role::second, Role::hit,  Role::miss,
                                Role::construction, Role::text,   Role::muted};
 
-Vec3 linear(const Colour& c) {
-  const auto channel = [](double s) { return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4); };
-  return {channel(c.r), channel(c.g), channel(c.b)};
-}
-
-/// Source: WCAG 2.1, "contrast ratio".
-double contrast(const Colour& a, const Colour& b) {
-  const Vec3 weights(0.2126, 0.7152, 0.0722);
-  const double x = linear(a).dot(weights), y = linear(b).dot(weights);
-  return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
-}
-
-/// `ink` at `alpha` over `ground`, mixed as screens do.
-Colour tint(const Colour& ink, double alpha, const Colour& ground) {
-  const auto mix = [alpha](double a, double b) { return alpha * a + (1 - alpha) * b; };
-  return {mix(ink.r, ground.r), mix(ink.g, ground.g), mix(ink.b, ground.b), 1};
-}
-
-/// CIE 1976 L*a*b* under D65 of linear sRGB, clipped to what a screen can show.
-Vec3 lab(const Vec3& rgb) {
-  Eigen::Matrix3d to_xyz;
-  to_xyz << 0.4124564, 0.3575761, 0.1804375, 0.2126729, 0.7151522, 0.0721750, 0.0193339, 0.1191920, 0.9503041;
-  const Vec3 white(0.95047, 1, 1.08883);
-  const Vec3 xyz = to_xyz * rgb.cwiseMax(0).cwiseMin(1);
-  const auto f = [](double t) { return t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116; };
-  const Vec3 v(f(xyz.x() / white.x()), f(xyz.y() / white.y()), f(xyz.z() / white.z()));
-  return {116 * v.y() - 16, 500 * (v.x() - v.y()), 200 * (v.y() - v.z())};
-}
-
-/// Full severity. Source: G. Machado, M. Oliveira, L. Fernandes, "A physiologically-based model for
-/// simulation of color vision deficiency", IEEE TVCG 15 (2009), table 1.
-enum class Vision { normal, protan, deutan, tritan };
-Vec3 seen(Vision vision, const Vec3& rgb) {
-  Eigen::Matrix3d m = Eigen::Matrix3d::Identity();
-  if (vision == Vision::protan)
-    m << 0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998;
-  if (vision == Vision::deutan)
-    m << 0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881;
-  if (vision == Vision::tritan)
-    m << 1.255528, -0.076749, -0.178779, -0.078411, 0.930809, 0.147602, 0.004733, 0.691367, 0.303900;
-  return m * rgb;
-}
-
-double distance(Vision vision, const Colour& a, const Colour& b) {
-  return (lab(seen(vision, linear(a))) - lab(seen(vision, linear(b)))).norm();
-}
+/// `ink` at `alpha` over `ground`.
+Colour tint(const Colour& ink, double alpha, const Colour& ground) { return laid_over(ground, ink.with_alpha(alpha)); }
 
 double least_distance(const Theme& theme) {
   double least = 1e9;
-  for (const Vision vision : {Vision::normal, Vision::protan, Vision::deutan, Vision::tritan})
-    for (const Role a : main_roles)
-      for (const Role b : main_roles)
-        if (a < b) least = std::min(least, distance(vision, theme.ink(a), theme.ink(b)));
+  for (const Role a : main_roles)
+    for (const Role b : main_roles)
+      if (a < b) least = std::min(least, least_apart(theme.ink(a), theme.ink(b)).distance);
   return least;
 }
 
 }  // namespace
-
-TEST_CASE("the yardsticks measure known colours", "[theme]") {
-  CHECK(contrast(hex(0x000000), hex(0xFFFFFF)) == Approx(21));
-  CHECK(contrast(hex(0x777777), hex(0xFFFFFF)) == Approx(4.48).margin(0.01));
-  CHECK(lab(linear(hex(0xFFFFFF))).x() == Approx(100).margin(0.01));
-  CHECK((lab(linear(hex(0xFF0000))) - Vec3(53.24, 80.09, 67.20)).norm() < 0.05);
-  // Red and green at full severity: far apart for most eyes, near for deutans.
-  CHECK(distance(Vision::deutan, hex(0xB04040), hex(0x7A6A20)) <
-        0.5 * distance(Vision::normal, hex(0xB04040), hex(0x7A6A20)));
-}
 
 TEST_CASE("every role that colours text can be read on background, panel and its own tint", "[theme]") {
   for (const ThemeName name : all_themes) {
     const Theme t = window_theme(name);
     for (const Role role : text_roles) {
       INFO(name_of(name) << " role " << static_cast<int>(role));
-      CHECK(contrast(t.ink(role), t.background) >= 4.6);
-      CHECK(contrast(t.ink(role), t.panel) >= 4.6);
+      CHECK(contrast_ratio(t.ink(role), t.background) >= 4.6);
+      CHECK(contrast_ratio(t.ink(role), t.panel) >= 4.6);
       const bool fills = role != Role::construction;  // dashes and labels only: no area has its tint
-      if (fills) CHECK(contrast(t.ink(role), tint(t.ink(role), 0.16, t.background)) >= 4.5);
+      if (fills) CHECK(contrast_ratio(t.ink(role), tint(t.ink(role), 0.16, t.background)) >= 4.5);
     }
   }
 }
@@ -104,24 +48,24 @@ TEST_CASE("plain text has strong contrast, also near-black on highlight", "[them
   for (const ThemeName name : all_themes) {
     const Theme t = window_theme(name);
     INFO(name_of(name));
-    CHECK(contrast(t.ink(Role::text), t.background) >= 13.8);
-    CHECK(contrast(t.ink(Role::text), t.panel) >= 13.8);
+    CHECK(contrast_ratio(t.ink(Role::text), t.background) >= 13.8);
+    CHECK(contrast_ratio(t.ink(Role::text), t.panel) >= 13.8);
     const Colour near_black = name == ThemeName::dark ? t.background : t.ink(Role::text);
-    CHECK(contrast(near_black, t.ink(Role::highlight)) >= 12.6);
+    CHECK(contrast_ratio(near_black, t.ink(Role::highlight)) >= 12.6);
   }
 }
 
 TEST_CASE("the four main roles stay apart for colour-blind readers", "[theme]") {
-  CHECK(std::round(least_distance(window_theme(ThemeName::print))) >= 18);
-  CHECK(std::round(least_distance(window_theme(ThemeName::screen))) >= 18);
-  CHECK(std::round(least_distance(window_theme(ThemeName::dark))) >= 14);
+  CHECK(least_distance(window_theme(ThemeName::print)) >= 18);
+  CHECK(least_distance(window_theme(ThemeName::screen)) >= 18);
+  CHECK(least_distance(window_theme(ThemeName::dark)) >= 14);
 }
 
 TEST_CASE("grey has no hue, and a hatch where a coloured theme has a second colour", "[theme]") {
   const Theme grey = window_theme(ThemeName::grey);
   for (const Colour& c : grey.inks) CHECK((c.r == c.g && c.g == c.b));
   CHECK(grey.hatch_second);
-  CHECK(contrast(grey.ink(Role::first), grey.ink(Role::second)) > 2.5);
+  CHECK(contrast_ratio(grey.ink(Role::first), grey.ink(Role::second)) > 2.5);
   for (const ThemeName name : coloured_themes) CHECK_FALSE(window_theme(name).hatch_second);
 }
 
@@ -171,11 +115,42 @@ TEST_CASE("every mark stands out from paper, in every role and theme", "[theme]"
         std::vector<Shape> shapes;
         mark(shapes, kind, {0, 0}, role, style);
         double best = 1;
-        for (const Fill& f : all<Fill>(shapes)) best = std::max(best, contrast(f.colour, style.background));
-        for (const Stroke& s : all<Stroke>(shapes)) best = std::max(best, contrast(s.colour, style.background));
+        for (const Fill& f : all<Fill>(shapes)) best = std::max(best, contrast_ratio(f.colour, style.background));
+        for (const Stroke& s : all<Stroke>(shapes)) best = std::max(best, contrast_ratio(s.colour, style.background));
         INFO(name_of(name) << " " << static_cast<int>(kind) << " " << name_of(role));
         CHECK(best >= 3);  // Source: WCAG 2.1, "non-text contrast"
       }
+  }
+}
+
+TEST_CASE("a theme of one's own has its colours and lines, and is otherwise as the one it is based on", "[theme]") {
+  for (const ThemeName name : all_themes) {
+    INFO(name_of(name));
+    OwnTheme own = values_of(name);
+    own.name = "mine";
+    const ThemeChoice same(own);
+    CHECK(name_of(same) == "mine");
+    CHECK(name_of(ThemeChoice(name)) == name_of(name));
+    const Theme built_in = theme(name, 960, 600), as_built_in = theme(same, 960, 600);
+    CHECK(as_built_in.inks == built_in.inks);
+    CHECK(as_built_in.background == built_in.background);
+    CHECK(as_built_in.panel == built_in.panel);
+    CHECK(as_built_in.hatch_second == built_in.hatch_second);
+    for (const NamedLine& line : named_lines()) CHECK(as_built_in.sizes.*line.width == built_in.sizes.*line.width);
+
+    own.colours[0] = hex(0x123456), own.colours[OwnTheme::panel] = hex(0x654321);
+    own.lines[0] *= 3, own.hatch = !own.hatch;
+    const Theme drawn = theme(ThemeChoice(own), 960, 600), on_paper = paper_theme(ThemeChoice(own), 9);
+    CHECK(drawn.name == name);
+    CHECK(drawn.ink(Role::first) == hex(0x123456));
+    CHECK(drawn.ink(Role::second) == built_in.ink(Role::second));
+    CHECK(drawn.panel == hex(0x654321));
+    CHECK(drawn.hatch_second != built_in.hatch_second);
+    CHECK(drawn.floor_grid == built_in.floor_grid);
+    CHECK(drawn.sizes.outline == Approx(3 * built_in.sizes.outline));
+    CHECK(drawn.sizes.ray == built_in.sizes.ray);
+    CHECK(drawn.sizes.label == built_in.sizes.label);
+    CHECK(on_paper.sizes.outline == Approx(2.25));
   }
 }
 

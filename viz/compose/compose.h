@@ -57,14 +57,14 @@ struct PageLayout {
   double picture_height() const;  ///< never less than a fifth of the figure
 };
 /// Returns the layout of a picture on a screen, whose texts grow with it.
-PageLayout page_layout(const Walk&, ThemeName, double width, double height, bool title = true);
+PageLayout page_layout(const Walk&, const ThemeChoice&, double width, double height, bool title = true);
 /// Sizes in points. Height 0: as high as the figure needs.
 struct PaperSize {
   double width = 0, height = 0, text_size = usual_text_size;
 };
 /// Returns the layout of a figure on paper, whose texts have one size whatever its width. `shown`: a step of the walk;
 /// all scenes share a layout, and so do all charts.
-PageLayout paper_layout(const Walk&, int shown, ThemeName, const PaperSize&, bool title = true);
+PageLayout paper_layout(const Walk&, int shown, const ThemeChoice&, const PaperSize&, bool title = true);
 
 struct Figure {
   Drawing drawing;
@@ -72,11 +72,11 @@ struct Figure {
   View view;  ///< of the picture part
 };
 Figure figure(const Step&, const Camera&, const PageLayout&);
-Figure figure(const Step&, const Camera&, ThemeName, double width, double height);
+Figure figure(const Step&, const Camera&, const ThemeChoice&, double width, double height);
 /// Tells what is wrong with a figure's labels: those that leave it, pairs that meet, texts below the least size.
 std::vector<std::string> label_faults(const Drawing&, const std::vector<PlacedLabel>&, double least_size = 0);
 std::vector<std::string> label_faults(const Figure&, double least_size = 0);
 /// Returns width / height of a figure's picture part, for framing. `walk` decides whether there is a t-axis below it.
-double picture_aspect(const Walk& walk, ThemeName, double width, double height);
+double picture_aspect(const Walk& walk, const ThemeChoice&, double width, double height);
 
 }  // namespace isect::viz

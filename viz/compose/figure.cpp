@@ -158,14 +158,14 @@ double PageLayout::bottom() const {
 double PageLayout::picture_height() const { return std::max(height - top() - bottom(), 0.2 * height); }
 
 /// Formula and verdict keep their rows when they are empty, so that the picture stands still from step to step.
-PageLayout page_layout(const Walk& walk, ThemeName name, double width, double height, bool title) {
-  PageLayout layout = {theme(name, width, height), width, height, has_axis(walk)};
+PageLayout page_layout(const Walk& walk, const ThemeChoice& choice, double width, double height, bool title) {
+  PageLayout layout = {theme(choice, width, height), width, height, has_axis(walk)};
   layout.title_lines = title ? 1 : 0;
   return layout;
 }
 
-PageLayout paper_layout(const Walk& walk, int shown, ThemeName name, const PaperSize& paper, bool title) {
-  PageLayout layout = {paper_theme(name, paper.text_size), paper.width, paper.height, has_axis(walk)};
+PageLayout paper_layout(const Walk& walk, int shown, const ThemeChoice& choice, const PaperSize& paper, bool title) {
+  PageLayout layout = {paper_theme(choice, paper.text_size), paper.width, paper.height, has_axis(walk)};
   layout.title_lines = layout.formula_lines = layout.verdict_lines = 0;
   layout.wraps = true;
   const Sizes& s = layout.theme.sizes;
@@ -196,8 +196,8 @@ Figure figure(const Step& step, const Camera& camera, const PageLayout& layout) 
   return Page(step, own).make(camera);
 }
 
-Figure figure(const Step& step, const Camera& camera, ThemeName name, double width, double height) {
-  return Page(step, {theme(name, width, height), width, height, bool(step.scene.axis)}).make(camera);
+Figure figure(const Step& step, const Camera& camera, const ThemeChoice& choice, double width, double height) {
+  return Page(step, {theme(choice, width, height), width, height, bool(step.scene.axis)}).make(camera);
 }
 
 std::vector<std::string> label_faults(const Figure& figure, double least_size) {
@@ -221,8 +221,8 @@ std::vector<std::string> label_faults(const Drawing& drawing, const std::vector<
   return faults;
 }
 
-double picture_aspect(const Walk& walk, ThemeName name, double width, double height) {
-  return width / page_layout(walk, name, width, height).picture_height();
+double picture_aspect(const Walk& walk, const ThemeChoice& choice, double width, double height) {
+  return width / page_layout(walk, choice, width, height).picture_height();
 }
 
 }  // namespace isect::viz

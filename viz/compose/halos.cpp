@@ -61,10 +61,6 @@ int winding(const Path& path, const Vec2& p) {
   return turns;
 }
 
-Colour over(const Colour& below, const Colour& c) {
-  return {below.r + c.a * (c.r - below.r), below.g + c.a * (c.g - below.g), below.b + c.a * (c.b - below.b), 1};
-}
-
 /// Returns the facets whose bounding boxes meet the box.
 Facets within(const Facets& all, const TextBox& box) {
   Facets some;
@@ -84,7 +80,7 @@ Colour drawn_on(const Colour& below, const Shape& shape, const Vec2& p) {
     int turns = winding(fill->path, p);
     for (const Path& path : fill->more) turns += winding(path, p);
     const bool inside = fill->more.empty() ? turns != 0 : turns % 2 != 0;
-    return inside ? over(below, fill->colour) : below;
+    return inside ? laid_over(below, fill->colour) : below;
   }
   if (const Gradient* ball = std::get_if<Gradient>(&shape)) {
     const Vec2 d = p - ball->center;
@@ -92,8 +88,8 @@ Colour drawn_on(const Colour& below, const Shape& shape, const Vec2& p) {
         std::hypot(d.dot(ball->major) / ball->major.squaredNorm(), d.dot(ball->minor) / ball->minor.squaredNorm());
     if (!(r <= 1)) return below;
     const Colour &in = ball->inner, &out = ball->outer;
-    return over(below, {in.r + r * (out.r - in.r), in.g + r * (out.g - in.g), in.b + r * (out.b - in.b),
-                        in.a + r * (out.a - in.a)});
+    return laid_over(below, {in.r + r * (out.r - in.r), in.g + r * (out.g - in.g), in.b + r * (out.b - in.b),
+                             in.a + r * (out.a - in.a)});
   }
   if (const Facets* facets = std::get_if<Facets>(&shape)) {
     for (std::size_t i = facets->colours.size(); i-- > 0;)
@@ -103,17 +99,7 @@ Colour drawn_on(const Colour& below, const Shape& shape, const Vec2& p) {
   return below;
 }
 
-double luminance(const Colour& c) {
-  const auto linear = [](double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); };
-  return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
-}
-
 }  // namespace
-
-double contrast_ratio(const Colour& a, const Colour& b) {
-  const double x = luminance(a), y = luminance(b);
-  return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
-}
 
 double contrast_of(const std::vector<Shape>& shapes, std::size_t text, const Colour& background) {
   const Text& t = std::get<Text>(shapes[text]);

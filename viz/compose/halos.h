@@ -3,16 +3,12 @@
 
 #include <vector>
 
+#include "viz/colour/measures.h"
 #include "viz/drawing.h"
 #include "viz/theme.h"
 
 namespace isect::viz {
 
-/// The least contrast of a text to what lies under it. Source: WCAG 2.1, success criterion 1.4.3.
-constexpr double least_contrast = 4.5;
-
-/// Returns the contrast of two opaque colours, from 1 to 21. Source: WCAG 2.1, "contrast ratio".
-double contrast_ratio(const Colour&, const Colour&);
 /// Returns the least contrast of a text to the fills among the shapes before it, on this background.
 double contrast_of(const std::vector<Shape>&, std::size_t text, const Colour& background);
 /// Gives every text without a halo one in the background's colour where its contrast is less than least_contrast.

@@ -31,8 +31,8 @@ bool headings_stand_clear(const Figure& figure, const Theme& theme) {
   return true;
 }
 
-std::optional<OnPaper> readable_figure(const Walk& walk, int step, ThemeName theme, const PaperSize& asked, bool title,
-                                       const std::function<Camera(double aspect)>& camera) {
+std::optional<OnPaper> readable_figure(const Walk& walk, int step, const ThemeChoice& theme, const PaperSize& asked,
+                                       bool title, const std::function<Camera(double aspect)>& camera) {
   constexpr double wider = 1.05, widest = 8;
   constexpr double for_headings = 1.6, wide = 36;  // the latter in text sizes: on as much, headings have room
   constexpr double of_text = 0.999;                // no text is smaller than was asked for

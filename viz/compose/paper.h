@@ -17,7 +17,7 @@ struct OnPaper {
 /// shape, until they don't: none if eight times the width is not enough. Where headings cut through shapes or run
 /// together, it grows further if they stand clear on paper up to 1.6 times as wide, and no wider than 36 text sizes.
 /// `camera`: for a picture of this aspect.
-std::optional<OnPaper> readable_figure(const Walk&, int step, ThemeName, const PaperSize&, bool title,
+std::optional<OnPaper> readable_figure(const Walk&, int step, const ThemeChoice&, const PaperSize&, bool title,
                                        const std::function<Camera(double aspect)>& camera);
 
 /// Whether a theme is one for paper: its texts have one size and never shrink; where they have no room, the figure

@@ -92,7 +92,7 @@ constexpr Colour invisible = {0, 0, 0, 0};
 PageColours::PageColours() {
   const Theme light = theme(ThemeName::screen, 960, 600), dark = theme(ThemeName::dark, 960, 600);
   const auto add = [&](const std::string& name, const Colour& on_light, const Colour& on_dark) {
-    all_.push_back({name, svg_colour(on_light), svg_colour(on_dark), {}});
+    all_.push_back({name, hex_of(on_light), hex_of(on_dark), {}});
   };
   for (const Role role : {Role::first, Role::second, Role::hit, Role::miss, Role::construction, Role::highlight,
                           Role::text, Role::muted, Role::grid})
@@ -104,7 +104,7 @@ PageColours::PageColours() {
 std::string PageColours::of(const std::string& what, const PageColour& c) {
   const auto written = [](const Colour& colour) {
     if (!(colour.a > 0)) return std::string("transparent");
-    return svg_colour(colour) + (colour.a < 1 ? fmt::format("{:02x}", std::lround(255 * colour.a)) : "");
+    return hex_of(colour) + (colour.a < 1 ? fmt::format("{:02x}", std::lround(255 * colour.a)) : "");
   };
   const std::string light = written(c.light), dark = written(c.dark);
   auto found = std::ranges::find_if(all_, [&](const Named& n) { return n.light == light && n.dark == dark; });
@@ -177,7 +177,7 @@ class PageWriter {
 
   /// Returns `fill="#0b60c8"`.
   static std::string painted(const std::string& what, const Colour& c) {
-    return fmt::format("{}=\"{}\"", property(what), svg_colour(c));
+    return fmt::format("{}=\"{}\"", property(what), hex_of(c));
   }
 
   static std::string opacity(const std::string& what, double alpha) {

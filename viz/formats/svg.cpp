@@ -111,7 +111,7 @@ class SvgWriter {
     Vec2 focus(towards.dot(g.major) / g.major.squaredNorm(), towards.dot(g.minor) / g.minor.squaredNorm());
     if (focus.norm() > 0.99) focus *= 0.99 / focus.norm();
     const auto stop = [](int at, const Colour& c) {
-      std::string style = fmt::format("stop-color:{};", svg_colour(c));
+      std::string style = fmt::format("stop-color:{};", hex_of(c));
       if (c.a < 1) style += fmt::format("stop-opacity:{};", svg_number(c.a));
       return fmt::format("<stop offset=\"{}\" style=\"{}\"/>", at, style);
     };

@@ -62,12 +62,8 @@ class RelativePen {
 
 std::string svg_number(double x) { return short_number(x, 3); }
 
-std::string svg_colour(const Colour& c) {
-  return fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * c.r), std::lround(255 * c.g), std::lround(255 * c.b));
-}
-
 std::string svg_paint(const std::string& what, const Colour& c) {
-  std::string style = fmt::format("{}:{};", what, svg_colour(c));
+  std::string style = fmt::format("{}:{};", what, hex_of(c));
   if (c.a < 1) style += fmt::format("{}-opacity:{};", what, svg_number(c.a));
   return style;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers, colours and paths as SVG writes them. Short: no digit that makes no visible difference.
+// Numbers, paints and paths as SVG writes them. Short: no digit that makes no visible difference.
 
 #include <string>
 #include <vector>
@@ -10,8 +10,6 @@ namespace isect::viz {
 
 /// Returns a number to a thousandth of a unit, without trailing zeros.
 std::string svg_number(double);
-/// Returns "#0b60c8".
-std::string svg_colour(const Colour&);
 /// Returns "fill:#0b60c8;fill-opacity:0.14;" for what = "fill".
 std::string svg_paint(const std::string& what, const Colour&);
 /// Returns the `d` of a <path>, in absolute coordinates.

@@ -60,7 +60,7 @@ class TikzWriter {
   std::string point(const Vec2& p) const { return fmt::format("({},{})", number(p.x()), number(p.y())); }
 
   std::string colour(const Colour& c) {
-    std::string html = svg_colour(c).substr(1);
+    std::string html = hex_of(c).substr(1);
     std::ranges::transform(html, html.begin(), [](char d) { return d >= 'a' ? static_cast<char>(d - 'a' + 'A') : d; });
     const std::string fresh = fmt::format("isect{}", colours_.size() + 1);
     return colours_.try_emplace(html, fresh).first->second;
