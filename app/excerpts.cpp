@@ -20,6 +20,7 @@
 #include "viz/chart/case_map.h"
 #include "viz/formats/files.h"
 #include "viz/player/reader_state.h"
+#include "viz/player/scene_time.h"
 #include "viz/text/spelling.h"
 
 namespace isect::program {
@@ -96,6 +97,7 @@ Excerpt at(const std::vector<const viz::Lesson*>& lessons, const viz::ReaderStat
   e.parameters = *state.parameters;
   e.camera = state.camera;
   e.step = state.step;
+  e.time = state.time;
   return e;
 }
 
@@ -187,6 +189,7 @@ std::vector<PresetFile> named_files(const std::vector<std::string>& paths) {
 
 void walk(Excerpt& e, const std::string& asked, bool one_of_many) {
   e.walk = e.lesson->walk(e.parameters);
+  draw_at_time(e);
   const std::string text = !asked.empty()       ? asked
                            : !e.several.empty() ? e.several
                            : e.step             ? std::to_string(*e.step + 1)
@@ -237,7 +240,7 @@ viz::BadInput no_such_step(const std::vector<Excerpt>& found, const std::string&
 /// Whether both are one setting: a figure in two formats, or two steps of one setting, may be given side by side.
 bool same_setting(const Excerpt& a, const Excerpt& b) {
   return a.lesson == b.lesson && a.folder == b.folder && !a.style.empty() && a.style == b.style &&
-         a.parameters == b.parameters;
+         a.parameters == b.parameters && (a.step != b.step || a.time == b.time);
 }
 
 /// Throws viz::BadInput if two would be written to the same place.
@@ -328,6 +331,15 @@ std::vector<Excerpt> from_words(const Program& program, Selection asked) {
 }
 
 }  // namespace
+
+void draw_at_time(Excerpt& e) {
+  if (!e.time) return;
+  const auto step = static_cast<std::size_t>(e.step.value_or(0));
+  const bool moves = step < e.walk.steps.size() && e.walk.steps[step].scene.time;
+  if (!moves) return e.time.reset();
+  e.walk = viz::at_time(std::move(e.walk), static_cast<int>(step), *e.time);
+  e.time = e.walk.steps[step].scene.time->now;
+}
 
 void sweep_shown_map(Excerpt& e) {
   const auto shows_map = [&](int step) { return e.walk.steps[step].slug == viz::case_map_slug; };

@@ -48,7 +48,8 @@ FigureInfo info_of(const Excerpt& e, const std::string& kind) {
     info.caption += fmt::format("{}({}) {}", i == 0 ? "" : " ", letter, viz::as_sentence(one.title));
     info.alt += fmt::format("{}({}) {}", i == 0 ? "" : "\n\n", letter, one.alt);
   }
-  info.metadata = metadata_of(e, e.steps.front());
+  const bool timed = e.time && std::ranges::find(e.steps, *e.step) != e.steps.end();
+  info.metadata = metadata_of(e, timed ? *e.step : e.steps.front());
   info.metadata["file"] = info.stem;
   info.metadata[several] = numbers(e.steps);
   return info;
