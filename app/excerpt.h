@@ -22,6 +22,7 @@ struct Excerpt {
   std::vector<int> steps;                  ///< chosen ones, from 0
   std::optional<viz::Camera> camera = {};  ///< of the preset's file
   std::optional<int> step = {};            ///< of the preset's file, from 0
+  std::optional<double> time = {};         ///< at which that step is drawn in `walk`; none: as it is
   std::string several = {};                ///< for a figure of several steps, these: "2-4"; else empty
   std::string style = {};                  ///< for a figure, how it was asked for (see app/figures/style.h); else empty
   std::string path = {};                   ///< of the preset's or the scene's file; empty where there is none
@@ -37,6 +38,8 @@ using Excerpts = std::span<const Excerpt>;
 /// Walks the setting, and chooses the steps that `text` names, as --step does. Throws viz::BadInput if the walk lacks
 /// one of them; not with `some`, and then none may be left.
 void take_steps(Excerpt&, const std::string& text, bool some = false);
+/// Draws the step of the preset's file at that file's time, as far as the setting still has one.
+void draw_at_time(Excerpt&);
 /// Sweeps the map of cases if one of the chosen steps shows it.
 void sweep_shown_map(Excerpt&);
 

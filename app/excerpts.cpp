@@ -16,6 +16,7 @@
 #include "viz/chart/case_map.h"
 #include "viz/formats/formats.h"
 #include "viz/player/reader_state.h"
+#include "viz/player/scene_time.h"
 #include "viz/text/spelling.h"
 
 namespace isect::program {
@@ -137,7 +138,8 @@ viz::BadInput no_such_step(const std::vector<Excerpt>& found, const std::string&
 bool same_setting(const Excerpt& a, const Excerpt& b) {
   const bool one_lesson = a.lesson == b.lesson || (!a.lesson->made_from.empty() && a.lesson->id == b.lesson->id &&
                                                    a.lesson->made_from == b.lesson->made_from);
-  return one_lesson && a.folder == b.folder && !a.style.empty() && a.style == b.style && a.parameters == b.parameters;
+  return one_lesson && a.folder == b.folder && !a.style.empty() && a.style == b.style && a.parameters == b.parameters &&
+         (a.step != b.step || a.time == b.time);
 }
 
 /// Throws viz::BadInput if two would be written to the same place.
@@ -305,9 +307,19 @@ class NamedSettings {
 
 void take_steps(Excerpt& e, const std::string& text, bool some) {
   e.walk = e.lesson->walk(e.parameters);
+  draw_at_time(e);
   const std::optional<Steps> wanted = Steps::read(text);
   if (!wanted || (!some && !wanted->all_in(e.walk))) throw unknown_steps("step", text, e.walk, e.folder);
   e.steps = wanted->of(e.walk);
+}
+
+void draw_at_time(Excerpt& e) {
+  if (!e.time) return;
+  const auto step = static_cast<std::size_t>(e.step.value_or(0));
+  const bool moves = step < e.walk.steps.size() && e.walk.steps[step].scene.time;
+  if (!moves) return e.time.reset();
+  e.walk = viz::at_time(std::move(e.walk), static_cast<int>(step), *e.time);
+  e.time = e.walk.steps[step].scene.time->now;
 }
 
 void sweep_shown_map(Excerpt& e) {

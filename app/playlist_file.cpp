@@ -123,7 +123,8 @@ class StopReader {
   }
 
   viz::Stop of_lesson(const Json& stop) const {
-    only(stop, "a stop", {"lesson", "preset", "step", "parameters", "camera", "beside", "steps", "note", "scene"});
+    only(stop, "a stop",
+         {"lesson", "preset", "step", "parameters", "camera", "beside", "time", "steps", "note", "scene"});
     if (!stop.contains("lesson"))
       throw viz::BadInput(
           "lesson: missing; give a lesson with a preset, a preset's file (\"preset\": \"NAME.json\"), or "
@@ -148,6 +149,10 @@ class StopReader {
     const std::optional<Steps> wanted = Steps::read(asked);
     if (!wanted || !wanted->all_in(walk)) throw unknown_steps("steps", asked, walk, called);
     read.steps = wanted->of(walk);
+    if (read.state.time && std::ranges::find(read.steps, *read.state.step) != read.steps.end())
+      read.timed = read.state.step;
+    else
+      read.state.time.reset();
     read.state.step = read.steps.front();
     read.whole = read.steps.size() == walk.steps.size();
     read.asks = read.steps.front() > 0 && walk.steps[read.steps.front()].question.has_value();
@@ -239,6 +244,8 @@ std::vector<Excerpt> excerpts_of(const viz::Playlist& list) {
     if (is_as_preset(stop)) e.preset = stop.state.preset;
     e.parameters = *stop.state.parameters;
     e.walk = stop.lesson->walk(e.parameters);
+    e.step = stop.timed, e.time = stop.state.time;
+    draw_at_time(e);
     e.steps = stop.steps;
     e.camera = stop.state.camera;
     e.path = stop.path;

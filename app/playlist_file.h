@@ -8,9 +8,9 @@
 //                {"preset": "mine/grazing.json", "steps": "verdict"},   // a preset's file
 //                {"scene": "crates.json"} ] }                           // a scene's file
 //
-// A stop may also be what Ctrl+C copies in the window, as it is: with "step", "parameters", "camera" and "beside".
-// Without "steps" its "step" alone is shown, without either all steps. "steps" is what --step takes: "3-6", "3,5,7-9",
-// "-1", a step's name, "verdict", "all", or a number. Files are named relative to the playlist.
+// A stop may also be what Ctrl+C copies in the window, as it is: with "step", "time", "parameters", "camera" and
+// "beside". Without "steps" its "step" alone is shown, without either all steps. "steps" is what --step takes: "3-6",
+// "3,5,7-9", "-1", a step's name, "verdict", "all", or a number. Files are named relative to the playlist.
 
 #include <string>
 #include <vector>

@@ -52,6 +52,7 @@ Excerpt at(const viz::Lesson& lesson, const viz::ReaderState& state, const std::
   e.parameters = *state.parameters;
   e.camera = state.camera;
   e.step = state.step;
+  e.time = state.time;
   return e;
 }
 

@@ -12,8 +12,10 @@
 #include "viz/player/camera_moves.h"
 #include "viz/player/dragging.h"
 #include "viz/player/lights.h"
+#include "viz/player/reader_state.h"
 #include "viz/player/scene_time.h"
 #include "viz/snapshot/snapshot.h"
+#include "viz/text/number_text.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/tex.h"
 #include "viz/walk/alt_text.h"
@@ -42,6 +44,12 @@ void read_named(const std::string& name, const Read& read) {
     const std::string why = e.what();
     throw BadInput(why.find(name) != why.npos ? why : name + ": " + why);
   }
+}
+
+/// Reads the time of a link that opens this station.
+double time_from(const std::string& text, const viz::Walk& walk, const Station& at) {
+  if (at.asks) throw BadInput("time: nothing moves while a question is open");
+  return viz::checked_time(walk, at.step, viz::number_from(text));
 }
 
 }  // namespace
@@ -117,7 +125,8 @@ Station BrowserSession::answer_in(const viz::Walk& walk, bool the_same) const {
 
 // What can be asked for.
 
-/// {"lesson", "preset", "step", "asks", "changes": [[name, text]], "camera"}: all but the first may be absent. Or
+/// {"lesson", "preset", "step", "asks", "changes": [[name, text]], "camera", "time"}: all but the first may be absent.
+/// Or
 /// {"scene"}, the text of a scene file, in place of the first, and then "step" may also be "answer" or "same answer".
 Json BrowserSession::open(const Json& request) {
   std::optional<Scene> scene;
@@ -149,10 +158,13 @@ Json BrowserSession::open(const Json& request) {
                              ? answer_in(fresh.walk(), step.get<std::string>() == "same answer")
                              : Station{static_cast<int>(std::clamp(number, -1.0, 1e6)), request.value("asks", false)};
   const bool known = std::ranges::find(all, wanted) != all.end();
+  if (const std::string time = request.value("time", ""); !time.empty() && known)
+    read_named("time", [&] { state.time = time_from(time, fresh.walk(), wanted); });
   player_ = std::move(fresh);
   scene_ = std::move(scene);
   held_.reset(), map_start_.reset();
   stand_at(known ? wanted : Station{});
+  if (state.time) player_->set_time(*state.time);
   Json reply = frame(Drawn::at_rest);
   if (!known)
     reply["told"] = wanted.asks ? fmt::format("Nothing is asked at step {:.0f} here.", number + 1)
@@ -308,11 +320,12 @@ Json BrowserSession::light(const Json& request) {
 /// The step for other documents: {"svg", "latex", "markdown", "alt", "place", "file"}.
 Json BrowserSession::copy(const Json&) {
   const viz::Player& p = player();
-  const viz::Step& step = p.step();
+  const viz::Walk walk = p.drawn_walk();
+  const viz::Step& step = walk.steps[static_cast<std::size_t>(p.index())];
   const auto camera = [&](double) { return p.camera().goal(); };
-  const auto made = viz::readable_figure(p.walk(), p.index(), viz::ThemeName::screen, {320, 200}, true, camera);
+  const auto made = viz::readable_figure(walk, p.index(), viz::ThemeName::screen, {320, 200}, true, camera);
   const viz::Drawing& drawing = made ? made->figure.drawing : figure_.drawing;
-  const std::string alt = viz::alt_text(p.lesson(), p.parameters(), p.walk(), p.index());
+  const std::string alt = viz::alt_text(p.lesson(), p.parameters(), walk, p.index());
   std::string line = alt;
   std::ranges::replace(line, '\n', ' ');
   line.erase(line.find_last_not_of(' ') + 1);

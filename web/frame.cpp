@@ -20,6 +20,7 @@
 #include "viz/walk/pseudocode.h"
 #include "viz/window/scene_names.h"
 #include "web/browser_session.h"
+#include "web/request.h"
 
 namespace isect::web {
 
@@ -230,6 +231,7 @@ Json BrowserSession::place() const {
                 {"preset title", html_text(scene_ ? lesson.title : viz::preset(lesson, player_->origin()).title)},
                 {"method", html_text(player_->walk().method)},
                 {"changes", changes}};
+  if (player_->time_is_chosen()) place["time"] = viz::to_text(player_->now());
   if (player_->camera().moved()) place["camera"] = camera_text(player_->camera().goal());
   return place;
 }

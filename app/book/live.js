@@ -34,7 +34,7 @@ function isect_live(book) {
   const share = element("details", { class: "share" }, element("summary", {}, "Save or share"));
   const tools = element("div", { class: "tools", role: "group", "aria-label": "Tools" }, wants_map, snap, undo, redo, frame_all,
     isect_key_button());
-  const time = isect_time(element, request => act(request, "keep"), () => book.stop());
+  const time = isect_time(element, request => act(request, "keep"), () => book.stop(), () => now && keep_address("replace"));
   const pictures = element("div", { class: "pictures" }, stage, map, time.bar,
     element("div", { class: "told-below" }, task, outcome, message));
   const article = element("article", { class: "step shown" }, above, pictures, below);
@@ -331,6 +331,7 @@ function isect_live(book) {
   // The address holds the state.
   function address_of({ place, step, asks }) {
     const parts = is_scene ? place.preset ? [] : ["scene=" + encodeURIComponent(now.scene)] : place.changes.map(([name, text]) => encodeURIComponent(name) + "=" + encodeURIComponent(text).replaceAll("%2C", ","));
+    if (place.time) parts.push("time=" + place.time);
     if (place.camera) parts.push("camera=" + place.camera);
     return `#${place.origin}/${step + 1}${asks ? "/question" : ""}${parts.length ? "?" + parts.join("&") : ""}`;
   }
@@ -345,7 +346,7 @@ function isect_live(book) {
     const request = { ...(is_scene ? scene_request(preset) : { do: "open", lesson, preset, changes: [] }),
       step: is_scene && !step ? "answer" : Math.max(0, Number(step || 1) - 1 || 0), asks: question === "question" };
     for (const [name, text] of new URLSearchParams((query ?? "").replaceAll("+", "%2B")))
-      if (name === "camera" || (is_scene && name === "scene")) request[name] = text;
+      if (name === "camera" || name === "time" || (is_scene && name === "scene")) request[name] = text;
       else if (!is_scene) request.changes.push([name, text]);
     return request;
   }

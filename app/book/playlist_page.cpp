@@ -73,7 +73,8 @@ PlaylistPages::Shown PlaylistPages::shown(std::size_t i) const {
     }
     const std::string place = fmt::format("{}#{}/{}", stop.page, stop.setting, step + 1);
     if (e.walk.steps[step].question) stop.places.push_back(place + "/question");
-    stop.places.push_back(place);
+    stop.places.push_back(!own && e.time && e.step == step ? fmt::format("{}?time={}", place, viz::to_text(*e.time))
+                                                           : place);
   }
   return stop;
 }
@@ -124,6 +125,7 @@ std::vector<Page> PlaylistPages::own_pages(viz::PageColours& colours) const {
 Page PlaylistPages::own_page(std::size_t i, viz::PageColours& colours) const {
   Excerpt e = excerpts_[i];
   e.walk = viz::walk_with_map(*e.lesson, e.parameters);
+  draw_at_time(e);
   const viz::Lesson& lesson = *e.lesson;
   const viz::Preset as = {stops_[i].setting, fmt::format("Stop {} of {}", i + 1, stops_.size()), "", e.parameters};
   viz::PagePictures pictures(colours);

@@ -29,7 +29,7 @@ class PlaylistPages {
 
   Page page() const;
   /// Returns the script: the title, and of each stop its name, its note and its places in order. A place is an address,
-  /// such as "ray-sphere.html#miss/3/question".
+  /// such as "ray-sphere.html#miss/3/question" or "moving-bodies.html#fast/2?time=0.5".
   std::string script() const;
   /// Returns the pages of its own. Throws viz::BadInput if labels can't be kept apart.
   std::vector<Page> own_pages(viz::PageColours&) const;

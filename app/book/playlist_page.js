@@ -18,7 +18,7 @@
     let first = beginning.querySelector("a");
     try {
       const { told, address } = JSON.parse(localStorage.getItem(kept_as));
-      if (/^\d+ of \d+$/.test(told) && new RegExp(`^[a-z0-9-]+\\.html\\?hour=${hour_name}&stop=\\d+#[a-z0-9/-]+$`).test(address)) {
+      if (/^\d+ of \d+$/.test(told) && new RegExp(`^[a-z0-9-]+\\.html\\?hour=${hour_name}&stop=\\d+#[a-z0-9/-]+(\\?time=[0-9.e+-]+)?$`).test(address)) {
         const go_on = document.createElement("a");
         go_on.href = address, go_on.textContent = "Go on at " + told, first.before(go_on, " "), first = go_on;
       }

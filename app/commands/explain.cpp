@@ -12,7 +12,8 @@ void add_explain(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("explain", "the lesson as text: setting, steps, questions, exercises");
   const auto asked = std::make_shared<Selection>();
   add_lesson(sub, program, *asked, Takes::one, "a lesson's id");
-  add_preset(sub, *asked, Takes::one, "a preset, or a file with one (its step is honoured);\nthe first if not given");
+  add_preset(sub, *asked, Takes::one,
+             "a preset, or a file with one (its step and time are\nhonoured); the first if not given");
   add_step(sub, *asked, Takes::many,
            "counted from 1: 3, 3-6, 3,5,7-9 or all; -1 is the last; or by\nname: intersect; verdict is the last before "
            "map and "

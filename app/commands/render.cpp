@@ -233,8 +233,8 @@ void add_render(CLI::App& app, Program& program) {
   add_preset(
       sub, options->asked, Takes::many,
       "presets, files with one each, or all; the first if not given.\nSeveral are joined by commas, or each has its "
-      "--preset. A word\nthat ends in .json or has a slash is a file, whose step and\ncamera (angles in degrees) are "
-      "honoured");
+      "--preset. A word\nthat ends in .json or has a slash is a file, whose step,\n"
+      "time and camera (angles in degrees) are honoured");
   add_path(sub, "--dir", options->dir, "all preset files of this folder and of those below it", "DIR")
       ->excludes("--preset")
       ->excludes("--all");

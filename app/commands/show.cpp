@@ -56,6 +56,7 @@ viz::ReaderState state_of(const Program& program, Selection asked, Lessons& less
   state.step = e.steps.front();
   state.parameters = e.parameters;
   state.camera = e.camera;
+  if (e.step == state.step) state.time = e.time;
   return state;
 }
 
@@ -145,7 +146,7 @@ void add_show(CLI::App& app, Program& program) {
                          "playlist's file, to\ngo through its stops",
                          fmt::join(viz::format_names(), ", .")));
   add_preset(sub, *asked, Takes::one,
-             "a preset, or a file with one (its step and camera are\nhonoured); the first if not given");
+             "a preset, or a file with one (its step, time and camera\nare honoured); the first if not given");
   add_step(
       sub, *asked, Takes::one,
       "counted from 1, -1 is the last; or by name: intersect, verdict;\nif not given, that of the preset's file, or 1");

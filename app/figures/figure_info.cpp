@@ -63,7 +63,8 @@ FigureInfo info_of(Excerpts cases, const std::string& kind) {
   for (std::string& title : called) title = viz::plain(title);
   info.imprint = viz::plain(info.title) + ": " +
                  (one ? "steps " + numbers_of(first.steps) : fmt::format("{}", fmt::join(called, ", ")));
-  info.metadata = metadata_of(first, first.steps.front());
+  const bool timed = first.time && std::ranges::find(first.steps, *first.step) != first.steps.end();
+  info.metadata = metadata_of(first, timed ? *first.step : first.steps.front());
   info.metadata["file"] = info.stem;
   if (one) info.metadata[several] = numbers_of(first.steps);
   if (one) info.metadata = with_scale(std::move(info.metadata), first);

@@ -33,7 +33,8 @@ std::string folder_of(const Excerpt& e) { return e.place.empty() ? e.lesson->id 
 std::string file_of(const Excerpt& e, int step) { return folder_of(e) + "/" + viz::file_stem(step, step_of(e, step)); }
 
 viz::Metadata metadata_of(const Excerpt& e, int step) {
-  viz::Metadata data = viz::metadata({e.lesson->id, e.preset, step, e.parameters, e.camera});
+  const std::optional<double> time = step == e.step ? e.time : std::nullopt;
+  viz::Metadata data = viz::metadata({e.lesson->id, e.preset, step, e.parameters, e.camera, {}, time});
   data["file"] = file_of(e, step);
   if (!e.lesson->made_from.empty()) data["scene"] = e.lesson->made_from;
   return data;

@@ -1,5 +1,6 @@
 // What the window copies, `render --preset FILE` shows: pixel by pixel the figure that the window saves itself.
 
+#include <algorithm>
 #include <fstream>
 
 #include "lessons/lessons.h"
@@ -83,6 +84,69 @@ TEST_CASE("a view that was orbited, moved and zoomed in the window is rendered t
   CHECK(r.err.empty());
   CHECK(drawn(r.out) == drawn(contents(saved)));
   CHECK(place_in(r.out) == place_in(contents(saved)));
+}
+
+TEST_CASE("a time within a step's motion is rendered as it was copied, and drawn again from its figure", "[copied]") {
+  const Shell shell;
+  const std::string lesson = GENERATE("moving-bodies", "collision");
+  const std::string format = GENERATE("png", "svg");
+  INFO(lesson << " " << format);
+  viz::WindowDriver window = window_on(lesson, format, (shell.work() / "saved").string());
+  viz::Player& player = window.player();
+  if (lesson == "collision") player.load(viz::preset(player.lesson(), "tunnelling"));
+  for (int i = 0; i < player.count() && !(player.time() && player.time()->contact); ++i) player.go_to(i);
+  REQUIRE(player.time());
+  const auto saved = [&] {
+    window.frames(2);
+    window.type("s");
+    window.frames(2);
+    window.key(viz::key::enter);
+    window.frames(2);
+    const std::string told = window.ui.message(), before = "Saved ";
+    return told.substr(before.size(), told.find(", with") - before.size());
+  };
+  const std::string usual = saved();
+  const double t = player.time()->lo + 0.375 * (player.time()->hi - player.time()->lo);
+  player.set_time(t);
+  const std::string figure = saved();
+  CHECK(drawn(contents(figure)) != drawn(contents(usual)));
+  CHECK(place_in(contents(figure)).contains("time"));
+  CHECK_FALSE(place_in(contents(usual)).contains("time"));
+
+  window.key(viz::key::c, true);
+  write(shell.work() / "moment.json", ImGui::GetClipboardText());
+  const Ran r = shell("isect render --preset moment.json --format " + format + " --out -");
+  CHECK(r.err.empty());
+  CHECK(drawn(r.out) == drawn(contents(figure)));
+  CHECK(place_in(r.out) == place_in(contents(figure)));
+  const Ran again = shell("isect render '" + figure + "' --format " + format + " --out -");
+  CHECK(again.err.empty());
+  CHECK(drawn(again.out) == drawn(contents(figure)));
+  CHECK(place_in(again.out) == place_in(contents(figure)));
+  std::string told = shell("isect explain moment.json").out;
+  std::ranges::replace(told, '\n', ' ');
+  CHECK_THAT(told, isect::test::Contains("The picture shows t = "));
+  CHECK(shell("isect show '" + figure + "'").status == 77);  // nothing is refused but the missing display
+}
+
+TEST_CASE("a preset's file tells its time's step and range where they are wrong", "[copied]") {
+  const Shell shell;
+  const auto refused = [&](const std::string& fields) {
+    write(shell.work() / "wrong.json", "{\"lesson\": \"moving-bodies\", \"preset\": \"boxes-meet\"" + fields + "}");
+    const Ran r = shell("isect render --preset wrong.json --format svg --out -");
+    CHECK(r.status == 2);
+    return r.err;
+  };
+  using isect::test::Contains;
+  CHECK_THAT(refused(R"(, "step": 8, "time": 2.5)"), Contains("wrong.json: time: 2.5") && Contains("from 0 to 2"));
+  CHECK_THAT(refused(R"(, "step": 10, "time": 1)"), Contains("nothing moves at step 10"));
+  CHECK_THAT(refused(R"(, "time": 1)"), Contains("of which step"));
+
+  // Another setting may have another motion: the time stays within it.
+  write(shell.work() / "late.json", R"({"lesson": "moving-bodies", "preset": "boxes-meet", "step": 1, "time": 2})");
+  const Ran r = shell("isect render --preset late.json --set duration=1 --format svg --out -");
+  CHECK(r.status == 0);
+  CHECK(place_in(r.out).at("time") == "1.0");
 }
 
 TEST_CASE("a figure shows from the middle to the top edge what the window showed", "[copied]") {

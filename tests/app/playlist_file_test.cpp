@@ -101,6 +101,28 @@ TEST_CASE("a playlist names presets, preset files and scenes, each with its step
     for (const int step : e.steps) CHECK(step < static_cast<int>(e.walk.steps.size()));
 }
 
+TEST_CASE("a copied state with a time is a stop whose step is drawn at it", "[playlist]") {
+  const Shell shell;
+  viz::Player player(isect::lessons::all_lessons());
+  player.go({"moving-bodies", "boxes-meet", 7});
+  player.set_time(0.75);
+  const std::string copied = viz::to_json(player.reader_state());
+  const auto with = [&](const std::string& steps) {
+    return copied.substr(0, copied.rfind('}')) + ", \"steps\": \"" + steps + "\"}";
+  };
+  const viz::Playlist list = read(shell, copied + ", " + with("7-9") + ", " + with("1-2"));
+  REQUIRE(list.stops.size() == 3);
+  CHECK((list.stops[0].timed == 7 && list.stops[0].state.time == 0.75));
+  CHECK((list.stops[1].timed == 7 && list.stops[1].state.step == 6 && list.stops[1].state.time == 0.75));
+  CHECK_FALSE((list.stops[2].timed || list.stops[2].state.time));  // another step's
+  const std::vector<program::Excerpt> all = program::excerpts_of(list);
+  for (const std::size_t i : {0, 1}) CHECK(all[i].walk.steps[7].scene.time->now == 0.75);
+  CHECK(all[2].walk.steps[7].scene.time->now == 0);
+
+  const std::string wrong = R"({"lesson": "moving-bodies", "preset": "boxes-meet", "step": 8, "time": 3})";
+  CHECK_THAT(refusal(file_of(shell, wrong)), Contains("stop 1, line 3: time: 3") && Contains("from 0 to 2"));
+}
+
 TEST_CASE("what Ctrl+C copies in the window is a stop: its step, or those that are named", "[playlist]") {
   const Shell shell;
   viz::Player player(isect::lessons::all_lessons());

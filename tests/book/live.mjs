@@ -237,7 +237,9 @@ try {
       await scrub(0.5);
       const half = await time();
       check(half.told === "t = 1 (contact at t = 1.625)" && half.picture !== still.picture, at + `half of it is "${half.told}"`);
-      check((await look()).hash === "#boxes-meet/8", at + "it changes the address");
+      check((await look()).hash === "#boxes-meet/8", at + "it changes the address before it rests");
+      await browser.ask(`document.querySelector(".live .time input").dispatchEvent(new Event("change"))`);
+      check((await look()).hash === "#boxes-meet/8?time=1", at + `at rest its address is ${(await look()).hash}`);
       await scrub(0.811);
       check((await time()).told === "t = 1.625 (contact)", at + `next to the contact it says "${(await time()).told}"`);
       await scrub(1);
@@ -267,6 +269,11 @@ try {
     }
     check(same(stills, [0.25, 0.5, 0.75, 0.8125, 1, 0]) && (await time()).share === 0, `where less motion is wanted, the stills are ${stills}`);
     await browser.look({ width: 1280, height: 900 });
+    await open("moving-bodies.html", "#boxes-meet/8?time=1.25");
+    check((await time()).told === "t = 1.25 (contact at t = 1.625)", `a link with a time opens "${(await time()).told}"`);
+    await open("moving-bodies.html", "#boxes-meet/8?time=7");
+    const refused = await browser.ask(`document.querySelector(".live .message").textContent`);
+    check(refused.includes("from 0 to 2") && (await time()).share === 0, `a link beyond the motion is told "${refused}"`);
     await open(lesson);
     if (lesson !== "moving-bodies.html") check(!(await time()).seen, `${lesson} has a time`);
   }

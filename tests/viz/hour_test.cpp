@@ -3,6 +3,7 @@
 #include "viz/player/hour.h"
 
 #include "tests/catch.h"
+#include "tests/viz/moving_lesson.h"
 #include "tests/viz/playlists.h"
 #include "tests/viz/sample_lesson.h"
 
@@ -67,6 +68,47 @@ TEST_CASE("an hour goes step by step, asks each question before its step, and go
   CHECK(w.hour.told() == "3 of 3");
   CHECK(all_back(w) == Places{"3/4", "3/3", "3/2", "3/1", "2/4", "2/3", "1/3", "1/2", "1/1", "begin"});
   CHECK(w.hour.at_start(w.player));
+}
+
+TEST_CASE("a stop's step is drawn at its time, from wherever it is come to", "[hour]") {
+  const Lesson moves = moving::lesson();
+  Stop timed = stop_at(moves, "usual", {0, 1, 2}), plain = stop_at(moves, "usual", {0, 1, 2});
+  timed.timed = 1, timed.state.time = 0.75;
+  Hour hour({"An hour", "/hour.json", {plain, timed}});
+  Player player({&moves}, hour.start());
+  hour.begin(player);
+  const auto on = [&] {
+    REQUIRE(hour.on(player));
+    hour.follow(player);
+  };
+  on();
+  CHECK((player.index() == 1 && !player.time_is_chosen()));  // of the first stop
+  on(), on();
+  CHECK((player.index() == 2 && hour.at() == 0));
+  on();
+  CHECK((player.index() == 0 && hour.at() == 1 && !player.time_is_chosen()));
+  on();
+  CHECK((player.index() == 1 && player.now() == 0.75));
+  player.set_time(1.5);
+  hour.follow(player);
+  CHECK(player.now() == 1.5);  // the reader's
+  on(), on();
+  CHECK((player.index() == 2 && !player.time_is_chosen()));
+  REQUIRE(hour.back(player));
+  CHECK((player.index() == 1 && player.now() == 0.75));
+
+  timed.timed = 2, timed.asks = true, timed.steps = {2}, timed.state.step = 2;
+  Hour asking({"An hour", "/hour.json", {timed}});
+  Player asked({&moves}, asking.start());
+  asking.begin(asked);
+  REQUIRE(asked.quiz().asked());
+  CHECK_FALSE(asked.time_is_chosen());
+  asked.answer(0);
+  asking.follow(asked);
+  CHECK((asked.index() == 2 && asked.now() == 0.75));
+
+  const Player again({&moves}, Hour({"An hour", "/hour.json", {timed}}, {"/hour.json", 0, 2}).start());
+  CHECK((again.index() == 2 && again.now() == 0.75));
 }
 
 TEST_CASE("a stop leaves out steps, but never a question of those that it has", "[hour]") {

@@ -8,6 +8,7 @@
 #include "bench/random.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
+#include "tests/viz/moving_lesson.h"
 #include "tests/viz/toy_lesson.h"
 #include "viz/compose/compose.h"
 #include "viz/player/direction.h"
@@ -165,6 +166,32 @@ TEST_CASE("a wrong field of a place is named", "[reader_state]") {
   for (const std::string camera : {"3", R"({"target": 1})", R"({"half_height": 0})", R"({"elevation": 95})",
                                    R"({"perspective": 1})", R"({"azimut": 1})"})
     CHECK_THROWS_WITH(read(R"({"lesson": "toy", "camera": )" + camera + "}"), Contains("camera"));
+}
+
+TEST_CASE("a time goes with its step, through JSON and a figure, and is within the step's motion", "[reader_state]") {
+  const Lesson moves = moving::lesson();
+  const std::vector<const Lesson*> one = {&moves};
+  const auto at = [&](const std::string& fields) {
+    return reader_state_from_json("{\"lesson\": \"dot-moves\"" + fields + "}", one);
+  };
+  const ReaderState state = {"dot-moves", "usual", 1, moves.presets[0].parameters, {}, {}, 0.1};
+  CHECK_THAT(to_json(state), Contains("\"step\": 2,\n  \"time\": 0.1"));
+  CHECK(reader_state_from_json(to_json(state), one).time == 0.1);
+  CHECK(metadata(state).at("time") == "0.1");
+  CHECK(reader_state_from_metadata(metadata(state), one).time == 0.1);
+  CHECK(at(R"(, "step": 3, "time": 2)").time == 2);
+  CHECK(at(R"(, "step": 1, "time": 5, "parameters": {"duration": 6})").time == 5);
+  CHECK_FALSE(at(R"(, "step": 3)").time);
+
+  CHECK_THROWS_WITH(at(R"(, "time": 1)"), Contains("time: of which step"));
+  CHECK_THROWS_WITH(at(R"(, "step": 4, "time": 1)"), Contains("time: nothing moves at step 4"));
+  for (const std::string wrong : {"2.0001", "-0.5", "\"1\"", "null", "[1]"})
+    CHECK_THROWS_WITH(at(R"(, "step": 1, "time": )" + wrong), Contains("time: " + wrong) && Contains("from 0 to 2"));
+  CHECK_THROWS_WITH(reader_state_from_metadata({{"lesson", "dot-moves"}, {"step", "1"}, {"time", "x"}}, one),
+                    Contains("time: not JSON"));
+  const Walk walk = moves.walk(moves.presets[0].parameters);
+  CHECK(checked_time(walk, 2, 0.25) == 0.25);
+  CHECK_THROWS_WITH(checked_time(walk, 2, NAN), Contains("from 0 to 2"));
 }
 
 TEST_CASE("a flat lesson's camera does not turn", "[reader_state]") {

@@ -185,4 +185,39 @@ TEST_CASE("the view holds the whole motion once time runs, unless the reader has
   CHECK(p.camera().goal().half_height == Approx(before));
 }
 
+TEST_CASE("a player's place keeps the time that was chosen, and another player draws it", "[scene_time]") {
+  Player p = player();
+  p.go_to(2);
+  CHECK_FALSE(p.reader_state().time);
+  p.set_time(0.75);
+  const ReaderState kept = p.reader_state();
+  CHECK(kept.time == 0.75);
+  const Player other({&lesson}, kept, false);
+  CHECK((other.index() == 2 && other.now() == 0.75 && place(other) == 0.75));
+  p.go_to(1);
+  CHECK_FALSE(p.reader_state().time);
+  p.go(kept);
+  CHECK((p.now() == 0.75 && place(p) == 0.75));
+  p.next();
+  CHECK_FALSE(p.time_is_chosen());
+}
+
+TEST_CASE("a walk is drawn at a time of one step, whose questions show what they did", "[scene_time]") {
+  Walk walk = lesson.walk(lesson.presets.front().parameters);
+  walk.steps[1].question = walk.steps[2].question;
+  const Walk posed = at_time(walk, 1, 0.5);
+  const auto dot = [](const Scene& scene) { return std::get<Dot>(scene.items.at(0)).at.x(); };
+  CHECK((dot(posed.steps[1].scene) == 0.5 && dot(posed.steps[0].scene) == 0 && dot(posed.steps[2].scene) == 0));
+  CHECK(posed.steps[1].scene.time->now == 0.5);
+  CHECK(posed.steps[1].caption == walk.steps[1].caption + " The picture shows *t* = 0.5.");
+  for (const int asked : {1, 2}) CHECK(dot(question_scene(posed, asked)) == dot(question_scene(walk, asked)));
+  CHECK(dot(at_time(walk, 1, 99).steps[1].scene) == 2);
+  CHECK(at_time(walk, 3, 1).steps[3].caption == walk.steps[3].caption);  // nothing moves there
+
+  Player p = player();
+  CHECK(dot(p.drawn_walk().steps[0].scene) == 0);
+  p.set_time(1.5);
+  CHECK(dot(p.drawn_walk().steps[0].scene) == 1.5);
+}
+
 }  // namespace scene_time_test

@@ -5,6 +5,7 @@
 #include "lessons/lessons.h"
 #include "tests/catch.h"
 #include "tests/viz/window_driver.h"
+#include "viz/player/reader_state.h"
 #include "viz/player/scene_time.h"
 
 namespace time_strip_test {
@@ -166,6 +167,23 @@ TEST_CASE("the scene is drawn anew at another time", "[window]") {
   window.player().go_to(window.player().index());
   window.frames(2);
   CHECK(window.picture().rgba == before.rgba);
+}
+
+TEST_CASE("the time goes with the copied state, and comes back where that is pasted", "[window]") {
+  Moving window("contact");
+  window.player().set_time(0.625);
+  window.key(key::c, true);
+  const std::string copied = ImGui::GetClipboardText();
+  CHECK(reader_state_from_json(copied, lessons::all_lessons()).time == 0.625);
+  window.key(key::home);
+  window.frames(2);
+  CHECK_FALSE(window.player().time_is_chosen());
+  window.key(key::v, true);
+  window.frames(2);
+  CHECK((window.player().step().slug == "contact" && window.player().now() == 0.625));
+  WindowDriver again(lessons::all_lessons(), 1280, 800, reader_state_from_json(copied, lessons::all_lessons()), {},
+                     layout_only);
+  CHECK(again.player().now() == 0.625);
 }
 
 }  // namespace time_strip_test

@@ -8,6 +8,7 @@
 #include "tests/viz/sample_lesson.h"
 #include "tests/viz/window_driver.h"
 #include "viz/walk/closing.h"
+#include "viz/walk/renamed_lines.h"
 #include "viz/walk/walk_difference.h"
 
 namespace two_panes_test {
@@ -307,6 +308,96 @@ TEST_CASE("two panes are kept between runs, and what is no pane is not", "[windo
   write_file(file, R"({"beside": {"lesson": "point-disc", "method": "", "preset": 3}})");
   CHECK_FALSE(read_settings(file, both).beside);
   std::filesystem::remove(file);
+}
+
+TEST_CASE("lines that differ by a name alone are no difference, and others stay one", "[walk_difference]") {
+  const auto text = [](const std::string& way) {
+    Walk walk = sample::walk(sample::parameters("squared", {0.5, 0.5, 0}, Vec3::Zero(), 1.5));
+    if (way == "renamed")
+      walk.pseudocode = {"m ← c − p", "m² ← m · m", "if m² > r²", "  return OUT", "return IN"};
+    else if (way == "sign")
+      walk.pseudocode = {"m ← c − p", "m² ← m · m", "if m² ≥ r²", "  return OUT", "return IN"};
+    else if (way == "not kept to")
+      walk.pseudocode = {"m ← c − p", "q ← m · m", "if m² > r²", "  return OUT", "return IN"};
+    return walk;
+  };
+  const Walk usual = text(""), renamed = text("renamed"), sign = text("sign"), mixed = text("not kept to");
+  CHECK(walk_difference(usual, 0, renamed, 0).renamed == std::vector{0, 1, 2});
+  CHECK(walk_difference(usual, 0, renamed, 0).line_a == -1);
+  CHECK(walk_difference(usual, 0, sign, 0).renamed == std::vector{0, 1});
+  CHECK(walk_difference(usual, 0, sign, 0).line_b == 2);
+  CHECK(walk_difference(usual, 0, mixed, 0).renamed == std::vector{0});
+  CHECK(walk_difference(usual, 0, mixed, 0).line_a == 1);
+
+  Walk told = renamed;
+  told.steps[1].values[0].name = "*m*^2";
+  CHECK(walk_difference(usual, 1, told, 1).value_a == -1);
+  told.steps[1].values[0].value += 1;
+  CHECK(walk_difference(usual, 1, told, 1).value_b == 0);
+  told.steps[1].values[0] = usual.steps[1].values[0];
+  told.steps[1].values[0].name = "*k*^2";
+  CHECK(walk_difference(usual, 1, told, 1).value_b == 0);
+}
+
+TEST_CASE("only what a text gives a name itself may have another one", "[walk_difference]") {
+  using Text = std::vector<std::string>;
+  const auto alike = [](const Text& a, const Text& b) { return compared_texts(a, b).parted == -1; };
+  CHECK(alike({"for each axis i of x, y, z", "  if p_i ≠ q_i"}, {"for each axis i of x, y, z", "  if p_i ≠ q_i"}));
+  CHECK(alike({"for two nodes a, b", "  if a and b meet"}, {"for two nodes u, v", "  if u and v meet"}));
+  CHECK(alike({"[t_in, t_out] ← [0, 1]", "return [t_in, t_out]"}, {"[begin, end] ← [0, 1]", "return [begin, end]"}));
+  CHECK(alike({"cull(node): test its box", "  node is a leaf: stop", "cull(root)"},
+              {"skip(part): test its box", "  part is a leaf: stop", "skip(root)"}));
+  CHECK(alike({"a′ ← a − o", "return a′ · d"}, {"b ← a − o", "return b · d"}));
+  CHECK_FALSE(alike({"f ← o − c"}, {"l ← c − o"}));  // what is given means something
+  CHECK_FALSE(alike({"if a_min > b_max"}, {"if b_min > a_max"}));
+  CHECK_FALSE(alike({"for each neighbour of a", "  test a"}, {"for each neighbour of b", "  test b"}));
+  CHECK_FALSE(alike({"t₁ ← p; t₂ ← q", "return t₁"}, {"t₂ ← p; t₁ ← q", "return t₁"}));  // exchanged, and then not
+  CHECK_FALSE(alike({"t ← p", "u ← q", "return t"}, {"t ← p", "t ← q", "return t"}));    // two names become one
+  CHECK_FALSE(alike({"t ← p"}, {"t ← p", "return t"}));
+  CHECK(compared_texts({"t ← p", "return t"}, {"s ← p", "return s"}).renamed == std::vector{0, 1});
+  const ComparedTexts texts = compared_texts({"t ← p", "return t"}, {"s ← p", "return s"});
+  CHECK((is_renamed(texts, "t²", "s²") && !is_renamed(texts, "t²", "t²") && !is_renamed(texts, "t²", "s") &&
+         is_renamed(texts, "k", "k")));
+}
+
+TEST_CASE("no two methods of a lesson are told apart by names alone where they differ in more", "[walk_difference]") {
+  const Lesson& lesson = lesson_named(lessons::all_lessons(), "ray-sphere");
+  const auto walk = [&](const char* id) { return lesson.walk(preset(lesson, id).parameters); };
+  const WalkDifference halves = walk_difference(walk("two-roots-quadratic"), 0, walk("two-roots-half-b"), 0);
+  CHECK(halves.line_a == 2);  // B ← 2 f · d against B ← f · d
+  CHECK(halves.renamed.empty());
+  const WalkDifference signs = walk_difference(walk("two-roots"), 0, walk("two-roots-quadratic"), 0);
+  CHECK(signs.line_a == 0);  // l ← c − o against f ← o − c: it points the other way
+}
+
+TEST_CASE("panes whose texts differ by names alone mark them weakly, and say so", "[window]") {
+  Lesson lesson = disc;
+  lesson.id = "names-differ";
+  lesson.steps = [](const Parameters& values) {
+    Parameters squared = values;
+    squared["way"] = std::string("squared");
+    Walk walk = sample::walk(squared);
+    if (std::get<std::string>(values.at("way")) == "squared") return walk;
+    walk.pseudocode[0] = "m ← c − p", walk.pseudocode[1] = "m² ← m · m", walk.pseudocode[2] = "if m² > r²";
+    for (Step& step : walk.steps)
+      for (Value& value : step.values)
+        if (value.name == "*l*^2") value.name = "*m*^2";
+    return walk;
+  };
+  WindowDriver window({&lesson});
+  window.type("v");
+  window.frames(2);
+  for (const std::string side : {"", "other "}) {
+    INFO(side);
+    CHECK_FALSE((window.has(side + "parted line") || window.has(side + "parted value")));
+    for (const char* line : {"1", "2", "3"})
+      CHECK(window.rect(side + "renamed line " + line).top == window.rect(side + "line " + line).top);
+    CHECK_FALSE(window.has(side + "renamed line 4"));
+    CHECK(window.has(side + "differs"));  // "≈ same but for a name, line 1"
+  }
+  window.key(key::right);
+  window.frames();
+  CHECK_FALSE((window.has("parted value") || window.has("other parted value")));
 }
 
 TEST_CASE("where walks part is told up to the steps shown, and no further", "[walk_difference]") {

@@ -159,6 +159,34 @@ TEST_CASE("time runs where bodies move, holds the contact, and waits for an answ
   CHECK((frame.at("moves") == false && frame.at("time").is_null()));
 }
 
+TEST_CASE("a link keeps the time within a step, and tells what is wrong with one", "[session]") {
+  BrowserSession session = fresh();
+  const auto at = [&](const Json& time, int step = 7, bool asks = false) {
+    return ask(session, {{"do", "open"},
+                         {"lesson", "moving-bodies"},
+                         {"preset", "boxes-meet"},
+                         {"step", step},
+                         {"asks", asks},
+                         {"time", time}});
+  };
+  const Json usual = at("");
+  CHECK_FALSE(usual.at("place").contains("time"));
+  const Json opened = at("0.3");
+  CHECK((opened.at("time").at("chosen") == true && opened.at("place").at("time") == "0.3"));
+  CHECK(opened.at("picture").get<std::string>() != usual.at("picture").get<std::string>());
+  CHECK(opened.at("picture") == ask(session, {{"do", "look"}}).at("picture"));
+  const Json copied = ask(session, {{"do", "copy"}});
+  CHECK_THAT(copied.at("place").get<std::string>(), Contains("\"time\": 0.3"));
+  CHECK_THAT(copied.at("alt").get<std::string>(), Contains("The picture shows t = 0.3."));
+  CHECK_FALSE(ask(session, {{"do", "go"}, {"at", 0}}).at("place").contains("time"));
+
+  for (const char* wrong : {"2.5", "-1", "then"})
+    CHECK_THAT(at(wrong).at("wrong").get<std::string>(), Contains("time"));
+  CHECK_THAT(at("2.5").at("wrong").get<std::string>(), Contains("from 0 to 2"));
+  CHECK_THAT(at("1", 8).at("wrong").get<std::string>(), Contains("nothing moves at step 9"));
+  CHECK(at("1", 6, true).contains("wrong"));
+}
+
 TEST_CASE("a verdict that other methods contradict says so", "[session]") {
   BrowserSession session = fresh();
   int differ = 0;

@@ -31,6 +31,7 @@ ReaderState Hour::start() const {
     state.step = step_;
   else if (stop().asks)
     state.step = stop().steps.front() - 1;
+  if (state.step != stop().timed) state.time.reset();
   return state;
 }
 
@@ -43,7 +44,9 @@ void Hour::begin(Player& player) {
 void Hour::follow(Player& player) {
   if (!stop().fault.empty() || away(player)) return;
   const bool asked = player.quiz().asked();
+  const int before = step_;
   step_ = asked && at_first_step(player) ? -1 : player.index();
+  if (!asked && step_ != before && step_ == stop().timed) player.set_time(*stop().state.time);
   const bool ends = !asked && !stop().whole && player.index() == stop().steps.back();
   if (ends && player.clock().playing()) player.clock().play(false);
 }
@@ -80,6 +83,7 @@ void Hour::enter(Player& player, int number, int step, bool ask) {
   ReaderState state = to.state;
   const bool asks = ask && to.asks;
   state.step = asks ? step - 1 : step;
+  if (state.step != to.timed) state.time.reset();
   player.go(state);
   if (asks) player.next();
   at_ = number;
@@ -114,6 +118,7 @@ bool Hour::on(Player& player) {
     const std::optional<int> to = player.quiz().asked() ? std::nullopt : step_after(player);
     if (to && *to > player.index() + 1) player.go_to(*to - 1);  // a step that this stop leaves out
     player.next();
+    follow(player);
   }
   return true;
 }
@@ -126,6 +131,7 @@ bool Hour::back(Player& player) {
         player.back();
       else
         player.go_to(*to);
+      follow(player);
       return true;
     }
   if (at_ == 0) return false;

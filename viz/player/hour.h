@@ -37,7 +37,8 @@ class Hour {
   ReaderState start() const;
   /// Called once, with a player that started there.
   void begin(Player&);
-  /// Called in every frame: notes the step on show, and ends play where the stop does.
+  /// Called in every frame: notes the step on show, draws the stop's timed one at its time when it is come to, and ends
+  /// play where the stop does.
   void follow(Player&);
 
   /// Goes on by a step, to the next stop after the last one: a step's question is asked before it, as in Player::next.

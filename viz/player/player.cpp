@@ -73,7 +73,7 @@ std::string Player::told_title(const Preset& preset) const {
 }
 
 ReaderState Player::reader_state() const {
-  return {lesson().id, played_->preset_id(), index(), parameters(), camera_.goal()};
+  return {lesson().id, played_->preset_id(), index(), parameters(), camera_.goal(), {}, now_};
 }
 
 void Player::go_to(int step) {
@@ -318,7 +318,11 @@ void Player::go(const ReaderState& to) {
     next.quiz_.close();
     next.clock_.play(false);
     next.go_to(to.step.value_or(0));
-    if (to.camera) next.camera_.jump(*to.camera, true);
+    if (to.time) next.set_time(*to.time);
+    if (to.camera)
+      next.camera_.jump(*to.camera, true);
+    else if (to.time)
+      next.camera_.jump(next.framed_view(), false);
   });
 }
 

@@ -97,6 +97,8 @@ class Player {
   double now() const;
   bool time_is_chosen() const { return now_.has_value(); }  ///< it need not be the step's own
   bool time_runs() const { return time_runs_; }
+  /// Returns the walk with the step on show as it is drawn, if a time is chosen (viz/player/scene_time.h).
+  Walk drawn_walk() const;
   /// Draws the scene at this time, or at the nearest one of its motion.
   void set_time(double);
   /// Lets time run, from the begin once it has ended, or stops it; with reduced motion it shows the next still.

@@ -18,6 +18,8 @@ void Player::set_time(double t) {
   if (begins) look(seconds_to_move);
 }
 
+Walk Player::drawn_walk() const { return now_ ? at_time(walk(), index(), *now_) : walk(); }
+
 void Player::toggle_time() {
   if (!time()) return;
   clock_.play(false);

@@ -13,6 +13,7 @@ namespace isect::viz {
 struct Stop {
   const Lesson* lesson = nullptr;  ///< a scene is one, too; null if the stop can't be opened
   ReaderState state = {};          ///< its step is the first of `steps`, its parameters are never missing
+  std::optional<int> timed = {};   ///< that one of `steps` which is drawn at the state's time; none: none is
   std::vector<int> steps = {};     ///< from 0, in order
   bool whole = false;              ///< these are all steps of its walk
   bool asks = false;               ///< the first of them has a question, with which the stop begins

@@ -205,6 +205,13 @@ int step_of(const Json& value, std::size_t steps) {
   return value.get<int>() - 1;
 }
 
+/// Returns the motion of a step, from 0. Throws BadInput if nothing moves in it.
+const Scene::Time& motion_of(const Walk& walk, int step) {
+  const auto& time = walk.steps.at(static_cast<std::size_t>(step)).scene.time;
+  if (!time) throw BadInput(fmt::format("time: nothing moves at step {} of this setting", step + 1));
+  return *time;
+}
+
 OtherSide beside_of(const Json& object, const Lesson& lesson) {
   only_fields(object, "beside", {"method", "preset"});
   if (object.size() != 1) throw BadInput("beside: give either a method or a preset");
@@ -223,7 +230,7 @@ OtherSide beside_of(const Json& object, const Lesson& lesson) {
 
 ReaderState state_of(const Json& object, const std::vector<const Lesson*>& lessons) {
   // "guard" is for `isect check` alone.
-  only_fields(object, "the state", {"lesson", "preset", "step", "parameters", "camera", "beside", "guard"});
+  only_fields(object, "the state", {"lesson", "preset", "step", "parameters", "camera", "beside", "time", "guard"});
   if (!object.contains("lesson")) throw BadInput("lesson: missing; the state of which lesson is it?");
   const Lesson& lesson = lesson_named(lessons, text_of(object["lesson"], "lesson"));
   ReaderState state;
@@ -239,7 +246,16 @@ ReaderState state_of(const Json& object, const std::vector<const Lesson*>& lesso
 
   if (object.contains("camera")) state.camera = camera_of(object["camera"], lesson, parameters);
   if (object.contains("beside")) state.beside = beside_of(object["beside"], lesson);
-  if (object.contains("step")) state.step = step_of(object["step"], lesson.walk(parameters).steps.size());
+  if (!object.contains("step")) {
+    if (object.contains("time")) throw BadInput("time: of which step is it? Give \"step\", too");
+    return state;
+  }
+  const Walk walk = lesson.walk(parameters);
+  state.step = step_of(object["step"], walk.steps.size());
+  if (object.contains("time")) {
+    const Scene::Time& motion = motion_of(walk, *state.step);
+    state.time = number_of(object["time"], "time", motion.lo, motion.hi);
+  }
   return state;
 }
 
@@ -251,12 +267,18 @@ Camera seen_from(const Lesson& lesson, const Walk& walk, double azimuth, double 
   return framed(camera, walk);
 }
 
+double checked_time(const Walk& walk, int step, double t) {
+  const Scene::Time& motion = motion_of(walk, step);
+  return number_of(Json(t), "time", motion.lo, motion.hi);
+}
+
 std::string to_json(const Parameters& parameters) { return json(parameters).dump(); }
 
 std::string to_json(const ReaderState& state) {
   std::string text = fmt::format("{{\n  \"lesson\": {}", Json(state.lesson).dump());
   if (!state.preset.empty()) text += fmt::format(",\n  \"preset\": {}", Json(state.preset).dump());
   if (state.step) text += fmt::format(",\n  \"step\": {}", *state.step + 1);
+  if (state.time) text += fmt::format(",\n  \"time\": {}", Json(*state.time).dump());
   if (state.parameters) text += fmt::format(",\n  \"parameters\": {}", to_json(*state.parameters));
   if (state.camera) text += fmt::format(",\n  \"camera\": {}", json(*state.camera).dump());
   if (const auto& side = state.beside; side && side->method.empty())
@@ -274,6 +296,7 @@ Metadata metadata(const ReaderState& state) {
   Metadata data{{"lesson", state.lesson}, {"version", version()}};
   if (state.step) data["step"] = std::to_string(*state.step + 1);
   if (!state.preset.empty()) data["preset"] = state.preset;
+  if (state.time) data["time"] = Json(*state.time).dump();
   if (state.parameters) data["parameters"] = to_json(*state.parameters);
   if (state.camera) data["camera"] = json(*state.camera).dump();
   return data;
@@ -284,7 +307,7 @@ ReaderState reader_state_from_metadata(const Metadata& data, const std::vector<c
   Json object;
   for (const std::string field : {"lesson", "preset"})
     if (data.contains(field)) object[field] = data.at(field);
-  for (const std::string field : {"step", "parameters", "camera"})
+  for (const std::string field : {"step", "time", "parameters", "camera"})
     if (data.contains(field)) object[field] = parse(field, data.at(field));
   return state_of(object, lessons);
 }

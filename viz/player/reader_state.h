@@ -24,6 +24,7 @@ struct ReaderState {
   std::optional<Parameters> parameters = {};
   std::optional<Camera> camera = {};
   std::optional<OtherSide> beside = {};
+  std::optional<double> time = {};  ///< of the step's motion (Scene::Time); none: the step's own picture
 };
 
 std::string to_json(const ReaderState&);
@@ -31,7 +32,11 @@ std::string to_json(const ReaderState&);
 /// those of older files, in radians, are read as such (viz/player/direction.h). Throws BadInput naming the field.
 ReaderState reader_state_from_json(const std::string& text, const std::vector<const Lesson*>&);
 
-/// Returns what a figure carries inside: lesson, preset, step, parameters, camera and version.
+/// Returns t if the shapes of this step of the walk, from 0, move, and t is within their motion. Throws BadInput, which
+/// tells the range.
+double checked_time(const Walk&, int step, double t);
+
+/// Returns what a figure carries inside: lesson, preset, step, time, parameters, camera and version.
 Metadata metadata(const ReaderState&);
 /// Returns the place where a figure was made. Throws BadInput naming the field, also where the metadata is another
 /// program's.

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "viz/lesson.h"
+#include "viz/walk/question_scene.h"
 
 namespace isect::viz {
 namespace {
@@ -65,6 +67,22 @@ std::string time_words(const Scene::Time& time, double now, bool brief) {
   const std::string contact = shown(*time.contact);
   if (now == *time.contact) return fmt::format("*t* = {} (contact)", contact);
   return fmt::format("*t* = {} (contact at *t* = {})", told_time(time, now), contact);
+}
+
+Walk at_time(Walk walk, int step, double t) {
+  Step& posed = walk.steps.at(static_cast<std::size_t>(step));
+  if (!posed.scene.time) return walk;
+  for (int i = step; i <= step + 1 && i < static_cast<int>(walk.steps.size()); ++i)
+    if (std::optional<Question>& question = walk.steps[static_cast<std::size_t>(i)].question; question)
+      question->over = question_scene(walk, i);  // made of both scenes
+
+  Scene::Time time = *posed.scene.time;
+  time.now = time_near(time, t);
+  posed.caption +=
+      fmt::format("{}The picture shows {}.", posed.caption.empty() ? "" : " ", time_words(time, time.now, true));
+  posed.scene = time.at(time.now);
+  posed.scene.time = std::make_shared<const Scene::Time>(std::move(time));
+  return walk;
 }
 
 }  // namespace isect::viz

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "viz/scene.h"
+#include "viz/lesson.h"
 
 namespace isect::viz {
 
@@ -23,5 +23,9 @@ double time_beside(const Scene::Time&, double now, int way);
 double next_still(const Scene::Time&, double now);
 /// Returns "*t* = 0.37 (contact at *t* = 0.5)", and in `brief` the first of it.
 std::string time_words(const Scene::Time&, double now, bool brief = false);
+
+/// Returns the walk with a step, from 0, drawn at time t of its motion, or at the nearest one: its caption says so.
+/// What questions show stays as it was, and so does all of a walk in whose step nothing moves.
+Walk at_time(Walk, int step, double t);
 
 }  // namespace isect::viz

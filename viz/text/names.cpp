@@ -115,7 +115,16 @@ std::vector<Name> names_in(const std::string& markup) {
 }
 
 std::vector<Name> names_in_line(const std::string& text) {
-  std::vector<Name> names;
+  std::vector<Name> names = words_in_line(text);
+  std::erase_if(names, [&](const Name& word) {
+    const std::size_t end = end_of_letters(text, word.begin);
+    return !may_be_a_name(Chars(text).substr(word.begin, end - word.begin)) || is_article(text, word.begin, word.end);
+  });
+  return names;
+}
+
+std::vector<Name> words_in_line(const std::string& text) {
+  std::vector<Name> words;
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t begin = i;
     i = end_of_letters(text, i);
@@ -128,10 +137,9 @@ std::vector<Name> names_in_line(const std::string& text) {
     const std::size_t hyphen = i;
     while (i + 1 < text.size() && text[i] == '-' && end_of_letters(text, i + 1) > i + 1)
       i = end_of_letters(text, i + 1);
-    if (i > hyphen) continue;  // "p-vertex" is a word
-    if (may_be_a_name(letters) && !is_article(text, begin, i)) names.push_back({key_of(letters, below), begin, i});
+    if (i == hyphen) words.push_back({key_of(letters, below), begin, i});  // "p-vertex" is two words, and no name
   }
-  return names;
+  return words;
 }
 
 std::vector<Name> names_in_line(const std::string& text, const std::set<std::string>& known) {

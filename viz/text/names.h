@@ -21,6 +21,8 @@ std::vector<Name> names_in(const std::string& markup);
 /// Return all that may be a name in plain text or in pseudocode, also a short word. `known`: only these.
 std::vector<Name> names_in_line(const std::string& text);
 std::vector<Name> names_in_line(const std::string& text, const std::set<std::string>& known);
+/// Returns all words of pseudocode, also long ones; but none that hyphens join.
+std::vector<Name> words_in_line(const std::string& text);
 /// Returns the keys of some names, each once.
 std::vector<std::string> keys(const std::vector<Name>&);
 

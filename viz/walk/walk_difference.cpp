@@ -6,6 +6,9 @@
 #include <tuple>
 #include <utility>
 
+#include "viz/text/rich_text.h"
+#include "viz/walk/renamed_lines.h"
+
 namespace isect::viz {
 namespace {
 
@@ -27,22 +30,29 @@ std::vector<int> run(const Walk& walk, int at) {
   return lines;
 }
 
-bool same_value(const Value& a, const Value& b) {
-  return a.name == b.name && (a.value == b.value || (std::isnan(a.value) && std::isnan(b.value)));
+bool same_value(const ComparedTexts& texts, const Value& a, const Value& b) {
+  if (a.value != b.value && !(std::isnan(a.value) && std::isnan(b.value))) return false;
+  return a.name == b.name || is_renamed(texts, plain(a.name), plain(b.name));
 }
 
 }  // namespace
 
 WalkDifference walk_difference(const Walk& a, int at_a, const Walk& b, int at_b) {
   WalkDifference p;
-  if (a.pseudocode != b.pseudocode) {
-    std::tie(p.line_a, p.line_b) = first_apart(a.pseudocode, b.pseudocode, std::equal_to<>());
+  const ComparedTexts texts = compared_texts(a.pseudocode, b.pseudocode);
+  p.renamed = texts.renamed;
+  if (texts.parted >= 0) {
+    const auto in = [&](const Walk& walk) {
+      return texts.parted < static_cast<int>(walk.pseudocode.size()) ? texts.parted : -1;
+    };
+    p.line_a = in(a), p.line_b = in(b);
   } else {
     const std::vector<int> lines_a = run(a, at_a), lines_b = run(b, at_b);
     const auto [i, k] = first_apart(lines_a, lines_b, std::equal_to<>());
     if (i >= 0 && k >= 0) p.line_a = lines_a[i], p.line_b = lines_b[k];
   }
-  std::tie(p.value_a, p.value_b) = first_apart(a.steps[at_a].values, b.steps[at_b].values, same_value);
+  std::tie(p.value_a, p.value_b) = first_apart(a.steps[at_a].values, b.steps[at_b].values,
+                                               [&](const Value& x, const Value& y) { return same_value(texts, x, y); });
   return p;
 }
 

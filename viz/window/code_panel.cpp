@@ -107,7 +107,22 @@ std::optional<bool> said_at(const Player& player, int line) {
   return has(shown.refused, line) ? std::optional(false) : std::nullopt;
 }
 
-void code_line(Player& player, Ui& ui, int line, const CodeLine& words, float pitch, const Rect& r, bool parted) {
+/// How a line of one of two panes differs from the other's.
+enum class Differs { no, by_name, first };
+
+Differs differs(const Parted* parted, int line) {
+  if (!parted) return Differs::no;
+  if (line == parted->line) return Differs::first;
+  return has(parted->renamed, line) ? Differs::by_name : Differs::no;
+}
+
+/// Marks a line that is the other pane's but for a name, less than one that differs.
+void renamed_mark(Ui& ui, int line, const Rect& r, bool lit) {
+  ui.rects["renamed line " + std::to_string(line + 1)] = r;
+  text(ui.fonts.body, r.left + 7, r.middle_y(), packed(lit ? ui.palette.on_highlight : ui.palette.muted), "≈", 0.5f);
+}
+
+void code_line(Player& player, Ui& ui, int line, const CodeLine& words, float pitch, const Rect& r, Differs mark) {
   const Palette& c = ui.palette;
   const Step& step = player.shown();
   const bool current = line == step.line;
@@ -120,7 +135,8 @@ void code_line(Player& player, Ui& ui, int line, const CodeLine& words, float pi
     filled(r, c.frame, 5);
 
   const bool lit = current && player.motion().light() > 0.5;  // until then the ink of other lines is easier to read
-  if (parted) parted_mark(ui, "parted line", r, lit);
+  if (mark == Differs::first) parted_mark(ui, "parted line", r, lit);
+  if (mark == Differs::by_name) renamed_mark(ui, line, r, lit);
   const Colour& ink = lit ? c.on_highlight : has(step.untaken, line) ? c.muted : c.text;
   float y = r.top + pitch / 2;
   const float number = r.left + 30;
@@ -152,7 +168,8 @@ void code_line(Player& player, Ui& ui, int line, const CodeLine& words, float pi
     player.go_to(to);
 }
 
-void code(Player& player, Ui& ui, const std::vector<CodeLine>& lines, const Rect& r, float pitch, int parted_line) {
+void code(Player& player, Ui& ui, const std::vector<CodeLine>& lines, const Rect& r, float pitch,
+          const Parted* parted) {
   ui.rects["code lines"] = r;
   ImGui::SetCursorScreenPos(top_left(r));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
@@ -164,7 +181,7 @@ void code(Player& player, Ui& ui, const std::vector<CodeLine>& lines, const Rect
   for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
     const CodeLine& words = lines[i];
     const float height = words.height(pitch);
-    code_line(player, ui, i, words, pitch, {r.left, y, r.right, y + height}, i == parted_line);
+    code_line(player, ui, i, words, pitch, {r.left, y, r.right, y + height}, differs(parted, i));
     if (i == line && !ui.focus.name().starts_with(ui.side + "line "))
       ImGui::SetScrollFromPosY(y + height / 2 - ImGui::GetWindowPos().y, 0.5f);
     y += height;
@@ -199,7 +216,7 @@ float current_line_height(const Player& player, const Ui& ui, float width) {
 }
 
 void current_line(Player& player, Ui& ui, const Rect& r) {
-  code_line(player, ui, player.step().line, laid_out_alone(player, ui, r.width()), pitch_alone, r, false);
+  code_line(player, ui, player.step().line, laid_out_alone(player, ui, r.width()), pitch_alone, r, Differs::no);
 }
 
 void parted_mark(Ui& ui, const std::string& name, const Rect& r, bool lit) {
@@ -219,8 +236,7 @@ void code_panel(Player& player, Ui& ui, const Rect& r, const Parted* parted) {
   if (player.shown().counters.early_out && !parted)
     text(ui.fonts.body, r.right - padding, heading, packed(ui.palette.fresh_text), "early out", 1);
   const float code_bottom = r.top + top + f.code_height;
-  code(player, ui, lines, {r.left + 10, r.top + top, r.right - 10, code_bottom}, f.code_pitch,
-       parted ? parted->line : -1);
+  code(player, ui, lines, {r.left + 10, r.top + top, r.right - 10, code_bottom}, f.code_pitch, parted);
   values_block(ui, player.shown(), {r.left + 10, code_bottom, r.right - 10, code_bottom + f.values_height},
                f.value_pitch, parted);
   if (!parted)

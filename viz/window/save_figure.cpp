@@ -44,17 +44,17 @@ struct Made {
   double scale;  ///< pixels per unit of the drawing
 };
 
-Made for_screen(const Player& player, const Settings& settings) {
+Made for_screen(const Player& player, const Settings& settings, const Walk& walk) {
   const Camera& camera = player.camera().goal();
-  const PageLayout page = page_layout(player.walk(), settings.save_theme, figure_width, figure_height);
-  return {figure(player.step(), camera, page).drawing, {}, 1};
+  const PageLayout page = page_layout(walk, settings.save_theme, figure_width, figure_height);
+  return {figure(walk.steps[static_cast<std::size_t>(player.index())], camera, page).drawing, {}, 1};
 }
 
 /// Makes the figure as seen here, and no narrower than its labels need.
-Made on_paper(const Player& player, const Settings& settings) {
+Made on_paper(const Player& player, const Settings& settings, const Walk& walk) {
   constexpr double points_a_cm = 72 / 2.54, dpi = 300;
   const PaperSize size = {settings.save_width_cm * points_a_cm, 0, usual_text_size};
-  std::optional<OnPaper> made = readable_figure(player.walk(), player.index(), settings.save_theme, size, true,
+  std::optional<OnPaper> made = readable_figure(walk, player.index(), settings.save_theme, size, true,
                                                 [&](double) { return player.camera().goal(); });
   if (!made)
     throw BadInput(
@@ -62,6 +62,11 @@ Made on_paper(const Player& player, const Settings& settings) {
   Made result = {std::move(made->figure.drawing), {}, dpi / 72};
   result.imprint.width_pt = result.drawing.width, result.imprint.dpi = dpi;
   return result;
+}
+
+/// Makes the figure of the step on show, at the time that it is drawn at; `walk`: drawn_walk().
+Made made_of(const Player& player, const Settings& settings, const Walk& walk) {
+  return settings.save_width_cm > 0 ? on_paper(player, settings, walk) : for_screen(player, settings, walk);
 }
 
 }  // namespace
@@ -129,9 +134,10 @@ std::string save_figure(const Player& player, const Settings& settings, Renderer
                         const std::string& name) {
   const ReaderState state = player.reader_state();
   const std::string wanted = folder + "/" + (name.empty() ? usual_stem(player) : name);
-  Made made = settings.save_width_cm > 0 ? on_paper(player, settings) : for_screen(player, settings);
+  const Walk walk = player.drawn_walk();
+  Made made = made_of(player, settings, walk);
   made.imprint.title = figure_title(player.lesson(), player.step());
-  made.imprint.alt = alt_text(player.lesson(), player.parameters(), player.walk(), player.index());
+  made.imprint.alt = alt_text(player.lesson(), player.parameters(), walk, player.index());
   Metadata data = metadata(state);
   data["style"] = words_of(settings);
   const std::string figure =
@@ -149,7 +155,7 @@ std::string save_figure(const Player& player, const Settings& settings, Renderer
 PixelBox draw_preview(const Player& player, const Settings& settings, Renderer& renderer, int most_width,
                       int most_height, std::string& why) {
   try {
-    const Made made = settings.save_width_cm > 0 ? on_paper(player, settings) : for_screen(player, settings);
+    const Made made = made_of(player, settings, player.drawn_walk());
     const double scale = std::min(most_width / made.drawing.width, most_height / made.drawing.height);
     renderer.draw(made.drawing, scale);
     why.clear();

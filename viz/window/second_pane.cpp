@@ -81,17 +81,26 @@ void menu(const Player& first, Ui& ui, Beside& chosen, const ImVec2& at) {
   ImGui::PopStyleVar();
 }
 
-/// Draws "≠ line 6, m²": the first difference. Pressed, it brings the line into view. `side`: its names' prefix.
-void told(Ui& ui, const std::string& side, const Step& step, int line, int value, float left, float right, float y) {
+/// What each pane marks.
+Parted parted_first(const WalkDifference& d) { return {d.line_a, d.value_a, d.renamed}; }
+Parted parted_second(const WalkDifference& d) { return {d.line_b, d.value_b, d.renamed}; }
+
+/// Draws "≠ line 6, m²": the first difference; or else "≈ same but for a name, line 2". Pressed, it brings the line
+/// into view. `side`: its names' prefix.
+void told(Ui& ui, const std::string& side, const Step& step, const Parted& parted, float left, float right, float y) {
+  const bool alike = parted.line < 0 && parted.value < 0;
+  const int line = !alike ? parted.line : parted.renamed.empty() ? -1 : parted.renamed.front();
   std::string words = line < 0 ? "" : "line " + std::to_string(line + 1);
-  if (value >= 0) words += (words.empty() ? "" : ", ") + plain(step.values[value].name);
+  if (parted.value >= 0) words += (words.empty() ? "" : ", ") + plain(step.values[parted.value].name);
   if (words.empty() || right - left < 60) return;
-  words = fitted(ui.fonts.body, "≠ " + words, right - left);
+  const std::string whole = alike ? "≈ same but for a name, " + words : "≠ " + words;
+  words = fitted(ui.fonts.body, whole, right - left);
   const Rect r{right - text_width(ui.fonts.body, words) - 6, y - 14, right + 6, y + 14};
   const Press p = line < 0 ? Press{} : press(ui, side + "differs", r);
   if (p.hovered) filled(r, ui.palette.hovered);
+  if (p.hovered && words != whole) tooltip(ui, whole);
   if (p.clicked) ui.focus.take(side + "line " + std::to_string(line + 1));
-  text(ui.fonts.body, right, y, packed(ui.palette.miss), words, 1);
+  text(ui.fonts.body, right, y, packed(alike ? ui.palette.muted : ui.palette.miss), words, 1);
 }
 
 /// Draws what stands above the panes. Returns whether the second one is to be closed.
@@ -101,7 +110,7 @@ bool heads(const Player& first, const Player& other, const WalkDifference& diffe
   const float y = at.heads.middle_y(), left = at.heads.left + 20, middle = at.second_scene.left;
   const float end = left + text(ui.fonts.bold, left, y, packed(ui.palette.text),
                                 fitted(ui.fonts.bold, first_title(first, side), middle - left - 12));
-  told(ui, "", first.step(), difference.line_a, difference.value_a, end + 16, middle - 16, y);
+  told(ui, "", first.step(), parted_first(difference), end + 16, middle - 16, y);
   const Rect close{at.heads.right - 48, y - 14, at.heads.right - 20, y + 14};
   bool pressed = false;
   const Opener against{"against",
@@ -111,7 +120,7 @@ bool heads(const Player& first, const Player& other, const WalkDifference& diffe
                        y,
                        close.left - middle - 40};
   const float opened = opener(ui, against, false, pressed);
-  told(ui, "other ", other.step(), difference.line_b, difference.value_b, opened + 16, close.left - 12, y);
+  told(ui, "other ", other.step(), parted_second(difference), opened + 16, close.left - 12, y);
   if (pressed) ImGui::OpenPopup("other side");
   menu(first, ui, side, {middle + 12, at.heads.bottom});
   const Press p = press(ui, "one pane", close);
@@ -187,8 +196,7 @@ void SecondPane::on_its_side(const ScenePane& first, Settings& settings, const s
 
 void SecondPane::show_other(const ScenePane& first, Settings& settings, const PanesLayout& at) {
   on_its_side(first, settings, [&](Player& other) {
-    const WalkDifference difference = difference_now(first.player, other);
-    const Parted parted = {difference.line_b, difference.value_b};
+    const Parted parted = parted_second(difference_now(first.player, other));
     const Pane pane = settings.beside->method.empty() ? Pane::fixed : Pane::along;
     Toast toast;
     double zoom = 1;
@@ -202,7 +210,7 @@ void SecondPane::show(const ScenePane& first, Settings& settings, SceneView& lea
   const WalkDifference difference = difference_now(first.player, *other_);
   if (heads(first.player, *other_, difference, first.ui, *settings.beside, at))
     toggle_panes(first.player, settings, first.toast);
-  const Parted parted = {difference.line_a, difference.value_a};
+  const Parted parted = parted_first(difference);
   lead.show(first, at.first_scene);
   if (at.first_code.height() > 0) code_panel(first.player, first.ui, at.first_code, &parted);
   show_other(first, settings, at);

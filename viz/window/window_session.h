@@ -195,6 +195,7 @@ struct StepWords {
 /// Where the walks of two panes part: a line, one of the step's values; -1: nowhere.
 struct Parted {
   int line = -1, value = -1;
+  std::vector<int> renamed = {};  ///< lines that differ by names alone
 };
 
 /// A message over the scene.
