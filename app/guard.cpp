@@ -44,8 +44,8 @@ Guard read_guard(const GuardJson& json) {
     const bool as_usual = size.width == usual.width && size.height == usual.height && guard.format != "tikz";
     guard.size = as_usual ? "" : fmt::format("{}x{}", size.width, size.height);
   }
-  constexpr double points_a_cm = 72 / 2.54;
-  if (!guard.width.empty()) guard.width = fmt::format("{:.4g}cm", points_of("width", guard.width) / points_a_cm);
+  constexpr double cm_in_points = 72 / 2.54;
+  if (!guard.width.empty()) guard.width = fmt::format("{:.4g}cm", points_of("width", guard.width) / cm_in_points);
   return guard;
 }
 

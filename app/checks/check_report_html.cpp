@@ -52,8 +52,8 @@ std::string besides(const Report& r, const Failure& f) {
 
 std::string article_of(const Report& r, const Failure& f, std::size_t number, ReportPictures& pictures) {
   const bool ticked = !f.accepted && may_be_accepted(f) && !f.reviewed.empty();
-  std::string html = fmt::format("<article id=\"change-{}\" tabindex=\"-1\" data-preset=\"{}\" data-kind=\"{}\"{}>\n",
-                                 number, escaped(f.lesson + "/" + f.preset), name_of(f.kind),
+  std::string html = fmt::format("<article id=\"change-{}\" tabindex=\"-1\" data-preset=\"{}\"{}>\n", number,
+                                 escaped(f.lesson + "/" + f.preset),
                                  ticked ? fmt::format(" data-accept=\"{}\"", escaped(reviewed_json(f.reviewed))) : "");
   html += fmt::format("<h3>{}</h3>\n<p><b>{}</b>: {}</p>\n", escaped(where(f)), name_of(f.kind), escaped(f.what));
   if (const std::string measure = viz::in_words(f.eye); !measure.empty())

@@ -96,7 +96,8 @@ const isect_report_keys = {
       input.checked = some === own.length, input.indeterminate = some > 0 && some < own.length;
     }
     const now = ticked(), presets = new Set(now.map(change => change.dataset.preset));
-    const left = [...ticks].filter(([change, input]) => change.dataset.kind === "trace" && !input.checked && presets.has(change.dataset.preset));
+    const left = [...ticks].filter(([change, input]) => !input.checked && presets.has(change.dataset.preset)
+      && listed(change).some(entry => entry.file.endsWith("/trace.json")));
     count.textContent = isect_ticked_text(now.length, ticks.size, left.length);
     save.disabled = copy.disabled = now.length === 0;
     for (const [change, input] of ticks) change.classList.toggle("ticked", input.checked);

@@ -263,6 +263,9 @@ TEST_CASE("a result as JUnit XML is read by programs, whatever the names", "[che
                                   Contains("radus&lt;") && Contains("not UTF-8"));
   CHECK(shell("isect check --dir odd --report odd.html --junit /dev/stdout >out").status == 2);
   CHECK_THAT(contents(shell.work() / "out"), StartsWith("<?xml") && Contains("failure"));
+  accept_other_interval(shell);
+  CHECK(shell(check + " --junit bad.xml").status == 1);
+  CHECK_THAT(read("bad.xml"), Contains("[[ATTACHMENT|snapshots/intervals/overlapping/04-relation.new.png]]"));
   const Ran full = shell(check + " --junit /dev/full");
   CHECK(full.status == 4);
   CHECK_THAT(full.err, Contains("No space left"));

@@ -137,7 +137,7 @@ TEST_CASE("a file or folder with an empty name is refused", "[usage]") {
   const Shell shell;
   const std::vector<std::pair<std::string, std::vector<std::string>>> options = {
       {"render ray-sphere --step 1", {"--out", "--preset"}},
-      {"check ray-sphere", {"--dir", "--snapshots", "--report", "--junit", "--preset"}},
+      {"check ray-sphere", {"--dir", "--snapshots", "--report", "--junit", "--preset", "--accept"}},
       {"bench orient2d", {"--csv", "--json", "--plot", "--from", "--publish"}}};
   for (const auto& [command, names] : options)
     for (const std::string& name : names)
