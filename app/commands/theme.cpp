@@ -90,7 +90,8 @@ void add_theme(CLI::App& app, Program& program) {
                                     "draws every role as usual, as colour-blind readers see it, and in\ngrey", "FILE");
   sub.add_flag("--json", options->json, "all its values, as a file to begin your own with")->excludes(out);
   sub.footer(
-      "Whatever takes --theme takes a file in JSON: {\"based on\": \"print\", \"roles\": {\"highlight\": \"#f6a800\"}}.\n"
+      "Whatever takes --theme takes a file in JSON: {\"based on\": \"print\", \"roles\": {\"highlight\": "
+      "\"#f6a800\"}}.\n"
       "What it leaves out is as in the theme it is based on, or as in print. Roles:\n" +
       wrapped(spelling::listed(viz::colour_names()), 100, 2) +
       "It may have \"name\"; \"font\", a family; \"hatch\": true, for the second object; and \"lines\", a factor for\n"

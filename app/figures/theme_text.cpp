@@ -155,7 +155,8 @@ class ThemeReader {
   void derive(const std::string& field) {
     const Json& two = source_.list(json()[field], {field}, 2, 2, "colours, as in [\"#00549f\", \"#f6a800\"],");
     const viz::Colour asked[] = {colour(two[0], {field, "0"}), colour(two[1], {field, "1"})};
-    for (const viz::ThemeFault& fault : viz::check_theme(read_.theme).faults)  // on bad grounds no colour can be read
+    const viz::ThemeCheck grounds = viz::check_theme(read_.theme);
+    for (const viz::ThemeFault& fault : grounds.faults)  // on bad grounds no colour can be read
       if (fault.name == "background" || fault.name == "panel") return;
     try {
       viz::derive_from(read_.theme, asked[0], asked[1]);
@@ -170,7 +171,8 @@ class ThemeReader {
   }
 
   void check() {
-    for (const viz::ThemeFault& fault : viz::check_theme(read_.theme).faults) {
+    const viz::ThemeCheck made = viz::check_theme(read_.theme);
+    for (const viz::ThemeFault& fault : made.faults) {
       const Path path = {fault.of == viz::ThemeFault::Of::line ? "lines" : "roles", fault.name};
       read_.faults.push_back(fmt::format("{}: {}; {}", source_.place(path), fault.why, fault.cure));
     }
