@@ -7,6 +7,7 @@
 #include <iterator>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "app/figures/figure_place.h"
 #include "app/figures/setting_name.h"
@@ -52,6 +53,19 @@ Excerpt from_scene(const std::string& text, const PresetFile& file) {
   e.path = file.path;
   e.parameters = e.lesson->presets.front().parameters;
   return e;
+}
+
+/// Hides a scene's answers, or shows them. Figures go to a folder of their own unless the file says the same.
+void hide_answers(Excerpt& to, const std::string& how) {
+  if (how.empty()) return;
+  if (how != "hidden" && how != "shown") throw viz::unknown("answers", how, {"hidden", "shown"});
+  if (to.lesson->made_from.empty())
+    throw viz::BadInput(
+        fmt::format("answers: those of a scene are hidden or shown; {} is a lesson, whose questions "
+                    "quiz prints",
+                    to.lesson->id));
+  const viz::Lesson* const before = std::exchange(to.lesson, &scene::with_answers(*to.lesson, how == "hidden"));
+  if (to.lesson != before) to.folder += "+answers=" + how;
 }
 
 /// Returns the method for many objects that a preset beside a scene names, if the lesson has several.
@@ -353,6 +367,7 @@ std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
       throw viz::BadInput(fmt::format("set: \"{}\" has no '='; write name=value, such as {}=2", text, text));
   std::vector<Excerpt> found = asked.files.empty() ? from_words(program, asked) : from_folder(program, asked);
   for (Excerpt& e : found) {
+    hide_answers(e, asked.answers);
     change(e, asked.changes);
     walk(e, asked.step, found.size() > 1);
   }

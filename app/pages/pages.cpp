@@ -76,6 +76,7 @@ void add_page_options(CLI::App& sub, const Program& program, PageOptions& option
   add_step(sub, options.asked, Takes::many, "counted from 1: 3, 3-6, 3,5,7-9 or all (if not given)");
   add_scene_file(sub, program, options.asked);
   add_set(sub, options.asked);
+  if (what != "quiz") add_answers(sub, options.asked);  // a scene has no question for it
   sub.add_option("--theme", options.theme, "print (if not given), grey or screen")->type_name("THEME");
   sub.add_option("--width", options.width, fmt::format("of each picture; {} if not given", width))->type_name("LENGTH");
   add_path(sub, "--out", options.out, fmt::format("folder; {} if not given", options.out), "DIR");

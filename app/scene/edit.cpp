@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/scene/list_text.h"
+#include "app/scene/own_words.h"
 #include "app/scene/source.h"
 #include "viz/text/spelling.h"
 
@@ -59,9 +60,18 @@ std::vector<NamePlace> places_of(const Json& asked, const std::string& path, con
   };
   if (asked.is_array()) look(asked, path);
   if (!asked.is_object()) return places;
-  for (const char* field : {"first hit", "fit", "clip", "to", "hierarchy", "walk", "ray"})
+  for (const char* field : {"of", "first hit", "fit", "clip", "to", "hierarchy", "walk", "ray"})
     if (asked.contains(field) && asked[field] != "all") look(asked[field], path + "/" + field);
   return places;
+}
+
+/// Adds a field behind the objects: on a line of its own if they begin one.
+void add_field(std::string& text, const std::string& field) {
+  const Spans::Span objects = *Spans(text).at("/objects");
+  const std::size_t begin = line_begin(text, objects.begin);
+  const std::size_t key = text.find_first_not_of(" \t", begin);
+  const bool own_line = begin > 0 && text[key] == '"';
+  put_behind(text, objects.end, own_line ? std::optional(text.substr(begin, key - begin)) : std::nullopt, field);
 }
 
 /// Removes a name from a question about three objects or more, else the question.
@@ -162,18 +172,24 @@ std::string with_hidden(const std::string& text, const std::string& name, bool h
   return now;
 }
 
+std::string with_answers(const std::string& text, bool hidden) {
+  const Source source = source_of(text);
+  const std::string word = hidden ? "\"hidden\"" : "\"shown\"";
+  std::string now = text;
+  if (const Spans spans(text); const Spans::Span* was = spans.at("/answers"))
+    now.replace(was->begin, was->end - was->begin, word);
+  else if (hidden)
+    add_field(now, "\"answers\": " + word);
+  return now;
+}
+
 std::string with_question(const std::string& text, const Json& asked) {
   const Source source = source_of(text);
   const Json& scene = source.json();
   const std::string entry = on_one_line(asked);
   std::string now = text;
   if (!scene.contains("ask")) {
-    const Spans::Span objects = *Spans(text).at("/objects");
-    const std::size_t begin = line_begin(text, objects.begin);
-    const std::size_t key = text.find_first_not_of(" \t", begin);
-    const bool own_line = begin > 0 && text[key] == '"';
-    put_behind(now, objects.end, own_line ? std::optional(text.substr(begin, key - begin)) : std::nullopt,
-               "\"ask\": [" + entry + "]");
+    add_field(now, "\"ask\": [" + entry + "]");
     return now;
   }
   if (scene["ask"] == "all pairs")
@@ -181,7 +197,8 @@ std::string with_question(const std::string& text, const Json& asked) {
                                             : "all pairs are asked; other questions stand in a list");
   if (!scene["ask"].is_array()) source.refuse({"ask"}, "a list of questions is expected, or \"all pairs\"");
   for (std::size_t i = 0; i < scene["ask"].size(); ++i)
-    if (scene["ask"][i] == asked) source.refuse({"ask", std::to_string(i)}, "this is asked already");
+    if (without_words(scene["ask"][i]) == without_words(asked))
+      source.refuse({"ask", std::to_string(i)}, "this is asked already");
   add_entry(now, "/ask", scene["ask"].size(), entry);
   return now;
 }

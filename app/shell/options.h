@@ -28,6 +28,7 @@ struct Selection {
   std::string scene;                 ///< a scene's file with the objects for the lesson; empty: none
   std::string step;                  ///< empty: the step of the preset's file, or all where it names none
   std::vector<std::string> changes;  ///< name=value
+  std::string answers;               ///< of scenes: "hidden" or "shown"; empty: as in the file
   std::vector<PresetFile> files;     ///< in place of names
 };
 
@@ -37,6 +38,8 @@ void add_lesson(CLI::App&, const Program&, Selection&, Takes, const std::string&
 void add_preset(CLI::App&, Selection&, Takes, const std::string& help);
 void add_step(CLI::App&, Selection&, Takes, const std::string& help);
 void add_set(CLI::App&, Selection&);
+/// Adds the option that hides the answers of scenes.
+void add_answers(CLI::App&, Selection&);
 /// Adds the option for a scene, if the program has more than one lesson: each lesson takes certain objects only.
 void add_scene_file(CLI::App&, const Program&, Selection&);
 /// Returns the parameters with these changes, name=value each. Throws viz::BadInput.

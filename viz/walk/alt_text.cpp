@@ -238,7 +238,7 @@ std::string alt_text(const Lesson& lesson, const Parameters& parameters, const W
   if (!s.formula.empty()) found += fmt::format("Formula: {}\n", plain(s.formula));
   if (const std::string values = fresh_values(s); !values.empty()) found += fmt::format("New: {}\n", values);
   if (compared) found += plain(fmt::format("{} {} {}\n", compared->question, compared->answer, compared->why));
-  if (!s.verdict.text.empty()) found += fmt::format("Verdict: {}\n", plain(s.verdict.text));
+  if (!s.verdict.text.empty()) found += fmt::format("Verdict: {}\n", plain(verdict_text(s.verdict)));
   return found.empty() ? text : text + "\n" + found;
 }
 
