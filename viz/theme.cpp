@@ -115,6 +115,7 @@ Theme theme_with(ThemeName name, const Sizes& sizes) {
   theme.hatch_second = name == ThemeName::grey;
   theme.floor_grid = name == ThemeName::screen || name == ThemeName::dark;
   theme.sizes = sizes;
+  theme.inks.fill(hex(colours.inks[static_cast<std::size_t>(Role::text)]));
   std::transform(colours.inks.begin(), colours.inks.end(), theme.inks.begin(), hex);
   return theme;
 }
@@ -133,7 +134,7 @@ Colour hex(unsigned rgb) { return {(rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) /
 Colour Theme::ink(Role role) const { return inks[static_cast<std::size_t>(role)]; }
 
 Colour Theme::tint(Role role) const {
-  switch (role) {
+  switch (like(role)) {
     case Role::hit:
     case Role::miss:
       return ink(role).with_alpha(overlap_alpha);
@@ -169,6 +170,7 @@ Theme paper_theme(ThemeName name, double text_size) {
 Theme window_theme(ThemeName name, double scale) { return theme_with(name, scaled(in_pixels, scale)); }
 
 std::string name_of(Role role) {
+  if (role >= own_role(0)) return fmt::format("own {}", static_cast<std::size_t>(role) - role_count + 1);
   constexpr std::array roles = {"first", "second", "hit", "miss", "construction", "highlight", "text", "muted", "grid"};
   return roles.at(static_cast<std::size_t>(role));
 }

@@ -27,6 +27,7 @@
 //
 // The first field of an object is its type with its name; the others are those of app/scene/types.h, in the plane with
 // two coordinates, in space with three. "hidden": true leaves an object out of the picture, not out of the answers.
+// "color" is a role of the theme or a colour of one's own.
 
 #include <map>
 #include <string>

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,8 +58,10 @@ struct Object {
   bool is_fixed() const { return !fixed.points.empty(); }
   /// Whether its file lacks that "at".
   bool lacks_at() const { return is_fixed() && std::ranges::find(fields, "at") == fields.end(); }
-  bool hidden = false;    ///< left out of the picture, not out of the answers
-  std::string note = {};  ///< what its file may mean differently than it is read, as plain sentences
+  bool hidden = false;                  ///< left out of the picture, not out of the answers
+  std::optional<viz::Role> role = {};   ///< chosen by the author, as the next one; none: the usual one
+  std::optional<unsigned> colour = {};  ///< 0xrrggbb
+  std::string note = {};                ///< what its file may mean differently than it is read, as plain sentences
 };
 /// Whether it is a ray, a line or a segment.
 bool runs_along_a_line(Type);

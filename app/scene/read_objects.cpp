@@ -9,6 +9,7 @@
 
 #include <isect/polygon_triangles.h>
 
+#include "app/scene/colours.h"
 #include "app/scene/files/shape_file.h"
 #include "app/scene/types.h"
 #include "viz/formats/files.h"
@@ -24,8 +25,10 @@ constexpr std::size_t most_objects = 1000, most_vertices = 10'000, most_slabs = 
 constexpr std::size_t most_knobs = 40;
 /// The most points of a file that a figure takes along, so that it can be opened without that file.
 constexpr std::size_t most_taken_along = 2'000;
+/// The most own colours: an object is the first or the second of its step.
+constexpr std::size_t most_colours = viz::most_own_colours / 2;
 /// The fields that objects of all types may have.
-const std::vector<std::string> in_any = {"hidden"};
+const std::vector<std::string> in_any = {"hidden", "color"};
 
 class ObjectReader {
  public:
@@ -84,8 +87,17 @@ class ObjectReader {
       if (!json["hidden"].is_boolean()) source_.refuse(below(path, "hidden"), "true or false is expected");
       o.hidden = json["hidden"];
     }
+    if (json.contains("color")) colour(json["color"], below(path, "color"), o);
     require_shape(o, path);
     out_.all.push_back(std::move(o));
+  }
+
+  void colour(const Json& json, const Path& path, Object& o) {
+    const Chosen chosen = read_colour(source_, json, path);
+    o.role = chosen.role, o.colour = chosen.rgb;
+    if (chosen.rgb) colours_.insert(*chosen.rgb);
+    if (colours_.size() > most_colours)
+      source_.refuse(path, fmt::format("one more colour than the {} that a scene may have", most_colours));
   }
 
   /// Checks that the numbers make a shape: a frustum that is empty has no corners.
@@ -300,6 +312,7 @@ class ObjectReader {
   Source& source_;
   const std::string& folder_;
   ReadObjects out_;
+  std::set<unsigned> colours_;
 };
 
 }  // namespace
