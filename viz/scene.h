@@ -240,6 +240,7 @@ struct Scene {
   std::shared_ptr<const Time> time = {};  ///< of a scene whose shapes move; null: nothing does
 
   std::vector<OwnColour> colours = {};  ///< most_own_colours at most; items name one by own_role
+  std::string said = {};                ///< markup: what marks in it say, for readers who can't see them; may be empty
 };
 
 /// The time in which the shapes of a scene move. The scene itself is a still; viz/player/scene_time.h lets time run.

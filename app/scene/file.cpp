@@ -25,7 +25,7 @@ class SceneReader {
                      "this is a preset’s file, which show, render and explain take; a scene has \"objects\"");
     if (json().is_object() && json().contains("stops") && !json().contains("objects"))
       source_.refuse({"stops"}, "this is a playlist, which show, handout, deck and quiz take; a scene has \"objects\"");
-    source_.only(json(), {}, {"title", "caption", "objects", "ask", "answers", "notes", "camera"}, beside_);
+    source_.only(json(), {}, {"title", "caption", "objects", "ask", "answers", "notes", "marks", "camera"}, beside_);
     file_.title = json().contains("title") ? source_.text(json()["title"], {"title"}) : "A scene";
     if (json().contains("caption")) file_.caption = source_.text(json()["caption"], {"caption"});
     if (json().contains("answers")) read_answers();
@@ -38,6 +38,7 @@ class SceneReader {
     read_questions(source_, file_);
     read_notes();
     if (json().contains("camera")) read_camera();
+    read_marks(source_, file_);
     return std::move(file_);
   }
 

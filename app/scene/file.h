@@ -23,6 +23,8 @@
 //     "caption": "...",                                              // of the step with all objects
 //     "answers": "hidden",                                           // questions only: "shown" if not given
 //     "notes": [ {"at": [0, 2, 0], "text": "the *y*-axis"} ],
+//     "marks": [ {"point": "q", "at": "r x A"},                     // or "foot of p on A"; computed
+//                {"dimension": ["q", "A.lo"]} ],                     // or arrow, line, brace, angle, right angle
 //     "camera": {"azimuth": 30, "elevation": 20} }                   // degrees
 //
 // The first field of an object is its type with its name; the others are those of app/scene/types.h, in the plane with
@@ -35,6 +37,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/scene/marks.h"
 #include "app/scene/objects.h"
 #include "app/scene/own_words.h"
 #include "app/scene/source.h"
@@ -81,6 +84,7 @@ struct File {
   std::map<std::size_t, OwnWords> words;  ///< by index of what is asked
   bool answers_hidden = false;            ///< the steps ask their questions, and tell no answer
   std::vector<Note> notes;
+  std::vector<AuthorMark> marks;
   viz::Camera camera;
   bool flat = false;
   std::string text;  ///< the file as it is, without comments, with the points of the short files that it names

@@ -28,7 +28,7 @@ constexpr std::size_t most_taken_along = 2'000;
 /// The most own colours: an object is the first or the second of its step.
 constexpr std::size_t most_colours = viz::most_own_colours / 2;
 /// The fields that objects of all types may have.
-const std::vector<std::string> in_any = {"hidden", "color"};
+const std::vector<std::string> in_any = {"hidden", "color", "from step", "to step"};
 
 class ObjectReader {
  public:
@@ -88,6 +88,7 @@ class ObjectReader {
       o.hidden = json["hidden"];
     }
     if (json.contains("color")) colour(json["color"], below(path, "color"), o);
+    o.steps = read_steps(source_, json, path);
     require_shape(o, path);
     out_.all.push_back(std::move(o));
   }
@@ -111,9 +112,7 @@ class ObjectReader {
   }
 
   void check_name(const std::string& name, const Path& path) const {
-    const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
-    if (name.empty() || name.size() > 16 || !std::ranges::all_of(name, fits) || (name[0] >= '0' && name[0] <= '9'))
-      source_.refuse(path, "a name of 1 to 16 letters and digits is expected (a to z and A to Z), a letter first");
+    require_name(source_, name, path);
     if (std::ranges::find(out_.all, name, &Object::name) != out_.all.end())
       source_.refuse(path, fmt::format("\"{}\" is the name of another object", name));
   }
@@ -318,6 +317,27 @@ class ObjectReader {
 }  // namespace
 
 ReadObjects read_objects(Source& source, const std::string& folder) { return ObjectReader(source, folder).read(); }
+
+void require_name(const Source& source, const std::string& name, const Path& path) {
+  const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
+  if (name.empty() || name.size() > 16 || !std::ranges::all_of(name, fits) || (name[0] >= '0' && name[0] <= '9'))
+    source.refuse(path, "a name of 1 to 16 letters and digits is expected (a to z and A to Z), a letter first");
+}
+
+StepRange read_steps(const Source& source, const Json& json, const Path& path) {
+  constexpr int most = 10'000;
+  StepRange range;
+  const auto read = [&](const char* field, int& to) {
+    if (!json.contains(field)) return;
+    const Json& step = json[field];
+    if (!step.is_number_integer() || step < 1 || step > most)
+      source.refuse(below(path, field), fmt::format("the number of a step is expected, from 1 to {}", most));
+    to = step;
+  };
+  read("from step", range.first), read("to step", range.last);
+  if (range.last < range.first) source.refuse(below(path, "to step"), "it is below \"from step\"");
+  return range;
+}
 
 std::size_t object_named(const Source& source, const std::vector<Object>& objects, const Json& value,
                          const Path& path) {

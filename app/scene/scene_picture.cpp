@@ -96,7 +96,7 @@ std::vector<Role> roles_of_all(const File& file) {
 }
 
 viz::Scene scene_picture(const Context& context, ObjectPictures& pictures, const std::vector<Role>& roles,
-                         const std::vector<std::size_t>& lit) {
+                         const std::vector<std::size_t>& lit, int step) {
   viz::Scene scene;
   scene.colours = own_colours(context.file);
   const bool few = context.file.objects.size() <= most_with_all_handles;
@@ -104,6 +104,7 @@ viz::Scene scene_picture(const Context& context, ObjectPictures& pictures, const
     const Object& o = context.object(i);
     if (o.hidden) continue;
     const auto at = std::ranges::find(lit, i);
+    if (at == lit.end() && !o.steps.has(step)) continue;
     Role role = lit.empty() ? roles[i] : usual_role(o.type);
     if (!lit.empty() && at == lit.end()) {
       if (context.file.objects.size() > most_in_all_pictures) continue;
