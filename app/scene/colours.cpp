@@ -170,7 +170,7 @@ struct NamedRole {
   const char* name;
   viz::Role role;
 };
-/// Those that say nothing of an answer.
+/// The roles that say nothing of an answer.
 constexpr NamedRole choosable_roles[] = {
     {"first", viz::Role::first}, {"second", viz::Role::second}, {"text", viz::Role::text}, {"muted", viz::Role::muted}};
 
