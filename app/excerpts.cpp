@@ -8,8 +8,10 @@
 #include <iterator>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "app/figures/setting_name.h"
+#include "app/scene/lesson.h"
 #include "app/setting_files.h"
 #include "app/shell/options.h"
 #include "app/shell/terminal.h"
@@ -37,6 +39,19 @@ void change(Excerpt& to, const std::vector<std::string>& changes) {
   to.parameters = changed(*to.lesson, before, changes);
   to.folder += name_of_change(before, to.parameters);
   if (!to.preset.empty() && to.parameters != viz::preset(*to.lesson, to.preset).parameters) to.preset.clear();
+}
+
+/// Hides a scene's answers, or shows them. Figures go to a folder of their own unless the file says the same.
+void hide_answers(Excerpt& to, const std::string& how) {
+  if (how.empty()) return;
+  if (how != "hidden" && how != "shown") throw viz::unknown("answers", how, {"hidden", "shown"});
+  if (to.lesson->made_from.empty())
+    throw viz::BadInput(
+        fmt::format("answers: those of a scene are hidden or shown; {} is a lesson, whose questions "
+                    "quiz prints",
+                    to.lesson->id));
+  const viz::Lesson* const before = std::exchange(to.lesson, &scene::with_answers(*to.lesson, how == "hidden"));
+  if (to.lesson != before) to.folder += "+answers=" + how;
 }
 
 std::vector<std::string> ids_of(const Program& program) {
@@ -347,6 +362,7 @@ std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
   std::vector<Excerpt> found =
       asked.files.empty() ? NamedSettings(program, asked).settings() : from_folder(program, asked);
   for (Excerpt& e : found) {
+    hide_answers(e, asked.answers);
     change(e, asked.changes);
     walk(e, asked, found.size() > 1);
     join_others(e, !asked.changes.empty());

@@ -226,7 +226,8 @@ std::string playlist_asked(const Selection& asked) {
   if (!file || !is_playlist(viz::read_file(path))) return {};
   for (const auto& [option, given] :
        {std::pair("preset", !asked.preset.empty()), std::pair("step", !asked.step.empty()),
-        std::pair("scene", !asked.scene.empty()), std::pair("set", !asked.changes.empty())})
+        std::pair("scene", !asked.scene.empty()), std::pair("set", !asked.changes.empty()),
+        std::pair("answers", !asked.answers.empty())})
     if (given)
       throw viz::BadInput(fmt::format("{}: not allowed with a playlist; each stop in {} names its own", option, path));
   return path;

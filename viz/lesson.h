@@ -132,6 +132,10 @@ struct Verdict {
   enum class Kind { open, yes, no, on };
   Kind kind = Kind::open;
   std::string text;  ///< markup
+  std::string exact =
+      {};  ///< markup: the core's own words where `text` is somebody else's; empty: `text` is the core's
+
+  const std::string& of_core() const { return exact.empty() ? text : exact; }
 };
 
 struct Step {

@@ -24,6 +24,19 @@ using Vec3 = Eigen::Vector3d;
 /// speaks alone.
 enum class Role { first, second, hit, miss, construction, highlight, text, muted, grid };
 
+constexpr std::size_t role_count = 9;
+
+/// A colour that an author chose for items of a scene, which play a part as others do: in grey print they look like it.
+/// On each ground it is made darker or lighter until it stands out (see with_colours in viz/compose/own_colours.h).
+struct OwnColour {
+  unsigned rgb = 0;  ///< 0xrrggbb
+  Role like = Role::first;
+  bool operator==(const OwnColour&) const = default;
+};
+constexpr std::size_t most_own_colours = 12;
+/// Returns the role of items in own colour number `i` of their scene, from 0.
+constexpr Role own_role(std::size_t i) { return static_cast<Role>(role_count + i); }
+
 /// The shape of a point's marker.
 enum class Mark {
   disc,         ///< entry, first hit, a plain point
@@ -225,6 +238,9 @@ struct Scene {
 
   struct Time;
   std::shared_ptr<const Time> time = {};  ///< of a scene whose shapes move; null: nothing does
+
+  std::vector<OwnColour> colours = {};  ///< most_own_colours at most; items name one by own_role
+  std::string said = {};                ///< markup: what marks in it say, for readers who can't see them; may be empty
 };
 
 /// The time in which the shapes of a scene move. The scene itself is a still; viz/player/scene_time.h lets time run.

@@ -124,7 +124,8 @@ Theme theme_with(const ThemeChoice& choice, const Sizes& sizes) {
   theme.hatch_second = values.hatch;
   theme.floor_grid = theme.name == ThemeName::screen || theme.name == ThemeName::dark;
   theme.sizes = choice.own() ? with_lines(sizes, values) : sizes;
-  std::copy_n(values.colours.begin(), theme.inks.size(), theme.inks.begin());
+  theme.inks.fill(values.colours[static_cast<std::size_t>(Role::text)]);
+  std::copy_n(values.colours.begin(), role_count, theme.inks.begin());
   return theme;
 }
 
@@ -146,7 +147,7 @@ std::string hex_of(const Colour& c) {
 Colour Theme::ink(Role role) const { return inks[static_cast<std::size_t>(role)]; }
 
 Colour Theme::tint(Role role) const {
-  switch (role) {
+  switch (like(role)) {
     case Role::hit:
     case Role::miss:
       return ink(role).with_alpha(overlap_alpha);
@@ -211,6 +212,7 @@ Theme paper_theme(const ThemeChoice& choice, double text_size) {
 Theme window_theme(ThemeName name, double scale) { return theme_with(name, scaled(in_pixels, scale)); }
 
 std::string name_of(Role role) {
+  if (role >= own_role(0)) return fmt::format("own {}", static_cast<std::size_t>(role) - role_count + 1);
   constexpr std::array roles = {"first", "second", "hit", "miss", "construction", "highlight", "text", "muted", "grid"};
   return roles.at(static_cast<std::size_t>(role));
 }

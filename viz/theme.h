@@ -83,13 +83,16 @@ struct Theme {
   /// Returns the fill of a flat area: translucent, densest where objects overlap.
   Colour tint(Role) const;
   /// Whether an area of this role carries the 45 degree hatch.
-  bool hatched(Role role) const { return hatch_second && role == Role::second; }
+  bool hatched(Role role) const { return hatch_second && like(role) == Role::second; }
+  /// Returns the part that items of this role play, which own colours are of a scene.
+  Role like(Role role) const { return role < own_role(0) ? role : likes[static_cast<std::size_t>(role) - role_count]; }
   Colour background, panel;
   double fill_alpha, overlap_alpha;
   bool hatch_second;  ///< grey: the second object carries a 45 degree hatch; others if they say so
   bool floor_grid;    ///< screen and dark: fading floor grid, drop lines, contact shadow
   Sizes sizes;
-  std::array<Colour, 9> inks;
+  std::array<Colour, role_count + most_own_colours> inks;
+  std::array<Role, most_own_colours> likes = {};
 };
 
 /// The size of labels on paper, in points: it reads well beside a text of ten points.

@@ -244,6 +244,7 @@ void add_render(CLI::App& app, Program& program) {
            "card. If\nnot given, that of the preset's file, or all");
   add_scene_file(sub, program, options->asked, Takes::many);
   add_set(sub, options->asked);
+  add_answers(sub, options->asked);
   sub.add_option(
          "--camera", options->camera,
          "where space is seen from, in degrees: azimuth, 0 from +z and 90\nfrom +x, and elevation, 90 from above")

@@ -146,6 +146,7 @@ void add_strip(CLI::App& app, Program& program) {
            "file; else of one preset\nall up to the verdict: without map and card; of several the\nverdict of each");
   add_scene_file(sub, program, options->asked, Takes::many);
   add_set(sub, options->asked);
+  add_answers(sub, options->asked);
   sub.add_option("--columns", options->style.columns, "a row; 3 if not given, fewer where texts need more room")
       ->type_name("N");
   sub.add_flag("--captions", options->style.captions, "each step's caption below it, after its title");

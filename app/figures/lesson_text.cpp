@@ -94,7 +94,7 @@ class LessonWriter {
     if (!formula.empty() && formula != plain(step.title)) out += viz::as_sentence(formula) + " ";
     if (told.comparison) out += in_words(*told.comparison);
     if (formula.empty() && !step.comparison && !decided) out += first_sentence(plain(step.caption));
-    if (decided) out += " Verdict: " + plain(step.verdict.text) + ".";
+    if (decided) out += " Verdict: " + plain(viz::verdict_text(step.verdict)) + ".";
     return paragraph(out);
   }
 
@@ -111,7 +111,8 @@ class LessonWriter {
     if (!told.formula.empty()) out += paragraph(plain(told.formula), 5) + "\n";
     out += values(told.values, index == e_.steps.front()) + points(step) + rows(step);
     if (told.comparison) out += paragraph(in_words(*told.comparison)) + "\n";
-    if (!told.verdict.text.empty()) out += inked(Ink::bold, paragraph("Verdict: " + plain(told.verdict.text))) + "\n";
+    if (!told.verdict.text.empty())
+      out += inked(Ink::bold, paragraph("Verdict: " + plain(viz::verdict_text(told.verdict)))) + "\n";
     if (index == viz::outcome(e_.walk)) out += paragraph("Picture: " + plain(e_.walk.alt)) + "\n" + side_by_side();
     return out + source(told);
   }

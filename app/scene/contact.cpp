@@ -94,4 +94,12 @@ std::vector<viz::Item> contact(const NamedValues& s, const Object& a, const Obje
   return {viz::Dot{common_point(*one, *other), viz::Mark::diamond, Role::hit}};
 }
 
+std::optional<Vec3> nearest_point(const NamedValues& s, const Object& o, const Vec3& p) {
+  const std::optional<Rounded> shape = rounded(s, o);
+  if (!shape) return {};
+  const Vec3 q = shape->nearest(p), way = p - q;
+  const double far = way.norm();
+  return far <= shape->radius ? p : Vec3(q + shape->radius / far * way);
+}
+
 }  // namespace isect::program::scene

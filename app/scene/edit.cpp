@@ -7,7 +7,9 @@
 #include <optional>
 
 #include "app/scene/list_text.h"
+#include "app/scene/own_words.h"
 #include "app/scene/source.h"
+#include "app/scene/spots.h"
 #include "viz/text/spelling.h"
 
 namespace isect::program::scene {
@@ -59,9 +61,54 @@ std::vector<NamePlace> places_of(const Json& asked, const std::string& path, con
   };
   if (asked.is_array()) look(asked, path);
   if (!asked.is_object()) return places;
-  for (const char* field : {"first hit", "fit", "clip", "to", "hierarchy", "walk", "ray"})
+  for (const char* field : {"of", "first hit", "fit", "clip", "to", "hierarchy", "walk", "ray"})
     if (asked.contains(field) && asked[field] != "all") look(asked[field], path + "/" + field);
   return places;
+}
+
+/// Returns the paths of all places that a mark names.
+std::vector<std::string> places_of_mark(const Json& mark, std::size_t i) {
+  std::vector<std::string> paths;
+  if (!mark.is_object()) return paths;
+  for (const auto& [field, value] : mark.items()) {
+    const std::string path = fmt::format("/marks/{}/{}", i, field);
+    if (field == "at" && value.is_string()) paths.push_back(path);
+    for (std::size_t k = 0; value.is_array() && field != "at" && k < value.size(); ++k)
+      if (value[k].is_string()) paths.push_back(fmt::format("{}/{}", path, k));
+  }
+  return paths;
+}
+
+const Json& marks_in(const Json& scene) {
+  static const Json none = Json::array();
+  return scene.contains("marks") && scene["marks"].is_array() ? scene["marks"] : none;
+}
+
+/// Removes the marks that name an object, and those that name such a mark.
+void remove_marks(std::string& text, const Json& scene, const std::string& name) {
+  std::vector<std::string> gone = {name};
+  std::vector<std::size_t> removed;
+  const Json& marks = marks_in(scene);
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const std::vector<std::string> paths = places_of_mark(marks[i], i);
+    const bool names_gone = std::ranges::any_of(paths, [&](const std::string& path) {
+      const std::string place = scene[Json::json_pointer(path)];
+      return std::ranges::any_of(gone, [&](const std::string& one) { return place_names(place, one); });
+    });
+    if (!names_gone) continue;
+    removed.push_back(i);
+    if (marks[i].contains("point") && marks[i]["point"].is_string()) gone.push_back(marks[i]["point"]);
+  }
+  for (auto i = removed.rbegin(); i != removed.rend(); ++i) remove_entry(text, "/marks", *i);
+}
+
+/// Adds a field behind the objects: on a line of its own if they begin one.
+void add_field(std::string& text, const std::string& field) {
+  const Spans::Span objects = *Spans(text).at("/objects");
+  const std::size_t begin = line_begin(text, objects.begin);
+  const std::size_t key = text.find_first_not_of(" \t", begin);
+  const bool own_line = begin > 0 && text[key] == '"';
+  put_behind(text, objects.end, own_line ? std::optional(text.substr(begin, key - begin)) : std::nullopt, field);
 }
 
 /// Removes a name from a question about three objects or more, else the question.
@@ -120,6 +167,7 @@ std::string without_object(const std::string& text, const std::string& name) {
     const std::vector<NamePlace> places = places_of(ask[i], fmt::format("/ask/{}", i), name);
     if (!places.empty()) remove_name(now, i, places);
   }
+  remove_marks(now, source.json(), name);
   remove_entry(now, "/objects", index);
   return now;
 }
@@ -128,18 +176,27 @@ std::string with_name(const std::string& text, const std::string& name, const st
   const Source source = source_of(text);
   const std::size_t index = index_of(source, name);
   const Spans spans(text);
-  std::vector<Spans::Span> found;
-  const auto take = [&](const std::string& path) {
-    if (const Spans::Span* span = spans.at(path)) found.push_back(*span);
+  struct Change {
+    Spans::Span span;
+    std::string text;
   };
-  take(fmt::format("/objects/{}/{}", index, type_field(source.json()["objects"][index])));
+  std::vector<Change> found;
+  const auto take = [&](const std::string& path, const std::string& written) {
+    if (const Spans::Span* span = spans.at(path)) found.push_back({*span, Json(written).dump()});
+  };
+  take(fmt::format("/objects/{}/{}", index, type_field(source.json()["objects"][index])), now);
   if (source.json().contains("ask") && source.json()["ask"].is_array())
     for (std::size_t i = 0; i < source.json()["ask"].size(); ++i)
       for (const NamePlace& place : places_of(source.json()["ask"][i], fmt::format("/ask/{}", i), name))
-        take(place.path);
-  std::ranges::sort(found, std::ranges::greater{}, &Spans::Span::begin);  // the last one first
+        take(place.path, now);
+  const Json& marks = marks_in(source.json());
+  for (std::size_t i = 0; i < marks.size(); ++i)
+    for (const std::string& path : places_of_mark(marks[i], i))
+      if (const std::string place = source.json()[Json::json_pointer(path)]; place_names(place, name))
+        take(path, place_with_name(place, name, now));
+  std::ranges::sort(found, std::ranges::greater{}, [](const Change& c) { return c.span.begin; });  // the last one first
   std::string out = text;
-  for (const Spans::Span& span : found) out.replace(span.begin, span.end - span.begin, Json(now).dump());
+  for (const Change& c : found) out.replace(c.span.begin, c.span.end - c.span.begin, c.text);
   return out;
 }
 
@@ -162,18 +219,24 @@ std::string with_hidden(const std::string& text, const std::string& name, bool h
   return now;
 }
 
+std::string with_answers(const std::string& text, bool hidden) {
+  const Source source = source_of(text);
+  const std::string word = hidden ? "\"hidden\"" : "\"shown\"";
+  std::string now = text;
+  if (const Spans spans(text); const Spans::Span* was = spans.at("/answers"))
+    now.replace(was->begin, was->end - was->begin, word);
+  else if (hidden)
+    add_field(now, "\"answers\": " + word);
+  return now;
+}
+
 std::string with_question(const std::string& text, const Json& asked) {
   const Source source = source_of(text);
   const Json& scene = source.json();
   const std::string entry = on_one_line(asked);
   std::string now = text;
   if (!scene.contains("ask")) {
-    const Spans::Span objects = *Spans(text).at("/objects");
-    const std::size_t begin = line_begin(text, objects.begin);
-    const std::size_t key = text.find_first_not_of(" \t", begin);
-    const bool own_line = begin > 0 && text[key] == '"';
-    put_behind(now, objects.end, own_line ? std::optional(text.substr(begin, key - begin)) : std::nullopt,
-               "\"ask\": [" + entry + "]");
+    add_field(now, "\"ask\": [" + entry + "]");
     return now;
   }
   if (scene["ask"] == "all pairs")
@@ -181,7 +244,8 @@ std::string with_question(const std::string& text, const Json& asked) {
                                             : "all pairs are asked; other questions stand in a list");
   if (!scene["ask"].is_array()) source.refuse({"ask"}, "a list of questions is expected, or \"all pairs\"");
   for (std::size_t i = 0; i < scene["ask"].size(); ++i)
-    if (scene["ask"][i] == asked) source.refuse({"ask", std::to_string(i)}, "this is asked already");
+    if (without_words(scene["ask"][i]) == without_words(asked))
+      source.refuse({"ask", std::to_string(i)}, "this is asked already");
   add_entry(now, "/ask", scene["ask"].size(), entry);
   return now;
 }

@@ -21,6 +21,8 @@ std::string without_object(const std::string& text, const std::string& name);
 std::string with_name(const std::string& text, const std::string& name, const std::string& now);
 /// Leaves an object out of the picture, or draws it again.
 std::string with_hidden(const std::string& text, const std::string& name, bool hidden);
+/// Hides the scene's answers, or shows them.
+std::string with_answers(const std::string& text, bool hidden);
 /// Adds a question, as an entry of "ask".
 std::string with_question(const std::string& text, const Json& asked);
 

@@ -10,6 +10,7 @@
 #include "app/scene/edit.h"
 #include "app/scene/fits.h"
 #include "app/scene/lesson.h"
+#include "app/scene/own_words.h"
 #include "app/scene/questions.h"
 #include "app/scene/walks.h"
 #include "lessons/lessons.h"
@@ -62,7 +63,8 @@ class Offered {
  public:
   Offered(const Json& scene, bool flat)
       : flat_(flat), all_pairs_(scene.contains("ask") && scene["ask"] == "all pairs") {
-    if (scene.contains("ask") && scene["ask"].is_array()) asked_ = scene["ask"];
+    if (scene.contains("ask") && scene["ask"].is_array())
+      for (const Json& asked : scene["ask"]) asked_.push_back(without_words(asked));
   }
 
   void about(const Listed& a) {

@@ -16,20 +16,31 @@
 //              {"walk": ["r", "A"]},                                 // step by step, as the lesson of such a pair, or
 //                                                                    // of one object: "H"; with "lesson": another one
 //              {"walk": ["A", "B", "C"], "lesson": "collision",      // of many, or "all"
-//               "method": "sweep"} ],
+//               "method": "sweep"},
+//              {"of": ["r", "A"], "title": "...",                    // words of one's own, beside any question but a
+//               "caption": "...", "verdict": "...",                  // walk; "verdict": null shows none
+//               "question": "..."} ],                                // while answers are hidden
+//     "caption": "...",                                              // of the step with all objects
+//     "answers": "hidden",                                           // questions only: "shown" if not given
 //     "notes": [ {"at": [0, 2, 0], "text": "the *y*-axis"} ],
+//     "marks": [ {"point": "q", "at": "r x A"},                     // or "foot of p on A"; computed
+//                {"dimension": ["q", "A.lo"]} ],                     // or arrow, line, brace, angle, right angle
 //     "camera": {"azimuth": 30, "elevation": 20},                    // degrees
 //     "guard": [ {"theme": "dark"} ] }                               // for `isect check`: see app/guard.h
 //
 // The first field of an object is its type with its name; the others are those of app/scene/types.h, in the plane with
 // two coordinates, in space with three. "hidden": true leaves an object out of the picture, not out of the answers.
+// "color" is a role of the theme or a colour of one's own.
 
+#include <map>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "app/scene/marks.h"
 #include "app/scene/objects.h"
+#include "app/scene/own_words.h"
 #include "app/scene/source.h"
 #include "viz/formats/files.h"
 
@@ -70,10 +81,14 @@ inline constexpr const char* untitled = "A scene";
 
 struct File {
   std::string title;
+  std::string caption = {};  ///< markup, of the step with all objects; empty: it lists them
   std::vector<Object> objects;
   viz::Parameters parameters;
   std::vector<Asked> asked;
+  std::map<std::size_t, OwnWords> words;  ///< by index of what is asked
+  bool answers_hidden = false;            ///< the steps ask their questions, and tell no answer
   std::vector<Note> notes;
+  std::vector<AuthorMark> marks;
   viz::Camera camera;
   bool flat = false;
   std::string text;  ///< the file as it is, without comments, with the points of the short files that it names

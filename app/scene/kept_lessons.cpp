@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/scene/edit.h"
 #include "app/scene/known.h"
 #include "app/scene/lesson.h"
 #include "app/scene/save.h"
@@ -81,6 +82,16 @@ const viz::Lesson& edited(const viz::Lesson& kept, const viz::Parameters& parame
     known->known = one.known->known;
   }
   return kept_lessons().emplace_back(kept_from(edit(*text), one.folder, known)).lesson;
+}
+
+const viz::Lesson& with_answers(const viz::Lesson& kept, bool hidden) {
+  const KeptLesson& one = kept_as(kept);
+  const bool own = !one.text.empty();
+  const std::string &was = own ? one.text : kept.made_from, now = with_answers(was, hidden);
+  if (read_scene(was, one.folder).answers_hidden == hidden) return kept;
+  const viz::Lesson& made = kept_lesson_of(now, one.folder);
+  if (!own) kept_as(made).text.clear();
+  return made;
 }
 
 namespace {

@@ -2,6 +2,7 @@
 // What a scene's lesson knows from one setting to the next: of many objects only one is moved at a time.
 
 #include <algorithm>
+#include <map>
 #include <mutex>
 #include <string>
 
@@ -14,6 +15,9 @@ class Known {
  public:
   PairAnswers pairs;
   ObjectPictures pictures;
+  /// The verdicts for which the author of the scene wrote own words, by index of what is asked: those of the first
+  /// walk.
+  std::map<std::size_t, std::string> written_for = {};
 
   /// Uses these numbers from now on, and forgets what was known of objects that have others.
   void move_to(const File& file, const viz::Parameters& parameters) {

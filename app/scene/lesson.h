@@ -40,6 +40,9 @@ std::optional<std::string> text_with(const viz::Lesson& kept, const viz::Paramet
 const viz::Lesson& edited(const viz::Lesson& kept, const viz::Parameters&, bool same,
                           const std::function<std::string(const std::string&)>& edit);
 
+/// Returns the kept lesson with its answers hidden, or shown; itself if they are so already.
+const viz::Lesson& with_answers(const viz::Lesson& kept, bool hidden);
+
 /// Returns the lesson's own walks through all of the scene's objects that it takes, instead of the scene's own
 /// questions; kept, too. `method`: one of its methods for many objects; empty: the first. Throws viz::BadInput if it
 /// takes none of them, naming what it takes and which lessons take any.

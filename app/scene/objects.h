@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +49,12 @@ struct Fixed {
   std::vector<viz::Vec3> normals = {};             ///< of a k-DOP
 };
 
+/// The steps in which something is drawn, counted from 1.
+struct StepRange {
+  int first = 1, last = std::numeric_limits<int>::max();
+  bool has(int step) const { return first <= step && step <= last; }
+};
+
 struct Object {
   Type type;
   std::string name;
@@ -57,8 +65,11 @@ struct Object {
   bool is_fixed() const { return !fixed.points.empty(); }
   /// Whether its file lacks that "at".
   bool lacks_at() const { return is_fixed() && std::ranges::find(fields, "at") == fields.end(); }
-  bool hidden = false;    ///< left out of the picture, not out of the answers
-  std::string note = {};  ///< what its file may mean differently than it is read, as plain sentences
+  bool hidden = false;                  ///< left out of the picture, not out of the answers
+  std::optional<viz::Role> role = {};   ///< chosen by the author, as the next one; none: the usual one
+  std::optional<unsigned> colour = {};  ///< 0xrrggbb
+  StepRange steps = {};                 ///< those that draw it, besides those that ask about it
+  std::string note = {};                ///< what its file may mean differently than it is read, as plain sentences
 };
 /// Whether it is a ray, a line or a segment.
 bool runs_along_a_line(Type);

@@ -9,6 +9,7 @@
 
 #include <isect/polygon_triangles.h>
 
+#include "app/scene/colours.h"
 #include "app/scene/files/shape_file.h"
 #include "app/scene/types.h"
 #include "viz/formats/files.h"
@@ -24,8 +25,10 @@ constexpr std::size_t most_objects = 1000, most_vertices = 10'000, most_slabs = 
 constexpr std::size_t most_knobs = 40;
 /// The most points of a file that a figure takes along, so that it can be opened without that file.
 constexpr std::size_t most_taken_along = 2'000;
+/// The most own colours: an object is the first or the second of its step.
+constexpr std::size_t most_colours = viz::most_own_colours / 2;
 /// The fields that objects of all types may have.
-const std::vector<std::string> in_any = {"hidden"};
+const std::vector<std::string> in_any = {"hidden", "color", "from step", "to step"};
 
 class ObjectReader {
  public:
@@ -84,8 +87,18 @@ class ObjectReader {
       if (!json["hidden"].is_boolean()) source_.refuse(below(path, "hidden"), "true or false is expected");
       o.hidden = json["hidden"];
     }
+    if (json.contains("color")) colour(json["color"], below(path, "color"), o);
+    o.steps = read_steps(source_, json, path);
     require_shape(o, path);
     out_.all.push_back(std::move(o));
+  }
+
+  void colour(const Json& json, const Path& path, Object& o) {
+    const Chosen chosen = read_colour(source_, json, path);
+    o.role = chosen.role, o.colour = chosen.rgb;
+    if (chosen.rgb) colours_.insert(*chosen.rgb);
+    if (colours_.size() > most_colours)
+      source_.refuse(path, fmt::format("one more colour than the {} that a scene may have", most_colours));
   }
 
   /// Checks that the numbers make a shape: a frustum that is empty has no corners.
@@ -99,9 +112,7 @@ class ObjectReader {
   }
 
   void check_name(const std::string& name, const Path& path) const {
-    const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
-    if (name.empty() || name.size() > 16 || !std::ranges::all_of(name, fits) || (name[0] >= '0' && name[0] <= '9'))
-      source_.refuse(path, "a name of 1 to 16 letters and digits is expected (a to z and A to Z), a letter first");
+    require_name(source_, name, path);
     if (std::ranges::find(out_.all, name, &Object::name) != out_.all.end())
       source_.refuse(path, fmt::format("\"{}\" is the name of another object", name));
   }
@@ -300,11 +311,33 @@ class ObjectReader {
   Source& source_;
   const std::string& folder_;
   ReadObjects out_;
+  std::set<unsigned> colours_;
 };
 
 }  // namespace
 
 ReadObjects read_objects(Source& source, const std::string& folder) { return ObjectReader(source, folder).read(); }
+
+void require_name(const Source& source, const std::string& name, const Path& path) {
+  const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
+  if (name.empty() || name.size() > 16 || !std::ranges::all_of(name, fits) || (name[0] >= '0' && name[0] <= '9'))
+    source.refuse(path, "a name of 1 to 16 letters and digits is expected (a to z and A to Z), a letter first");
+}
+
+StepRange read_steps(const Source& source, const Json& json, const Path& path) {
+  constexpr int most = 10'000;
+  StepRange range;
+  const auto read = [&](const char* field, int& to) {
+    if (!json.contains(field)) return;
+    const Json& step = json[field];
+    if (!step.is_number_integer() || step < 1 || step > most)
+      source.refuse(below(path, field), fmt::format("the number of a step is expected, from 1 to {}", most));
+    to = step;
+  };
+  read("from step", range.first), read("to step", range.last);
+  if (range.last < range.first) source.refuse(below(path, "to step"), "it is below \"from step\"");
+  return range;
+}
 
 std::size_t object_named(const Source& source, const std::vector<Object>& objects, const Json& value,
                          const Path& path) {

@@ -26,6 +26,27 @@ Role usual_role(Type t) {
   return runs_along_a_line(t) || t == Type::point || t == Type::cloud ? Role::first : Role::second;
 }
 
+/// Returns the own colours of the objects, each for the first and for the second object of a step: in all steps alike.
+std::vector<viz::OwnColour> own_colours(const File& file) {
+  std::vector<viz::OwnColour> all;
+  for (const Object& o : file.objects)
+    if (o.colour && std::ranges::find(all, *o.colour, &viz::OwnColour::rgb) == all.end())
+      for (const Role like : {Role::first, Role::second}) all.push_back({*o.colour, like});
+  return all;
+}
+
+/// Returns the items with those of this role in another one.
+std::vector<viz::Item> in_role(std::vector<viz::Item> items, Role was, Role now) {
+  for (viz::Item& item : items)
+    std::visit(
+        [&](auto& part) {
+          if constexpr (requires { part.role; })
+            if (part.role == was) part.role = now;
+        },
+        item);
+  return items;
+}
+
 /// Moves the name of a body of many corners, in its middle or at its top, off the names of others, as this camera sees
 /// them: to the highest corner that is free or, if none is, to the one farthest from them.
 void part_names(viz::Scene& scene, const Room& room, const viz::Camera& camera) {
@@ -75,23 +96,33 @@ std::vector<Role> roles_of_all(const File& file) {
 }
 
 viz::Scene scene_picture(const Context& context, ObjectPictures& pictures, const std::vector<Role>& roles,
-                         const std::vector<std::size_t>& lit) {
+                         const std::vector<std::size_t>& lit, int step) {
   viz::Scene scene;
+  scene.colours = own_colours(context.file);
   const bool few = context.file.objects.size() <= most_with_all_handles;
   for (std::size_t i = 0; i < context.file.objects.size(); ++i) {
     const Object& o = context.object(i);
     if (o.hidden) continue;
     const auto at = std::ranges::find(lit, i);
+    if (at == lit.end() && !o.steps.has(step)) continue;
     Role role = lit.empty() ? roles[i] : usual_role(o.type);
     if (!lit.empty() && at == lit.end()) {
       if (context.file.objects.size() > most_in_all_pictures) continue;
       role = Role::muted;
     }
     if (lit.size() == 2 && at != lit.end()) role = at == lit.begin() ? Role::first : Role::second;
+    const bool in_colour = role != Role::muted && o.colour;
+    if (role != Role::muted && o.role) role = *o.role;
     const HandlesOf which =
         few || (at != lit.end() && lit.size() <= most_with_all_handles) ? HandlesOf::all : HandlesOf::points;
     const ObjectPictures::Picture& picture = pictures.of(context.numbers, o, i, context.room, role, which);
-    std::ranges::copy(picture.items, std::back_inserter(scene.items));
+    if (in_colour) {
+      const auto known = std::ranges::find(scene.colours, viz::OwnColour{*o.colour, role});
+      const Role own = viz::own_role(static_cast<std::size_t>(known - scene.colours.begin()));
+      std::ranges::move(in_role(picture.items, role, own), std::back_inserter(scene.items));
+    } else {
+      std::ranges::copy(picture.items, std::back_inserter(scene.items));
+    }
     std::ranges::copy(picture.handles, std::back_inserter(scene.handles));
   }
   const bool too_many = context.file.objects.size() > most_in_all_pictures;

@@ -15,8 +15,9 @@ namespace isect::program::scene {
 std::vector<viz::Role> roles_of_all(const File&);
 
 /// Draws the objects asked about, `lit`, in colour and the others as lines in grey, unless there are too many. Without
-/// any, all are drawn in `roles`, those of roles_of_all. Hidden ones are left out.
+/// any, all are drawn in `roles`, those of roles_of_all. Hidden ones are left out, and
+/// so are those that are not for this step, counted from 1, unless it asks about them.
 viz::Scene scene_picture(const Context&, ObjectPictures&, const std::vector<viz::Role>& roles,
-                         const std::vector<std::size_t>& lit);
+                         const std::vector<std::size_t>& lit, int step);
 
 }  // namespace isect::program::scene

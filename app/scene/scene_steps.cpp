@@ -9,6 +9,8 @@
 
 #include "app/scene/answered.h"
 #include "app/scene/lesson.h"
+#include "app/scene/marks.h"
+#include "app/scene/prompts.h"
 #include "app/scene/scene_picture.h"
 #include "app/scene/types.h"
 #include "app/scene/walks.h"
@@ -47,7 +49,10 @@ class Walker {
   Walker(const File& file, const viz::Parameters& parameters, Known& known)
       : known_(known),
         context_{file, {parameters, file.flat}, known.pictures.room({parameters, file.flat}, file.objects)},
-        roles_(roles_of_all(file)) {}
+        roles_(roles_of_all(file)) {
+    for (const AuthorMark& mark : file.marks)
+      if (!file.answers_hidden || !mark.tells(file)) marks_.push_back({mark.steps, picture_of(context_, mark)});
+  }
 
   viz::Walk made() {
     PairAnswers& pairs = known_.pairs;
@@ -55,24 +60,34 @@ class Walker {
         context_.file.asked, [](const Asked& asked) { return std::holds_alternative<PairAsked>(asked); });
     viz::Walk walk;
     walk.steps.push_back(all_objects());
-    walk.alt = walk.steps[0].caption;
+    walk.alt = held() + marked();
     for (const Note& note : context_.file.notes) walk.alt += " Note: " + note.text + ".";
     const std::vector<Asked>& all = context_.file.asked;
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (const WalkAsked* const walked = std::get_if<WalkAsked>(&all[i])) {
+    const bool hidden = context_.file.answers_hidden;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::size_t number = walk.steps.size() + 1;
+      if (const WalkAsked* const walked = std::get_if<WalkAsked>(&all[i]); walked && !hidden) {
         add(*walked, walk);
       } else if (const PairAsked* const pair = std::get_if<PairAsked>(&all[i])) {
+        const std::size_t first = i;
         std::vector<PairAnswers::Answer> answers = {pairs.of(context_, *pair)};
-        if (asked_of_pairs > most_steps_of_pairs)
-          for (; i + 1 < all.size(); ++i) {
+        if (asked_of_pairs > most_steps_of_pairs && !words_of(first))
+          for (; i + 1 < all.size() && !words_of(i + 1); ++i) {
             const PairAsked* const next = std::get_if<PairAsked>(&all[i + 1]);
             if (!next || next->a != pair->a) break;
             answers.push_back(pairs.of(context_, *next));
           }
-        walk.steps.push_back(step(answers.size() == 1 ? *answers[0] : together(pair->a, answers)));
+        const bool one = answers.size() == 1;
+        if (hidden)
+          walk.steps.push_back(asking(
+              one ? prompt(context_, all[i]) : prompt_of_others(context_, pair->a, answers.size()), first, number));
+        else
+          walk.steps.push_back(step(one ? *answers[0] : together(pair->a, answers), first, number));
       } else {
-        walk.steps.push_back(step(answer_to(all[i])));
+        Answered answer = answer_to(all[i]);  // what the core refuses is told, whether answers are hidden or not
+        walk.steps.push_back(hidden ? asking(prompt(context_, all[i]), i, number) : step(std::move(answer), i, number));
       }
+    }
     if (rows_.size() > 1) walk.steps.push_back(summary());
     return walk;
   }
@@ -81,16 +96,25 @@ class Walker {
   void each_answer(const std::function<void(Json)>& take) {
     for (const Object& o : context_.file.objects)  // what can't be drawn is refused
       static_cast<void>(drawn(context_.numbers, o, context_.room, Role::first));
-    for (const Asked& asked : context_.file.asked) {
+    const std::vector<Asked>& all = context_.file.asked;
+    for (std::size_t i = 0; i < all.size(); ++i) {
       viz::Walk unseen;
-      if (const WalkAsked* const walked = std::get_if<WalkAsked>(&asked)) add(*walked, unseen);
-      take(answer_to(asked).json);
+      if (const WalkAsked* const walked = std::get_if<WalkAsked>(&all[i])) add(*walked, unseen);
+      Json answer = answer_to(all[i]).json;
+      if (const OwnWords* const own = words_of(i); own && own->tells()) answer["said"] = json_of(*own);
+      take(std::move(answer));
     }
   }
 
  private:
   Answered answer_to(const Asked& asked) const {
     return std::visit([&](const auto& a) { return answered(context_, a); }, asked);
+  }
+
+  /// Returns what the author says of an answer; null: nothing.
+  const OwnWords* words_of(std::size_t asked) const {
+    const auto found = context_.file.words.find(asked);
+    return found == context_.file.words.end() ? nullptr : &found->second;
   }
 
   /// Returns what an object meets, of all that it was asked about with.
@@ -140,25 +164,60 @@ class Walker {
     return fmt::format("{} objects: {}", all.size(), list);
   }
 
+  /// Returns what the marks say, for readers who can't see them.
+  std::string marked() const {
+    std::string all;
+    for (const Marked& mark : marks_)
+      if (!mark.picture.said.empty()) all += (all.empty() ? " Marked: " : "; ") + mark.picture.said;
+    return all.empty() ? all : all + ".";
+  }
+
+  /// Draws what the step shows, and adds to its caption which marks are missing and why. `number`: of the step, from 1.
+  void draw(viz::Step& step, const std::vector<std::size_t>& lit, std::size_t number) {
+    const int n = static_cast<int>(number);
+    step.scene = scene_picture(context_, known_.pictures, roles_, lit, n);
+    for (const Marked& mark : marks_) {
+      if (!mark.steps.has(n)) continue;
+      std::ranges::copy(mark.picture.items, std::back_inserter(step.scene.items));
+      if (!mark.picture.said.empty()) step.scene.said += (step.scene.said.empty() ? "" : "; ") + mark.picture.said;
+      if (!mark.picture.missing.empty()) step.caption += "\n" + mark.picture.missing;
+    }
+  }
+
+  std::string held() const { return fmt::format("The scene holds {}.", listed_objects()); }
+
   viz::Step all_objects() {
     viz::Step step;
     step.slug = "objects";
     step.title = context_.file.title;
-    step.caption = fmt::format("The scene holds {}.", listed_objects());
+    step.caption = context_.file.caption.empty() ? held() : context_.file.caption;
     for (const Object& o : context_.file.objects)
       if (!o.note.empty()) step.caption += fmt::format(" {}: {}", shown_name(o.name), viz::as_markup(o.note));
-    step.scene = scene_picture(context_, known_.pictures, roles_, {});
+    draw(step, {}, 1);
     return step;
   }
 
-  viz::Step step(Answered answer) {
+  /// Makes the step that asks what `step` tells: the same objects in the same colours, and nothing that was found.
+  viz::Step asking(Prompt asked, std::size_t index, std::size_t number) {
     viz::Step step;
+    step.slug = asked.slug, step.title = asked.title, step.caption = asked.text;
+    if (const OwnWords* const own = words_of(index); own && own->question) step.caption = *own->question;
+    draw(step, asked.lit, number);
+    return step;
+  }
+
+  /// `index`: of what is asked.
+  viz::Step step(Answered answer, std::size_t index, std::size_t number) {
+    viz::Step step;
+    if (const OwnWords* const own = words_of(index))
+      put_words(*own, known_.written_for.try_emplace(index, answer.verdict.text).first->second, answer);
     step.slug = answer.slug, step.title = answer.title, step.caption = answer.caption, step.formula = answer.formula;
     step.verdict = answer.verdict, step.values = answer.values;
-    step.scene = scene_picture(context_, known_.pictures, roles_, answer.lit);
+    draw(step, answer.lit, number);
     std::ranges::move(answer.items, std::back_inserter(step.scene.items));
-    rows_.push_back({step.title, answer.verdict.text + (answer.formula.empty() ? "" : ": " + answer.formula),
-                     answer.verdict.kind == viz::Verdict::Kind::no});
+    if (!answer.verdict.text.empty())
+      rows_.push_back({step.title, answer.verdict.text + (answer.formula.empty() ? "" : ": " + answer.formula),
+                       answer.verdict.kind == viz::Verdict::Kind::no});
     return step;
   }
 
@@ -262,6 +321,11 @@ class Walker {
 
   Known& known_;
   Context context_;
+  struct Marked {
+    StepRange steps;
+    MarkPicture picture;
+  };
+  std::vector<Marked> marks_;
   std::vector<Role> roles_;  ///< of all objects, where none is asked about
   std::vector<Row> rows_;
 };

@@ -53,6 +53,12 @@ void add_set(CLI::App& sub, Selection& to) {
       ->allow_extra_args(false);
 }
 
+void add_answers(CLI::App& sub, Selection& to) {
+  sub.add_option("--answers", to.answers,
+                 "of a scene: hidden draws its questions alone, as an exercise\nsheet; shown tells them, too")
+      ->type_name("WORD");
+}
+
 CLI::Validator not_empty() {
   const auto complaint = [](const std::string& value) { return value.empty() ? "empty; give a name" : ""; };
   return {complaint, ""};

@@ -6,6 +6,7 @@
 #include "tests/viz/drawn.h"
 #include "viz/colour/theme_check.h"
 #include "viz/compose/marks.h"
+#include "viz/compose/own_colours.h"
 #include "viz/lesson.h"
 
 namespace theme_test {
@@ -163,6 +164,29 @@ TEST_CASE("themes are found by name, and a wrong name is told the nearest", "[th
   } catch (const BadInput& e) {
     CHECK(std::string(e.what()).find("did you mean \"grey\"") != std::string::npos);
   }
+}
+
+TEST_CASE("colours of one's own can be read on every ground, and grey print has its own look", "[theme]") {
+  const std::vector<OwnColour> own = {{0xFFFF00, Role::first}, {0x000033, Role::second}, {0x1F77B4, Role::first}};
+  for (const ThemeName name : all_themes) {
+    const Theme plain = theme(name, 960, 600), t = with_colours(plain, own);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      INFO(name_of(name) << " " << i);
+      CHECK(t.like(own_role(i)) == own[i].like);
+      CHECK(contrast(t.ink(own_role(i)), t.background) >= 4.5);
+      CHECK(t.hatched(own_role(i)) == plain.hatched(own[i].like));
+      CHECK(t.tint(own_role(i)).a == plain.tint(own[i].like).a);
+      if (name == ThemeName::grey) CHECK(t.ink(own_role(i)) == plain.ink(own[i].like));
+    }
+    CHECK(t.ink(Role::first) == plain.ink(Role::first));
+  }
+  const Theme print = with_colours(theme(ThemeName::print, 227, 142), own),
+              dark = with_colours(theme(ThemeName::dark, 960, 600), own);
+  CHECK(print.ink(own_role(1)) == hex(0x000033));  // it stands out as it is
+  CHECK(dark.ink(own_role(0)) == hex(0xFFFF00));
+  CHECK(print.ink(own_role(0)).b < 0.01);  // still yellow, but darker
+  CHECK(print.ink(own_role(0)).r == print.ink(own_role(0)).g);
+  CHECK(name_of(own_role(2)) == "own 3");
 }
 
 }  // namespace theme_test

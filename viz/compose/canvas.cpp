@@ -102,7 +102,7 @@ double Canvas::width(Pen pen, Role role) const {
     case Pen::solid:
       break;
   }
-  return role == Role::first ? sizes().ray : sizes().outline;
+  return theme.like(role) == Role::first ? sizes().ray : sizes().outline;
 }
 
 void Canvas::block(const std::vector<Vec2>& points, double radius, bool firm) {

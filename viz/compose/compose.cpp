@@ -7,6 +7,7 @@
 #include "viz/compose/canvas.h"
 #include "viz/compose/halos.h"
 #include "viz/compose/item_names.h"
+#include "viz/compose/own_colours.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::viz {
@@ -20,7 +21,8 @@ void draw(Canvas&, const Solid&) {}
 
 Composed compose(const Scene& scene, const View& view, const Theme& theme, bool handles) {
   if (scene.chart) return compose(*scene.chart, view.corner(), view.width(), view.height(), theme);
-  Canvas canvas(scene, view, theme, handles);
+  const Theme own = with_colours(theme, scene.colours);
+  Canvas canvas(scene, view, own, handles);
   Composed result;
   result.objects = objects_of(scene);
   if (theme.floor_grid && view.camera().elevation > 0.05 && !is_page(scene))

@@ -101,7 +101,8 @@ void draw_floor(Canvas& c) {
   for (const Item& item : c.scene.items) {
     const Dot* dot = std::get_if<Dot>(&item);
     const double least = 2.2e-3 * c.view.camera().half_height;
-    if (dot != nullptr && dot->role == Role::first && dot->at.y() - lowest >= least) drop_line(c, *dot, lowest);
+    if (dot != nullptr && c.theme.like(dot->role) == Role::first && dot->at.y() - lowest >= least)
+      drop_line(c, *dot, lowest);
   }
 }
 

@@ -97,7 +97,7 @@ std::vector<Vec3> marked_points(const Scene& scene, const Handle& handle) {
 std::vector<std::string> verdicts_of(const Lesson& lesson, const Parameters& setting) {
   std::vector<std::string> all;
   for (const Step& s : lesson.steps(setting).steps)
-    if (s.verdict.kind != Verdict::Kind::open) all.push_back(plain(s.verdict.text));
+    if (s.verdict.kind != Verdict::Kind::open) all.push_back(plain(s.verdict.of_core()));
   if (lesson.made_from.empty() && all.size() > 1) all.erase(all.begin(), all.end() - 1);
   return all;
 }

@@ -149,6 +149,7 @@ void compare_steps(const Json& was, const Json& is, Changes& changes) {
   const std::size_t before = changes.count();
   compare_comparisons(at(was, "comparison"), at(is, "comparison"), changes);
   changes.compare_texts("verdict", at(was, "verdict"), at(is, "verdict"));
+  changes.compare("verdict of the core", at(was, "verdict of the core"), at(is, "verdict of the core"));
   changes.compare("pseudocode line", at(was, "line"), at(is, "line"));
   for (const std::string key : {"decides", "untaken", "refused"})
     changes.compare(key == "decides" ? key : key + " lines", at(was, key), at(is, key));

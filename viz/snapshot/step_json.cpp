@@ -106,6 +106,7 @@ Json json_of(const Step& step) {
   if (!step.refused.empty()) object["refused"] = from_one(step.refused);
   object["decides"] = step.decides;
   object["verdict"] = told(step.verdict);
+  if (!step.verdict.exact.empty()) object["verdict of the core"] = step.verdict.exact;
   if (step.comparison) object["comparison"] = told(*step.comparison);
   object["values"] = Json::array();
   for (const Value& v : step.values) object["values"].push_back(told(v));

@@ -218,6 +218,7 @@ std::string drawn_text(const Walk& walk, const Scene& scene, bool outcome) {
   const std::string what = drawn(scene);
   std::string text = outcome ? plain(walk.alt) : "";
   if (!what.empty()) text += fmt::format("{}Drawn: {}.", text.empty() ? "" : " ", what);
+  if (!outcome && !scene.said.empty()) text += fmt::format(" Marked: {}.", plain(scene.said));  // else the walk says it
   return text;
 }
 
@@ -230,6 +231,7 @@ std::string alt_text(const Lesson& lesson, const Parameters& parameters, const W
     text += plain(walk.alt) + "\n";
   if (const std::string what = s.scene.chart ? "" : drawn(s.scene); !what.empty())
     text += fmt::format("Drawn: {}.\n", what);
+  if (!s.scene.said.empty() && step < outcome(walk)) text += fmt::format("Marked: {}.\n", plain(s.scene.said));
   text += fmt::format("{}: {}.\n\n{}\n", s.scene.chart ? "The setting" : "Given", given(lesson, parameters),
                       plain(s.caption));
   if (!s.scene.chart) text += fixed(lesson, parameters, walk.steps.front().scene);
@@ -238,7 +240,7 @@ std::string alt_text(const Lesson& lesson, const Parameters& parameters, const W
   if (!s.formula.empty()) found += fmt::format("Formula: {}\n", plain(s.formula));
   if (const std::string values = fresh_values(s); !values.empty()) found += fmt::format("New: {}\n", values);
   if (compared) found += plain(fmt::format("{} {} {}\n", compared->question, compared->answer, compared->why));
-  if (!s.verdict.text.empty()) found += fmt::format("Verdict: {}\n", plain(s.verdict.text));
+  if (!s.verdict.text.empty()) found += fmt::format("Verdict: {}\n", plain(verdict_text(s.verdict)));
   return found.empty() ? text : text + "\n" + found;
 }
 

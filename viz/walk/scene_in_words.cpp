@@ -92,7 +92,7 @@ class SceneInWords {
 
  private:
   static bool is_object(Role role, Pen pen = Pen::solid) {
-    return (role == Role::first || role == Role::second || role == Role::muted) &&
+    return (role == Role::first || role == Role::second || role == Role::muted || role >= own_role(0)) &&
            (pen == Pen::solid || pen == Pen::thick);
   }
 

@@ -120,6 +120,10 @@ std::string compared_numbers(const Comparison& c) {
   return as_markup(fmt::format("{} against {}", left, right));
 }
 
+std::string verdict_text(const Verdict& v) {
+  return v.text.empty() || v.exact.empty() ? v.text : fmt::format("{} (exactly: {})", v.text, v.exact);
+}
+
 char choice_letter(std::size_t i) { return static_cast<char>('a' + i); }
 
 std::string given_text(const std::vector<Value>& values) { return fmt::format("Given: {}.", listed(values)); }

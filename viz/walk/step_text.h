@@ -76,6 +76,8 @@ std::string with_preset(const ErratumText&, std::string Preset::*name);
 /// Returns the numbers of a comparison, in full where they would read alike: "0.5 against 2". For a condition that
 /// joins several, each has its own: "*s* < 0: yes, −1 against 0; ...".
 std::string compared_numbers(const Comparison&);
+/// Returns the verdict, with the core's own words where it has others: "they kiss (exactly: A and B touch)".
+std::string verdict_text(const Verdict&);
 /// Returns the letter of an answer: 'a' for 0.
 char choice_letter(std::size_t i);
 /// Returns "Given: *s* = 1.022, *l*^2 = 1.1604."
