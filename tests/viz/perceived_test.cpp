@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/catch.h"
+#include "viz/colour/measures.h"
 
 namespace perceived_test {
 using Catch::Matchers::WithinAbs;
@@ -15,6 +16,7 @@ using isect::viz::oklab;
 using isect::viz::Perceived;
 using isect::viz::perceived;
 using isect::viz::Picture;
+using isect::viz::Vec3;
 
 namespace {
 
@@ -33,11 +35,11 @@ TEST_CASE("colours have the places in OKLab that its definition states", "[perce
   };
   for (const Known& k : {Known{0, 0, 0, 0, 0, 0}, Known{1, 1, 1, 1, 0, 0}, Known{1, 0, 0, 0.62796, 0.22486, 0.12585},
                          Known{0, 1, 0, 0.86644, -0.23389, 0.17950}, Known{0, 0, 1, 0.45201, -0.03246, -0.31153}}) {
-    const auto [l, a, b] = oklab(k.r, k.g, k.b);
+    const Vec3 place = oklab({k.r, k.g, k.b});
     INFO(k.r << ' ' << k.g << ' ' << k.b);
-    CHECK_THAT(l, WithinAbs(k.lightness, 1e-5));
-    CHECK_THAT(a, WithinAbs(k.green_red, 1e-5));
-    CHECK_THAT(b, WithinAbs(k.blue_yellow, 1e-5));
+    CHECK_THAT(place[0], WithinAbs(k.lightness, 1e-5));
+    CHECK_THAT(place[1], WithinAbs(k.green_red, 1e-5));
+    CHECK_THAT(place[2], WithinAbs(k.blue_yellow, 1e-5));
   }
 }
 
@@ -48,8 +50,10 @@ TEST_CASE("changed pixels are counted, and among them those that an eye sees", "
   CHECK(p.seen == 2);  // by one level nothing is seen
   CHECK_THAT(p.share_seen(), WithinAbs(0.4, 1e-12));
   CHECK_THAT(p.largest, WithinAbs(1, 1e-6));  // from black to white
-  const double step = oklab(129 / 255.0, 129 / 255.0, 129 / 255.0)[0] - oklab(128 / 255.0, 128 / 255.0, 128 / 255.0)[0];
-  const double fade = oklab(200 / 255.0, 200 / 255.0, 200 / 255.0)[0] - oklab(170 / 255.0, 170 / 255.0, 170 / 255.0)[0];
+  const double step =
+      oklab({129 / 255.0, 129 / 255.0, 129 / 255.0})[0] - oklab({128 / 255.0, 128 / 255.0, 128 / 255.0})[0];
+  const double fade =
+      oklab({200 / 255.0, 200 / 255.0, 200 / 255.0})[0] - oklab({170 / 255.0, 170 / 255.0, 170 / 255.0})[0];
   CHECK_THAT(p.mean, WithinAbs((1 + step + fade) / 3, 1e-6));
 
   const Perceived same = perceived(greys({7, 8}), greys({7, 8}));

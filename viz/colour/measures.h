@@ -25,6 +25,11 @@ Colour laid_over(const Colour& ground, const Colour& ink);
 /// CIE 1976 L*a*b* under D65: L* from 0 for black to 100 for white. A step of about 2 is just seen.
 Vec3 cie_lab(const Colour&);
 
+/// Returns lightness, 0 for black to 1 for white, and the two opponent colours, green to red and blue to yellow, of an
+/// opaque colour: equal steps look about equally large. Source: B. Ottosson, "A perceptual color space for image
+/// processing" (2020).
+Vec3 oklab(const Colour&);
+
 /// Who looks: readers who see three colours, those without one kind of cone, and all of them on a grey print.
 enum class Vision { usual, protan, deutan, tritan, grey };
 constexpr std::array all_visions = {Vision::usual, Vision::protan, Vision::deutan, Vision::tritan, Vision::grey};

@@ -8,16 +8,6 @@
 namespace isect::viz {
 namespace {
 
-Vec3 oklab(const Colour& c) {
-  Eigen::Matrix3d to_cones, to_lab;
-  to_cones << 0.4122214708, 0.5363325363, 0.0514459929, 0.2119034982, 0.6806995451, 0.1073969566, 0.0883024619,
-      0.2817188376, 0.6299787005;
-  to_lab << 0.2104542553, 0.7936177850, -0.0040720468, 1.9779984951, -2.4285922050, 0.4505937099, 0.0259040371,
-      0.7827717662, -0.8086757660;
-  const Vec3 cones = to_cones * linear_rgb(c);
-  return to_lab * Vec3(std::cbrt(cones.x()), std::cbrt(cones.y()), std::cbrt(cones.z()));
-}
-
 /// Returns the light of a colour, which leaves 0..1 where no screen shows it.
 Vec3 light_of(const Oklch& c) {
   Eigen::Matrix3d to_cones, to_rgb;

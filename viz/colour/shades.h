@@ -1,8 +1,7 @@
 #pragma once
 // Other colours near a given one, the nearest first: of the same hue, then of all hues.
 //
-// Nearness is measured in OKLab, where equal steps look about equally large. Source: B. Ottosson, "A perceptual color
-// space for image processing" (2020).
+// Nearness is measured in OKLab, where equal steps look about equally large.
 
 #include <functional>
 #include <optional>

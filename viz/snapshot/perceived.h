@@ -2,19 +2,14 @@
 // How much of the difference between two pictures an eye sees: distances of colours in OKLab, where equal steps look
 // equal.
 //
-// Source: B. Ottosson, "A perceptual color space for image processing" (2020); the difference is that of CSS Color 4,
-// section 18.3, "deltaEOK": from black to white it is 1, and 0.02 is just noticed.
+// Source: CSS Color 4, section 18.3, "deltaEOK": from black to white it is 1, and 0.02 is just noticed.
 
-#include <array>
 #include <cstddef>
 #include <string>
 
 #include "viz/text/text.h"
 
 namespace isect::viz {
-
-/// Returns lightness (0 to 1) and the two opponent colours of an sRGB colour with channels in 0..1.
-std::array<double, 3> oklab(double red, double green, double blue);
 
 /// The distance of two colours in OKLab that an eye just notices.
 inline constexpr double just_noticed = 0.02;
