@@ -173,7 +173,7 @@ TEST_CASE("colours of one's own can be read on every ground, and grey print has 
     for (std::size_t i = 0; i < own.size(); ++i) {
       INFO(name_of(name) << " " << i);
       CHECK(t.like(own_role(i)) == own[i].like);
-      CHECK(contrast(t.ink(own_role(i)), t.background) >= 4.5);
+      CHECK(contrast_ratio(t.ink(own_role(i)), t.background) >= 4.5);
       CHECK(t.hatched(own_role(i)) == plain.hatched(own[i].like));
       CHECK(t.tint(own_role(i)).a == plain.tint(own[i].like).a);
       if (name == ThemeName::grey) CHECK(t.ink(own_role(i)) == plain.ink(own[i].like));

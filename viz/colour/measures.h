@@ -32,7 +32,7 @@ Vec3 oklab(const Colour&);
 
 /// Who looks: readers who see three colours, those without one kind of cone, and all of them on a grey print.
 enum class Vision { usual, protan, deutan, tritan, grey };
-constexpr std::array all_visions = {Vision::usual, Vision::protan, Vision::deutan, Vision::tritan, Vision::grey};
+inline constexpr std::array all_visions = {Vision::usual, Vision::protan, Vision::deutan, Vision::tritan, Vision::grey};
 /// Returns "protanopia", for a head.
 std::string name_of(Vision);
 /// Returns the opaque colour that looks to usual eyes as `colour` does to these. Grey print keeps the luminance. The

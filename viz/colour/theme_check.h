@@ -23,7 +23,7 @@ constexpr double greys = 2.5;   ///< contrast of these two in a theme of greys
 constexpr double thinnest_line = 0.1, widest_line = 6;
 
 /// The roles that a reader must tell apart by their colours.
-constexpr std::array main_roles = {Role::first, Role::second, Role::hit, Role::miss};
+inline constexpr std::array main_roles = {Role::first, Role::second, Role::hit, Role::miss};
 
 /// Returns why a colour can't be read as the colour with this index of a theme; empty if it can.
 std::vector<std::string> contrast_faults(const OwnTheme&, std::size_t index, const Colour&);
