@@ -24,20 +24,30 @@ struct SceneType {
   std::string words;
 };
 
-/// A question that can be added.
+/// A question that can be added, or that is asked.
 struct SceneQuestion {
   std::string id;
   std::string words;  ///< plain text
 };
 
+/// A side of an outline whose corners can become more or fewer.
+struct SceneSide {
+  std::string object;  ///< its name
+  int corner = 1;      ///< where it begins: counted from 1 through all outlines of the object
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+  /// Returns what the handle of that corner moves: "P.3".
+  std::string parameter() const { return object + "." + std::to_string(corner); }
+};
+
 /// A change that a reader asks for.
 struct SceneEdit {
-  enum class Kind { add, remove, rename, hide, show, ask };
+  enum class Kind { add, remove, rename, hide, show, ask, unask, add_corner, remove_corner };
   Kind kind = Kind::add;
-  std::string what = {};       ///< the object's name; what is added: the id of a type or of a question
+  std::string what = {};       ///< the object's name; what is added or no longer asked: the id of a type, of a question
   std::string name = {};       ///< of the object that is added; the new one of an object that is renamed
-  Vec3 middle = Vec3::Zero();  ///< where an object that is added stands
+  Vec3 middle = Vec3::Zero();  ///< where an object or a corner that is added stands
   double size = 1;             ///< and about how far it reaches from there
+  int corner = 1;              ///< that is removed, or behind which one is added: as in SceneSide
 };
 
 struct SceneEditor {
@@ -48,6 +58,10 @@ struct SceneEditor {
   std::function<std::string(const Lesson&)> free_name = {};
   /// Returns the questions about one object or about two. Those that are asked already are left out.
   std::function<std::vector<SceneQuestion>(const Lesson&, const std::vector<std::string>& names)> questions = {};
+  /// Returns the questions that are asked about one object, or about both of two.
+  std::function<std::vector<SceneQuestion>(const Lesson&, const std::vector<std::string>& names)> asked = {};
+  /// Returns the sides of all objects whose corners can become more or fewer, with these numbers.
+  std::function<std::vector<SceneSide>(const Lesson&, const Parameters&)> sides = {};
   /// Returns the scene with these numbers and one change, as long-lived as the one before. Throws BadInput, which says
   /// why the change is refused.
   std::function<const Lesson&(const Lesson&, const Parameters&, const SceneEdit&)> edited = {};

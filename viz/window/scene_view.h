@@ -2,6 +2,7 @@
 // The interactive scene: composed from the current step, drawn by the Renderer, held and turned by the
 // pointer.
 
+#include <functional>
 #include <optional>
 
 #include "viz/chart/chart_pick.h"
@@ -25,6 +26,10 @@ struct ScenePane {
   Toast& toast;
   double& zoom;  ///< asked for by keys, until it is done: then 1
   Pane pane = Pane::lead;
+  /// Adds a corner to the side of an outline that is seen at a pixel; removes the corner that a handle moves. They
+  /// return false if there is none. Null: no outline can be changed.
+  std::function<bool(const View&, const Vec2&)> add_corner = {};
+  std::function<bool(const Handle&)> remove_corner = {};
   /// Returns the handles that can be dragged.
   const std::vector<Handle>& handles() const {
     static const std::vector<Handle> none;
@@ -85,6 +90,7 @@ class SceneView {
   std::optional<Search> search_;
   std::string forbidden_;         ///< why it does not follow the pointer; empty: it does
   MapDrag map_drag_;              ///< while the step shows the map of cases
+  unsigned clicked_at_ = 0;       ///< the player's revision when the button was pressed once
   Vec3 start_ = Vec3::Zero();     ///< where it stood when it was taken
   Parameters begun_;              ///< the setting then
   Vec2 pressed_ = Vec2::Zero();   ///< the pointer that took it

@@ -120,9 +120,10 @@ struct ObjectsPanel {
   std::vector<std::size_t> found = {};    ///< those with the words that are searched for, in their order
   std::string search = {}, searched = {};
   std::vector<std::string> chosen = {};       ///< at most two names
-  std::vector<std::string> asked_about = {};  ///< those that `questions` are about
-  std::vector<SceneQuestion> questions = {};
-  std::string to_see = {};  ///< the object whose row is to come into view
+  std::vector<std::string> asked_about = {};  ///< those that `questions` and `asked` are about
+  std::vector<SceneQuestion> questions = {};  ///< that can be added
+  std::vector<SceneQuestion> asked = {};      ///< that are asked
+  std::string to_see = {};                    ///< the object whose row is to come into view
   /// A name that is being typed.
   struct Renaming {
     std::string object, text;
