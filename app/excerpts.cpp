@@ -29,10 +29,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a preset is a file; the names of our presets have no dot.
+/// Whether a preset is a file; the names of our presets have no dot. "-" is the standard input.
 bool is_file(const std::string& preset) {
   std::error_code absent;
-  return preset.ends_with(".json") || viz::format_of(preset) || preset.find('/') != preset.npos ||
+  return preset == "-" || preset.ends_with(".json") || viz::format_of(preset) || preset.find('/') != preset.npos ||
          (preset.find('.') != preset.npos && fs::is_regular_file(preset, absent));
 }
 
@@ -43,12 +43,17 @@ void change(Excerpt& to, const std::vector<std::string>& changes) {
   if (!to.preset.empty() && to.parameters != viz::preset(*to.lesson, to.preset).parameters) to.preset.clear();
 }
 
+/// Returns the folder in which the files lie that a scene names: its own or, for what comes through a pipe, ours.
+std::string folder_beside(const std::string& path) {
+  std::error_code absent;
+  return fs::is_regular_file(path, absent) ? fs::path(path).parent_path().string() : std::string();
+}
+
 /// Returns the objects of a file and the questions in it.
 Excerpt from_scene(const std::string& text, const PresetFile& file) {
   const SaidLater busy = deciding(file.path);
   Excerpt e;
-  e.lesson = scene::naming_scene(
-      file.path, [&] { return &scene::kept_lesson_of(text, fs::path(file.path).parent_path().string()); });
+  e.lesson = scene::naming_scene(file.path, [&] { return &scene::kept_lesson_of(text, folder_beside(file.path)); });
   e.folder = file.name;
   e.path = file.path;
   e.parameters = e.lesson->presets.front().parameters;
@@ -77,9 +82,8 @@ Excerpt from_scene_for(const viz::Lesson& lesson, const std::string& method, con
     Excerpt e;
     const std::string text = read_named_file(file.path);
     const SaidLater busy = deciding(file.path);
-    e.lesson = scene::naming_scene(file.path, [&] {
-      return &scene::kept_walks_of(lesson, method, text, fs::path(file.path).parent_path().string());
-    });
+    e.lesson = scene::naming_scene(
+        file.path, [&] { return &scene::kept_walks_of(lesson, method, text, folder_beside(file.path)); });
     e.folder = lesson.id + "-" + file.name;
     e.path = file.path;
     e.parameters = e.lesson->presets.front().parameters;
@@ -176,7 +180,7 @@ std::vector<PresetFile> named_files(const std::vector<std::string>& paths) {
   std::set<std::string> names;
   for (const std::string& path : paths)
     if (known.insert(place_of(path)).second) {
-      files.push_back({path, fs::path(path).stem().string()});
+      files.push_back({path, path == "-" ? "stdin" : fs::path(path).stem().string()});
       names.insert(files.back().name);
     }
   if (names.size() == files.size()) return files;

@@ -1,6 +1,6 @@
 #pragma once
-// How the window lists and changes the objects of a scene that was made from a file. Whoever knows such files gives the
-// functions (app/scene/editor.h); here nothing reads or writes one.
+// How the window lists and changes the objects of a scene that was made from a file, and saves one that has none.
+// Whoever knows such files gives the functions (app/scene/editor.h); here nothing reads or writes one.
 
 #include <functional>
 #include <string>
@@ -65,6 +65,15 @@ struct SceneEditor {
   /// Returns the scene with these numbers and one change, as long-lived as the one before. Throws BadInput, which says
   /// why the change is refused.
   std::function<const Lesson&(const Lesson&, const Parameters&, const SceneEdit&)> edited = {};
+};
+
+/// How a scene that has no file yet gets one: it came through a pipe, or in a figure.
+struct NewSceneFile {
+  /// Returns the scene's text with this setting for a file in this folder; null: the scene has a file, or can't be
+  /// saved. Throws BadInput where a file that it names is not in that folder.
+  std::function<std::string(const Lesson&, const Parameters&, const std::string& folder)> text = {};
+  /// Takes the file that this text was written to as the scene's own, into which it is saved from then on.
+  std::function<void(const Lesson&, const Parameters&, const std::string& path)> take = {};
 };
 
 }  // namespace isect::viz

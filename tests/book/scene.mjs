@@ -105,7 +105,7 @@ try {
   check((await beside()).at === "2" && (await look()).yes, `it is shown at step ${(await beside()).at}`);
   check((await beside()).told === "" && (await beside()).choices.length === 0, "something is still said of a text that is shown");
   compared += await compare("typed");
-  // A double click on a corner's ring removes it, and keys there do the same; a link keeps it.
+  // A double click on a corner's ring removes it, and keys there do the same.
   await type('{"objects": [{"polygon": "P", "points": [[0, 0], [4, 0], [4, 4], [0, 4]]}, {"point": "q", "at": [2, 1]}], "ask": [["q", "P"]]}');
   await site.click("Show this scene");
   const at_ring = event => browser.ask(`document.querySelector('.live .grip[data-handle^="P.2/"]').dispatchEvent(new ${event})`);

@@ -94,7 +94,7 @@ struct WindowUi::Impl {
                 .settings = settings,
                 .course = course,
                 .figures = options.figures,
-                .scene_file = {.save = options.save_scene},
+                .scene_file = {.save = options.save_scene, .fresh = options.new_scene_file},
                 .scene_editor = options.scene_editor},
         scene(gl, options.scale, options.draw_scene, options.place_names),
         map(gl, options.scale, options.draw_scene),
