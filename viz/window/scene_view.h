@@ -3,6 +3,7 @@
 // pointer.
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "viz/chart/chart_pick.h"
@@ -55,6 +56,9 @@ class SceneView {
 
  private:
   void draw(const ScenePane&, const Rect&, const View&);
+  /// Returns the camera that the scene is seen by: the player's or, where small multiples stand in other columns, one
+  /// that frames those; the reader's own view keeps the lesson's columns.
+  Camera arrange(Player&);
   void pointer(const ScenePane&, const View&, bool hovered, bool active);
   void chart_under_pointer(const ScenePane&, const Rect&, const View&, bool hovered);
   void handles_and_names(const ScenePane&, const Rect&, const View&, bool hovered, bool active);
@@ -73,12 +77,15 @@ class SceneView {
   std::vector<PlacedLabel> labels_;
   KeptPicture picture_;
   TallestVerdict tallest_verdict_;
-  std::string drawn_;             ///< what the picture shows, as one line: it is not drawn twice
-  double turning_ = -1;           ///< seconds for which keys have turned or shifted it; < 0: they do not
-  std::vector<ChartMark> marks_;  ///< of the chart, once the pointer was over it
-  std::string marked_;            ///< which chart they are of, as one line
-  bool sketched_ = false;         ///< drawn coarsely during a drag, smoothly once the button is released
-  std::optional<Handle> held_;    ///< while a handle is dragged: the handle as it is now
+  std::string drawn_;                      ///< what the picture shows, as one line: it is not drawn twice
+  double turning_ = -1;                    ///< seconds for which keys have turned or shifted it; < 0: they do not
+  std::vector<ChartMark> marks_;           ///< of the chart, once the pointer was over it
+  std::string marked_;                     ///< which chart they are of, as one line
+  bool sketched_ = false;                  ///< drawn coarsely during a drag, smoothly once the button is released
+  std::shared_ptr<const Scene> arranged_;  ///< small multiples in other columns; null: in the lesson's own
+  std::shared_ptr<const Scene::Grid> arranged_of_;  ///< whose they are
+  double arranged_for_ = 0;                         ///< the aspect
+  std::optional<Handle> held_;                      ///< while a handle is dragged: the handle as it is now
   const Lesson* held_in_ = nullptr;
   /// A snap whose search takes more than a frame, and what was on show when it began.
   struct Search {
