@@ -27,10 +27,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a preset is a file; the names of our presets have no dot.
+/// Whether a preset is a file; the names of our presets have no dot. "-" is the standard input.
 bool is_file(const std::string& preset) {
   std::error_code absent;
-  return preset.ends_with(".json") || viz::format_of(preset) || preset.find('/') != preset.npos ||
+  return preset == "-" || preset.ends_with(".json") || viz::format_of(preset) || preset.find('/') != preset.npos ||
          (preset.find('.') != preset.npos && fs::is_regular_file(preset, absent));
 }
 

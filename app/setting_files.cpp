@@ -31,12 +31,17 @@ fs::path place_of(const std::string& path) {
   return nowhere ? fs::absolute(path).lexically_normal() : place;
 }
 
+/// Returns the folder in which the files lie that a scene names: its own or, for what comes through a pipe, ours.
+std::string folder_beside(const std::string& path) {
+  std::error_code absent;
+  return fs::is_regular_file(path, absent) ? fs::path(path).parent_path().string() : std::string();
+}
+
 /// Returns the objects of a file and the questions in it.
 Excerpt from_scene(const std::string& text, const PresetFile& file) {
   const SaidLater busy = deciding(file.path);
   Excerpt e;
-  e.lesson = scene::naming_scene(
-      file.path, [&] { return &scene::kept_lesson_of(text, fs::path(file.path).parent_path().string()); });
+  e.lesson = scene::naming_scene(file.path, [&] { return &scene::kept_lesson_of(text, folder_beside(file.path)); });
   e.folder = file.name;
   e.path = file.path;
   e.guards = guards_in(text);
@@ -141,9 +146,8 @@ Excerpt setting_of_scene(const viz::Lesson& lesson, const std::string& method, c
     Excerpt e;
     const std::string text = read_named_file(file.path);
     const SaidLater busy = deciding(file.path);
-    e.lesson = scene::naming_scene(file.path, [&] {
-      return &scene::kept_walks_of(lesson, method, text, fs::path(file.path).parent_path().string());
-    });
+    e.lesson = scene::naming_scene(
+        file.path, [&] { return &scene::kept_walks_of(lesson, method, text, folder_beside(file.path)); });
     e.folder = lesson.id + "-" + file.name;
     e.path = file.path;
     e.parameters = e.lesson->presets.front().parameters;

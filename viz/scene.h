@@ -241,6 +241,16 @@ struct Scene {
 
   std::vector<OwnColour> colours = {};  ///< most_own_colours at most; items name one by own_role
   std::string said = {};                ///< markup: what marks in it say, for readers who can't see them; may be empty
+
+  struct Grid;
+  std::shared_ptr<const Grid> grid = {};  ///< of small multiples that may stand in other columns; null: they may not
+};
+
+/// Small multiples in rows. The scene's own items stand in the lesson's number of columns, as figures show them;
+/// viz/compose/small_multiples.h finds the number for a window.
+struct Scene::Grid {
+  int count = 1, columns = 1;                                ///< of the small drawings; the lesson's own
+  std::function<std::vector<Item>(int columns)> items = {};  ///< all of them, in any number of columns from 1
 };
 
 /// The time in which the shapes of a scene move. The scene itself is a still; viz/player/scene_time.h lets time run.

@@ -14,6 +14,7 @@
 #include "viz/player/lights.h"
 #include "viz/player/reader_state.h"
 #include "viz/player/scene_time.h"
+#include "viz/player/side_at.h"
 #include "viz/snapshot/snapshot.h"
 #include "viz/text/number_text.h"
 #include "viz/text/rich_text.h"
@@ -79,6 +80,7 @@ BrowserSession::BrowserSession(std::vector<const viz::Lesson*> lessons, ReadScen
   on("copy", &BrowserSession::copy);
   on("whole", &BrowserSession::whole);
   on("file", &BrowserSession::file);
+  on("corner", &BrowserSession::corner);
 }
 
 std::string BrowserSession::answer(const std::string& text) {
@@ -371,6 +373,28 @@ Json BrowserSession::file(const Json& request) {
   if (!request.value("ends", false)) return Json::object();
   const std::string bytes = std::exchange(coming_, {});
   return {{"scene", take_file_(request.at("name").get<std::string>(), bytes)}};
+}
+
+/// {"handle", "behind"}: removes the corner of an outline that it moves, or adds one in the middle of the side that
+/// begins there; {"x", "y"}: adds one to the side that passes there. Answered with {"scene"}, the text after that; with
+/// nothing where there is no such corner or side.
+Json BrowserSession::corner(const Json& request) {
+  constexpr double reach = 4;  // units of the picture
+  if (!scene_ || player().quiz().asked()) return Json::object();
+  const std::vector<viz::SceneSide> sides = scene_->sides(player_->parameters());
+  viz::SceneEdit edit = {.kind = viz::SceneEdit::Kind::add_corner};
+  if (request.contains("handle")) {
+    const viz::Handle handle = handle_named(request.at("handle").get<std::string>());
+    const auto side = std::ranges::find(sides, handle.id(), &viz::SceneSide::parameter);
+    if (side == sides.end()) return Json::object();
+    if (!request.value("behind", false)) edit.kind = viz::SceneEdit::Kind::remove_corner;
+    edit.what = side->object, edit.corner = side->corner, edit.middle = side->from / 2 + side->to / 2;
+  } else {
+    const std::optional<viz::PlaceOnSide> place = viz::side_at(sides, figure_.view, point_in(request), reach);
+    if (!place) return Json::object();
+    edit.what = place->side.object, edit.corner = place->side.corner, edit.middle = place->at;
+  }
+  return {{"scene", scene_->edited(player_->parameters(), edit)}};
 }
 
 }  // namespace isect::web

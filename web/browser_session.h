@@ -14,13 +14,17 @@
 #include "app/book/walk_section.h"
 #include "viz/player/map_beside.h"
 #include "viz/player/player.h"
+#include "viz/scene_editor.h"
 
 namespace isect::web {
 
-/// A scene file that was read: its lesson, and what writes its text with other numbers.
+/// A scene file that was read: its lesson, what writes its text with other numbers, and what changes its outlines.
 struct Scene {
   const viz::Lesson* lesson;
   std::function<std::string(const viz::Parameters&)> text;
+  std::function<std::vector<viz::SceneSide>(const viz::Parameters&)> sides;  ///< as in viz::SceneEditor
+  /// Returns the text after a change. Throws viz::BadInput, which says why it is refused.
+  std::function<std::string(const viz::Parameters&, const viz::SceneEdit&)> edited;
 };
 /// Throws viz::BadInput.
 using ReadScene = std::function<Scene(const std::string& text)>;
@@ -67,6 +71,7 @@ class BrowserSession {
   Json copy(const Json&);
   Json whole(const Json&);
   Json file(const Json&);
+  Json corner(const Json&);
 
   viz::Player& player();
   program::book::WalkSection section(program::book::WalkSection::Picture) const;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/scene/editor.h"
 #include "app/scene/files/shape_file.h"
 #include "app/scene/lesson.h"
 #include "app/scene/save.h"
@@ -98,7 +99,14 @@ Scene read_scene(const std::string& text) {
       return program::scene::with_numbers(with_points(file), file, to);
     }
   };
-  return {&program::scene::kept_lesson_of(text, ""), with_numbers};
+  const viz::Lesson& lesson = program::scene::kept_lesson_of(text, "");
+  const viz::SceneEditor editor = program::scene::editor();
+  const auto sides = [&lesson, of = editor.sides](const viz::Parameters& now) { return of(lesson, now); };
+  const auto edited = [&lesson, made = editor.edited](const viz::Parameters& now, const viz::SceneEdit& edit) {
+    const viz::Lesson& other = made(lesson, now, edit);
+    return *program::scene::text_with(other, other.presets.front().parameters);
+  };
+  return {&lesson, with_numbers, sides, edited};
 }
 
 std::string take_file(const std::string& name, const std::string& bytes) {

@@ -17,7 +17,11 @@ function isect_key_rows(live) {
     ["Escape", "leaves the ring: the arrow keys step again"], ["Ctrl+Z, Ctrl+Y", "undo, redo"]];
   if (live) rows["The picture"] = [["a drag beside the rings, two fingers", "turns it, or shifts it where it is flat"],
     ["two fingers apart", "bring it closer"], ["Tab to it, then arrows, +, −", "the same by keys"], ["a double click", "shows all of it"]];
-  if (live && document.body.dataset.lesson === "scene") rows["The scene as text"] = [["Ctrl+Enter", "shows it"]];
+  if (live && document.body.dataset.lesson === "scene") {
+    rows["A polygon’s corners"] = [["a double click on a side, Insert on a ring", "adds one"],
+      ["a double click on its ring, Delete there", "removes it"]];
+    rows["The scene as text"] = [["Ctrl+Enter", "shows it"]];
+  }
   rows["Help"] = [["?", "this sheet"]];
   return rows;
 }

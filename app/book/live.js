@@ -168,8 +168,10 @@ function isect_live(book) {
   }
   /// What a pointer has moved keeps no focus.
   function drop() { act({ do: "drop" }, "push"), leave(); }
+  let pressed_at = ["", ""];  // the values when the button was pressed last, and before
   stage.addEventListener("pointerdown", event => {
     if (event.button !== 0) return;
+    pressed_at = [JSON.stringify(now.values), pressed_at[0]];
     const grip = event.target.closest(".grip"), at = isect_place_in(over, event);
     if (grip || stage.classList.contains("is-map")) {
       event.preventDefault();
@@ -187,7 +189,18 @@ function isect_live(book) {
     }
   });
   stage.addEventListener("click", event => event.detail > 0 && leave());
-  stage.addEventListener("dblclick", event => event.target.closest(".grip") || act({ do: "frame all" }));
+  stage.addEventListener("dblclick", event => {
+    const grip = event.target.closest(".grip"), dragged = grip && pressed_at[0] !== pressed_at[1];
+    if (dragged || change_corner(grip ? { handle: grip.dataset.handle } : isect_place_in(over, event)) || grip) return;
+    act({ do: "frame all" });
+  });
+  /// Of a scene's polygon: a corner more or less. Returns false where there is no such corner and no side.
+  function change_corner(where) {
+    const reply = is_scene ? book.request({ do: "corner", ...where }) : {};
+    if (reply.wrong) tell(reply.wrong);
+    else if (reply.scene !== undefined) act({ ...scene_request(example, reply.scene), step: "same answer" }, "push");
+    return reply.wrong !== undefined || reply.scene !== undefined;
+  }
   map.addEventListener("pointerdown", event => {
     if (event.button !== 0 || !event.target.closest(".holder")) return;
     event.preventDefault();
@@ -200,6 +213,10 @@ function isect_live(book) {
   section.addEventListener("keydown", event => {
     const on = event.target.closest(".over"), grip = event.target.closest(".grip"), way = isect_ways[event.key];
     if (!on || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (grip && (event.key === "Delete" || event.key === "Insert")) {
+      if (change_corner({ handle: grip.dataset.handle, behind: event.key === "Insert" })) event.preventDefault();
+      return;
+    }
     const moves = grip || on === map_over || now.map?.own, factor = moves ? 0 : closer[event.key];
     if (event.key !== "Escape" && !way && !factor) return;
     event.preventDefault(), event.stopPropagation();

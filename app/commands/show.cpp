@@ -89,6 +89,24 @@ void add_scenes(viz::Playlist& list, Lessons& lessons, std::deque<viz::Lesson>& 
   }
 }
 
+/// Returns how a scene that has no file gets one, which `file` then is.
+viz::NewSceneFile file_for(std::optional<scene::KeptFile>& file) {
+  const auto text = [](const viz::Lesson& lesson, const viz::Parameters& p, const std::string& folder) {
+    std::string all = scene::text_with(lesson, p).value();
+    try {
+      scene::read_scene(all, folder);
+    } catch (const viz::FileError& e) {
+      throw viz::BadInput(fmt::format("What the scene names does not lie beside it there: {}", e.what()));
+    }
+    return all;
+  };
+  const auto take = [&file](const viz::Lesson& lesson, const viz::Parameters& p, const std::string& path) {
+    file.emplace(path);
+    scene::keep(lesson, file->folder(), p);
+  };
+  return {text, take};
+}
+
 int show(const Program& program, const Selection& asked) {
   Lessons lessons = program.lessons;
   std::optional<scene::KeptFile> file;
@@ -96,8 +114,12 @@ int show(const Program& program, const Selection& asked) {
   viz::Playlist list = playlist_of(program, asked);
   add_scenes(list, lessons, scenes);
   const viz::ReaderState state = list.stops.empty() ? state_of(program, asked, lessons, file) : viz::ReaderState();
+  const viz::Lesson* const scene =
+      list.stops.empty() && lessons.size() > program.lessons.size() ? lessons.back() : nullptr;
+  viz::NewSceneFile new_file;
+  if (scene && !file && scene::is_editable(*scene)) new_file = file_for(file);
   std::function<void(const viz::Lesson&, const viz::Parameters&)> save;
-  if (file)
+  if (file || new_file.text)
     save = [&](const viz::Lesson& lesson, const viz::Parameters& p) {
       if (const std::optional<std::string> text = scene::text_with(lesson, p))
         file->write(*text);
@@ -109,8 +131,8 @@ int show(const Program& program, const Selection& asked) {
   try {
     viz::show(
         lessons, lessons::course(), state,
-        [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); }, save, list,
-        scene::editor());
+        [&](const std::string& words) { say(fmt::format("{}: {}", program.name, words)); }, save, list, scene::editor(),
+        new_file);
   } catch (const viz::NoDisplay& e) {
     say(fmt::format("{}: {}", program.name, e.what()));
     if (!list.stops.empty()) {
@@ -118,7 +140,6 @@ int show(const Program& program, const Selection& asked) {
                       asked.lessons.front()));
       return nowhere_to_draw;
     }
-    const bool scene = lessons.size() > program.lessons.size();
     const std::string which = scene ? file ? " " + (asked.lessons.empty() ? asked.preset : asked.lessons.front())
                                            : std::string(" FILE.json, of the scene in it,")
                               : program.only
@@ -155,7 +176,7 @@ void add_show(CLI::App& app, Program& program) {
   sub.footer(program.only ? "Example: " + program.name + " show --step 3"
                           : "Examples: isect show ray-sphere --step 3\n          isect show "
                             "figures/ray-sphere/tangent/03-distance.svg\n          isect show "
-                            "examples/playlists/ray-and-ball.json\n\n"
+                            "examples/playlists/ray-and-ball.json\n          isect show - < my-scene.json\n\n"
                             "A playlist names the presets, steps and scenes of an hour, in its order:\n"
                             "  { \"title\": \"Rays and balls\", \"stops\": [\n"
                             "      {\"lesson\": \"ray-sphere\", \"preset\": \"tangent\", \"steps\": \"3-6\"},\n"

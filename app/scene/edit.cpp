@@ -119,6 +119,40 @@ void remove_name(std::string& text, std::size_t question, const std::vector<Name
     remove_entry(text, "/ask", question);
 }
 
+/// Where a corner of a polygon stands in the text.
+struct CornerPlace {
+  const Json &object, &outline;
+  Path path;         ///< of the object
+  std::string list;  ///< the path of the outline
+  std::size_t index = 0;
+};
+
+/// Throws viz::BadInput if there is no such corner, or if it stands in another file.
+CornerPlace corner_place(const Source& source, const std::string& name, int corner) {
+  const std::size_t at = index_of(source, name);
+  const Json& object = source.json()["objects"][at];
+  const Path path = {"objects", std::to_string(at)};
+  const std::string place = fmt::format("/objects/{}", at);
+  if (type_field(object) != spec(Type::polygon).name) source.refuse(path, name + " is no polygon");
+  if (object.contains("file"))
+    source.refuse(below(path, "file"), "the corners stand in a file of their own, which isect does not change");
+  std::size_t left = static_cast<std::size_t>(corner) - 1;
+  const auto in = [&](const Json& outline) { return outline.is_array() && left < outline.size(); };
+  if (object.contains("points") && in(object["points"]))
+    return {object, object["points"], path, place + "/points", left};
+  const std::size_t rings = object.contains("rings") ? object["rings"].size() : 0;
+  for (std::size_t i = 0; i < rings; left -= object["rings"][i++].size())
+    if (in(object["rings"][i])) return {object, object["rings"][i], path, fmt::format("{}/rings/{}", place, i), left};
+  source.refuse(path, fmt::format("{} has no corner {}", name, corner));
+}
+
+std::size_t corners_of(const Json& polygon) {
+  if (polygon.contains("points")) return polygon["points"].size();
+  std::size_t count = 0;
+  for (const Json& ring : polygon["rings"]) count += ring.size();
+  return count;
+}
+
 }  // namespace
 
 std::string type_field(const Json& object) {
@@ -247,6 +281,51 @@ std::string with_question(const std::string& text, const Json& asked) {
     if (without_words(scene["ask"][i]) == without_words(asked))
       source.refuse({"ask", std::to_string(i)}, "this is asked already");
   add_entry(now, "/ask", scene["ask"].size(), entry);
+  return now;
+}
+
+std::string without_question(const std::string& text, const Json& asked) {
+  const Source source = source_of(text);
+  const Json ask = source.json().contains("ask") ? source.json()["ask"] : Json();
+  std::string now = text;
+  if (ask.is_string() && ask == asked) {
+    const Spans::Span all = *Spans(text).at("/ask");
+    now.replace(all.begin, all.end - all.begin, "[]");
+    return now;
+  }
+  const auto found = ask.is_array() ? std::ranges::find(ask, asked) : ask.end();
+  if (found == ask.end()) source.refuse({"ask"}, "this is not asked");
+  remove_entry(now, "/ask", static_cast<std::size_t>(found - ask.begin()));
+  return now;
+}
+
+bool is_about(const Json& asked, const std::string& name) {
+  if (asked == "all pairs") return true;
+  for (const char* field : {"hierarchy", "walk"})
+    if (asked.is_object() && asked.contains(field) && asked[field] == "all") return true;
+  return !places_of(asked, "", name).empty();
+}
+
+std::string with_corner(const std::string& text, const std::string& name, int corner, const viz::Vec3& place) {
+  const Source source = source_of(text);
+  const CornerPlace behind = corner_place(source, name, corner);
+  if (const std::size_t count = corners_of(behind.object); count >= most_knobs)
+    source.refuse(behind.path, fmt::format("{} has {} corners, the most that can be dragged", name, count));
+  Json entry = Json::array();
+  for (std::size_t i = 0; i < behind.outline[behind.index].size(); ++i) {
+    const double way = behind.object.contains("at") ? behind.object["at"][i].get<double>() : 0;
+    entry.push_back(place[static_cast<int>(i)] - way);
+  }
+  std::string now = text;
+  add_entry_behind(now, behind.list, behind.index, on_one_line(entry));
+  return now;
+}
+
+std::string without_corner(const std::string& text, const std::string& name, int corner) {
+  const Source source = source_of(text);
+  const CornerPlace place = corner_place(source, name, corner);
+  std::string now = text;
+  remove_entry(now, place.list, place.index);
   return now;
 }
 

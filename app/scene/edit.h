@@ -1,7 +1,7 @@
 #pragma once
-// Edits of a scene file's text: an object more or less, another name, a question more. All else of the text stays as it
-// is, with its comments and its order. What the reader would refuse is refused in the same words,
-// as viz::BadInput.
+// Edits of a scene file's text: an object more or less, another name, a question more or less, a corner more or
+// less. All else of the text stays as it is, with its comments and its order. What the reader would refuse is refused in
+// the same words, as viz::BadInput.
 
 #include <string>
 
@@ -25,6 +25,16 @@ std::string with_hidden(const std::string& text, const std::string& name, bool h
 std::string with_answers(const std::string& text, bool hidden);
 /// Adds a question, as an entry of "ask".
 std::string with_question(const std::string& text, const Json& asked);
+/// Removes the first entry of "ask" that is this question. "all pairs" is one, too: then nothing is asked.
+std::string without_question(const std::string& text, const Json& asked);
+/// Whether a question, an entry of "ask" or "all pairs", names this object, or all objects.
+bool is_about(const Json& asked, const std::string& name);
+
+/// Adds a corner to a polygon behind one of its corners, which are counted from 1 through all its outlines. `place`: in
+/// the scene, where the polygon's "at" has moved it.
+std::string with_corner(const std::string& text, const std::string& name, int corner, const viz::Vec3& place);
+/// Removes that corner.
+std::string without_corner(const std::string& text, const std::string& name, int corner);
 
 /// Returns the field of an object that is its type, with its name: "circle"; empty: it has none.
 std::string type_field(const Json& object);

@@ -88,13 +88,16 @@ void remove_entry(std::string& text, const std::string& list, std::size_t i) {
 }
 
 void add_entry(std::string& text, const std::string& list, std::size_t count, const std::string& entry) {
+  if (count == 0)
+    text.insert(Spans(text).at(list)->begin + 1, entry);
+  else
+    add_entry_behind(text, list, count - 1, entry);
+}
+
+void add_entry_behind(std::string& text, const std::string& list, std::size_t i, const std::string& entry) {
   const Spans spans(text);
-  if (count == 0) {
-    text.insert(spans.at(list)->begin + 1, entry);
-    return;
-  }
-  const Spans::Span last = *spans.at(fmt::format("{}/{}", list, count - 1));
-  put_behind(text, last.end, indent_at(text, last.begin), entry);
+  const Spans::Span before = *spans.at(fmt::format("{}/{}", list, i));
+  put_behind(text, before.end, indent_at(text, before.begin), entry);
 }
 
 }  // namespace isect::program::scene

@@ -13,6 +13,8 @@ std::size_t line_begin(const std::string& text, std::size_t at);
 void put_behind(std::string& text, std::size_t at, const std::optional<std::string>& indent, const std::string& what);
 /// Adds an entry behind the others of the list at this path: "/objects".
 void add_entry(std::string& text, const std::string& list, std::size_t count, const std::string& entry);
+/// Adds an entry behind entry `i` of the list at this path.
+void add_entry_behind(std::string& text, const std::string& list, std::size_t i, const std::string& entry);
 /// Removes entry `i` of the list at this path, with its comma.
 void remove_entry(std::string& text, const std::string& list, std::size_t i);
 

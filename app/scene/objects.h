@@ -21,6 +21,9 @@ inline constexpr std::size_t most_corners = 2'000;
 
 using Json = nlohmann::ordered_json;
 
+/// An object with more points than this has no knobs in the window; its points stay as they are.
+inline constexpr std::size_t most_knobs = 40;
+
 enum class Type {
   point,
   segment,

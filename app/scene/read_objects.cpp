@@ -21,8 +21,6 @@ namespace isect::program::scene {
 namespace {
 
 constexpr std::size_t most_objects = 1000, most_vertices = 10'000, most_slabs = 64;
-/// An object with more points than this has no knobs in the window; its points stay as they are.
-constexpr std::size_t most_knobs = 40;
 /// The most points of a file that a figure takes along, so that it can be opened without that file.
 constexpr std::size_t most_taken_along = 2'000;
 /// The most own colours: an object is the first or the second of its step.

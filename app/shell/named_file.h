@@ -5,8 +5,8 @@
 
 namespace isect::program {
 
-/// Returns all contents of the file. If nothing has come within a second, as from a pipe that nobody writes to, stderr
-/// says that the program is waiting for it. Throws viz::FileError.
+/// Returns all contents of the file; "-" is the standard input. If nothing has come within a second, as from a pipe
+/// that nobody writes to, stderr says that the program is waiting for it. Throws viz::FileError.
 std::string read_named_file(const std::string& path);
 
 }  // namespace isect::program

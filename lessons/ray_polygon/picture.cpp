@@ -152,9 +152,7 @@ Scene projections(const Setup& s, const Vec3& point, const Vec3& normal, int cho
     inset.role = axis == chosen ? Role::hit : Role::muted;
     insets.push_back(inset);
   }
-  Scene scene;
-  scene.items = centred(small_multiples(insets, 3, Camera{}), s);
-  return scene;
+  return arrangeable(insets, 3, Camera{}, [s](std::vector<Item> items) { return centred(std::move(items), s); });
 }
 
 Scene crossings(const Setup& s, const Flat& flat, const std::vector<Passing>& passing) {

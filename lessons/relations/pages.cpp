@@ -27,9 +27,8 @@ namespace {
 /// How large the pairs are in each kind of grid: short numbers, so that nothing about them changes.
 constexpr double two_by_two = 0.625, two_rows = 0.375, four_rows = 0.21875;
 
-/// The insets in a grid, centred in the picture.
-std::vector<Item> centred(const std::vector<Inset>& insets, int columns) {
-  const std::vector<Item> items = small_multiples(insets, columns, camera);
+/// Moves a grid to the middle of the picture.
+std::vector<Item> centred(const std::vector<Item>& items) {
   const Box2 box = extent(items, camera);
   const Vec2 middle = (box.lo + box.hi) / 2;
   return moved(items, in_plane(-middle.x() / axis_length, -middle.y() / axis_length));
@@ -44,7 +43,7 @@ Scene six(Kind kind) {
     insets.push_back(
         {drawn(pair, true), relation_name(pair.truth), pair.meet ? "yes" : "no", pair.meet ? Role::hit : Role::miss});
   }
-  return {centred(insets, 3), {}, {}};
+  return arrangeable(insets, 3, camera, centred);
 }
 
 namespace {
@@ -65,7 +64,7 @@ Scene all_pairs_of_all_kinds() {
       insets.push_back({drawn(pair, true), kind == kinds[0] ? short_name(pair.truth) : "", "", Role::text});
     }
   }
-  return {centred(insets, 7), {}, {}};
+  return {centred(small_multiples(insets, 7, camera)), {}, {}};
 }
 
 }  // namespace
@@ -90,7 +89,7 @@ Walk page_of_all(const Pose& pose) {
                                    : fmt::format("All four pairs have one pose, yet {} different relations.\n"
                                                  "Both count: what shape the two sets have, and where they are.",
                                                  found.size()));
-  same.scene.items = centred(insets, 2);
+  same.scene.items = centred(small_multiples(insets, 2, camera));
   std::vector<WrongNumber> wrong = {{1, "The pose alone does not decide: the shapes matter, too."}};
   for (const std::size_t k : {2u, 3u, 4u})
     wrong.push_back({static_cast<double>(k), k < found.size()

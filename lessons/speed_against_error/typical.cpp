@@ -102,7 +102,7 @@ void Teller::typical_cases() {
                                 "One case of each hard family, drawn at random as for the measurements." +
                                     (from.empty() ? "" : " " + from) +
                                     "\nWhere shapes touch but for a few ulp, no picture shows what is true.");
-  step.scene.items = viz::small_multiples(pictures, columns, viz::Camera{.azimuth = 0, .elevation = 0});
+  step.scene = viz::arrangeable(pictures, columns, viz::Camera{.azimuth = 0, .elevation = 0});
 }
 
 }  // namespace isect::lessons::speed_against_error_lesson

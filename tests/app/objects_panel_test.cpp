@@ -188,6 +188,99 @@ TEST_CASE("two objects are chosen, and one of the questions about them is asked"
   CHECK(s.window.has("remove object"));
 }
 
+TEST_CASE("a question that is asked is removed by its cross, or by keys, and undo asks it again", "[scene]") {
+  Scene3 s;
+  const int steps = s.player().count();
+  CHECK_FALSE(s.window.has("unask 1"));
+  s.click("object A");
+  REQUIRE((s.window.has("unask 1") && s.window.has("unask 2")));
+  s.click("unask 2");
+  CHECK(s.player().count() < steps);
+  CHECK_THAT(s.window.ui.message(), Contains("How A and C lie"));
+  CHECK_THAT(s.text(), Contains(R"("ask": [["A", "B"]])") && Contains("// mine"));
+  CHECK_FALSE(s.window.has("unask 2"));
+  s.undo();
+  CHECK(s.player().count() == steps);
+  CHECK(s.text() == three);
+  s.ring("unask 1");
+  s.window.key(key::enter);
+  s.window.frames(2);
+  CHECK_THAT(s.text(), Contains(R"("ask": [["A", "C"]])"));
+}
+
+const std::string outline = R"({"objects": [
+    {"polygon": "P", "points": [[0, 0], [4, 0], [4, 4], [0, 4]]}, // mine
+    {"point": "q", "at": [2, -0.5]}
+  ],
+  "ask": [["q", "P"]]
+})";
+
+TEST_CASE("a double click on a side adds a corner, one on a corner removes it, and undo knows both", "[scene]") {
+  Scene3 s(outline);
+  const Rect first = s.window.rect("handle P.1"), second = s.window.rect("handle P.2");
+  const float x = first.middle_x() + 0.3f * (second.middle_x() - first.middle_x()), y = first.middle_y();
+  const Camera view = s.player().camera().goal();
+  s.window.click(x, y);
+  s.window.click(x, y);
+  s.window.frames(2);
+  REQUIRE(s.window.has("handle P.5"));
+  CHECK((std::get<Vec3>(s.player().parameters().at("P.2")) - Vec3(1.2, 0, 0)).norm() < 0.1);
+  CHECK(s.player().camera().goal() == view);
+  CHECK_THAT(s.text(), Contains("// mine"));
+  s.window.wait(1);
+  s.window.drag("handle P.2", 0, 60);
+  CHECK(std::get<Vec3>(s.player().parameters().at("P.2")).y() < -0.1);
+  s.window.wait(1);
+
+  const Rect corner = s.window.rect("handle P.2");
+  s.window.click(corner.middle_x(), corner.middle_y());
+  s.window.click(corner.middle_x(), corner.middle_y());
+  s.window.frames(2);
+  CHECK_FALSE(s.window.has("handle P.5"));
+  CHECK(std::get<Vec3>(s.player().parameters().at("P.2")) == Vec3(4, 0, 0));
+  CHECK(s.text() == outline);
+  s.undo();
+  CHECK(s.window.has("handle P.5"));
+  for (int i = 0; i < 6 && s.text() != outline; ++i) s.undo();  // presses at handles are remembered, too
+  CHECK(s.text() == outline);
+
+  s.window.wait(1);
+  s.window.click(first.middle_x(), first.middle_y());  // between two short drags nothing is removed
+  s.window.wait(1);
+  s.window.move(first.middle_x(), first.middle_y());
+  s.window.button(true);
+  s.window.move(first.middle_x() + 3, first.middle_y());
+  s.window.button(false);
+  s.window.button(true);
+  s.window.button(false);
+  s.window.frames(2);
+  CHECK(s.window.has("handle P.4"));
+}
+
+TEST_CASE("Insert and Delete at a corner's ring add and remove one, but three stay", "[scene]") {
+  Scene3 s(outline);
+  s.ring("handle P.2");
+  s.window.key(key::insert);
+  s.window.frames(2);
+  CHECK(s.window.ui.focus() == "handle P.3");
+  CHECK(std::get<Vec3>(s.player().parameters().at("P.3")) == Vec3(4, 2, 0));
+  for (int i = 0; i < 2; ++i) {
+    s.ring("handle P.1");
+    s.window.key(key::del);
+    s.window.frames(2);
+  }
+  CHECK(s.window.has("handle P.3"));
+  CHECK_FALSE(s.window.has("handle P.4"));
+  s.ring("handle P.1");
+  s.window.key(key::del);
+  s.window.frames(2);
+  CHECK(s.window.has("handle P.3"));
+  CHECK_THAT(s.window.ui.message(), Contains("a list of 3 to 10000 points is expected"));
+  CHECK(s.window.has("object P"));
+  for (int i = 0; i < 3; ++i) s.undo();
+  CHECK(s.text() == outline);
+}
+
 TEST_CASE("an edited scene is unsaved until Ctrl+S writes its text, and again after undo", "[scene]") {
   std::vector<std::string> written;
   WindowOptions options = with_editor();

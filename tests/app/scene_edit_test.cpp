@@ -12,8 +12,10 @@
 #include "app/scene/questions.h"
 #include "app/scene/types.h"
 #include "bench/random.h"
+#include "lessons/lessons.h"
 #include "tests/app/many_balls.h"
 #include "tests/catch.h"
+#include "viz/player/reader_state.h"
 
 namespace scene_edit_test {
 namespace scene = isect::program::scene;
@@ -128,6 +130,67 @@ TEST_CASE("a question is added to the list of questions, which begins below the 
   CHECK_THROWS_WITH(scene::with_question(every, Json{"A", "B"}), Contains("all pairs are asked already"));
 }
 
+TEST_CASE("a question is removed alone, whichever it is, and no comment goes with it", "[scene]") {
+  const std::string asks =
+      with(two, "[[\"A\", \"B\"]]",
+           "[ // of both\n    [\"A\", \"B\"], /* first */\n    {\"hierarchy\": [\"A\", \"B\"]} // then\n"
+           "    , {\"walk\": [\"A\", \"B\"]}\n  ]");
+  REQUIRE(read(asks).asked.size() == 3);
+  const Json entries = Json::parse(asks, nullptr, true, true)["ask"];
+  REQUIRE(entries.size() == 3);
+  for (const Json& entry : entries) {
+    INFO(entry.dump());
+    const std::string now = scene::without_question(asks, entry);
+    const Json left = Json::parse(now, nullptr, true, true);
+    CHECK(left["ask"].size() == 2);
+    CHECK(std::ranges::find(left["ask"], entry) == left["ask"].end());
+    CHECK(left["objects"] == Json::parse(asks, nullptr, true, true)["objects"]);
+    CHECK(names(read(now)) == Names{"A", "B"});
+    for (const char* comment : {"// of both", "/* first */", "// then", "// mine"}) CHECK_THAT(now, Contains(comment));
+    CHECK_THROWS_WITH(scene::without_question(now, entry), Contains("ask: this is not asked"));
+  }
+  CHECK(scene::without_question(two, Json{"A", "B"}) == with(two, "[[\"A\", \"B\"]]", "[]"));
+  CHECK_THROWS_WITH(scene::without_question(two, Json{"B", "A"}), Contains("this is not asked"));
+  const std::string every = with(two, "[[\"A\", \"B\"]]", "\"all pairs\"");
+  CHECK(scene::without_question(every, "all pairs") == with(two, "[[\"A\", \"B\"]]", "[]"));
+  CHECK(read(scene::without_question(every, "all pairs")).asked.empty());
+  const std::string none = with(two, ",\n  \"ask\": [[\"A\", \"B\"]]", "");
+  CHECK_THROWS_WITH(scene::without_question(none, Json{"A", "B"}), Contains("this is not asked"));
+}
+
+TEST_CASE("a polygon gets a corner behind another one and loses one, in the text as it is laid out", "[scene]") {
+  const std::string field =
+      "{\"objects\": [\n  {\"polygon\": \"P\", \"points\": [[0, 0], [4, 0], [4, 4.50]]}, // mine\n"
+      "  {\"polygon\": \"H\", \"at\": [10, 1], \"rings\": [\n    [[0, 0], [9, 0], [9, 9], [0, 9]],\n    [\n"
+      "      [1, 1], // a hole\n      [2, 1],\n      [1, 2]\n    ]\n  ]},\n"
+      "  {\"triangle\": \"T\", \"points\": [[0, 0], [1, 0], [0, 1]]}]}";
+  const std::string more = scene::with_corner(field, "P", 1, {2, -1, 0});
+  CHECK(more == with(field, "[[0, 0], [4, 0]", "[[0, 0], [2, -1], [4, 0]"));
+  CHECK(scene::without_corner(more, "P", 2) == field);
+  CHECK(scene::with_corner(field, "P", 3, {0.25, 3, 0}) == with(field, "4.50]]", "4.50], [0.25, 3]]"));
+  CHECK(scene::with_corner(field, "H", 5, {12, 2, 0}) ==
+        with(field, "[1, 1], // a hole\n", "[1, 1], // a hole\n      [2, 1],\n"));  // where "at" has not moved it
+  CHECK(scene::without_corner(field, "H", 2) == with(field, "[9, 0], ", ""));
+  for (const auto& [name, corner] : {std::pair("P", 1), {"P", 2}, {"P", 3}, {"H", 6}})
+    CHECK_THROWS_WITH(read(scene::without_corner(field, name, corner)), Contains("a list of 3 to 10000 points"));
+  CHECK(read(scene::without_corner(scene::with_corner(field, "H", 7, {13, 3, 0}), "H", 5)).objects[1].rings ==
+        std::vector{4, 3});
+
+  CHECK_THROWS_WITH(scene::with_corner(field, "P", 4, Vec3::Zero()), Contains("objects[0]: P has no corner 4"));
+  CHECK_THROWS_WITH(scene::without_corner(field, "H", 0), Contains("H has no corner 0"));
+  CHECK_THROWS_WITH(scene::with_corner(field, "T", 1, Vec3::Zero()), Contains("T is no polygon"));
+  CHECK_THROWS_WITH(scene::with_corner(field, "Q", 1, Vec3::Zero()), Contains("no object is called \"Q\""));
+  const std::string file = R"({"objects": [{"polygon": "P", "file": "field.wkt"}]})";
+  CHECK_THROWS_WITH(scene::with_corner(file, "P", 1, Vec3::Zero()), Contains("stand in a file of their own"));
+  std::string round = field;
+  for (int i = 3; i < 40; ++i) round = scene::with_corner(round, "P", 1, {2 + 0.01 * i, -1, 0});
+  CHECK(read(round).objects[0].fields.size() == 40);
+  CHECK_THROWS_WITH(scene::with_corner(round, "P", 1, {2, -1, 0}), Contains("P has 40 corners, the most"));
+
+  const std::string high = R"({"objects": [{"polygon": "P", "points": [[0, 0, 1], [4, 0, 1], [4, 4, 1]]}]})";
+  CHECK(scene::with_corner(high, "P", 2, {4, 2, 1}) == with(high, "[4, 0, 1]", "[4, 0, 1], [4, 2, 1]"));
+}
+
 TEST_CASE("a new object of each type is read, drawn and answered, wherever it begins", "[scene]") {
   int decided = 0;
   for (const bool flat : {true, false})
@@ -175,13 +238,22 @@ TEST_CASE("whatever edits follow each other, the scene can be read, and no comme
     const std::string was = text, a = any(), b = any(), fresh = scene::free_name(text);
     const auto type = static_cast<scene::Type>(random.below(static_cast<int>(scene::types().size())));
     try {
-      const int kind = random.below(5);
+      const int kind = random.below(7);
       if (kind == 0 && !scene::spec(type).in_plane.empty() && before.objects.size() < 12)
         text = scene::with_object(text, type, fresh, {Vec3(i, -i, 0), 1.0 + i % 7, true});
       if (kind == 1) text = scene::without_object(text, a);
       if (kind == 2) text = scene::with_name(text, a, fresh);
       if (kind == 3) text = scene::with_hidden(text, a, i % 2 == 0);
       if (kind == 4) text = scene::with_question(text, Json{a, b});
+      if (kind == 5 && !before.asked.empty()) {
+        const Json ask = Json::parse(text, nullptr, true, true)["ask"];
+        text = scene::without_question(text, ask[static_cast<std::size_t>(random.below(static_cast<int>(ask.size())))]);
+      }
+      if (kind == 6) {
+        const int corner = 1 + random.below(5);
+        text = i % 3 == 0 ? scene::without_corner(text, a, corner)
+                          : scene::with_corner(text, a, corner, Vec3(0.5 * i, i, 0));
+      }
       static_cast<void>(read(text));
       ++done;
     } catch (const viz::BadInput&) {
@@ -228,6 +300,71 @@ TEST_CASE("the editor offers what the tables know, and nothing that is asked alr
     }
   const viz::Lesson own = scene::lesson_of(text, "");
   CHECK(editor.objects(own).empty());  // nobody keeps it
+}
+
+TEST_CASE("the editor tells what is asked about objects in words, and removes any of it", "[scene]") {
+  const viz::SceneEditor editor = scene::editor();
+  const std::string text = R"({"objects": [{"ray": "r", "origin": [-4, 0], "dir": [1, 0]},
+    {"box": "A", "lo": [0, -1], "hi": [1, 1]}, {"box": "B", "lo": [3, -1], "hi": [4, 1]},
+    {"polygon": "P", "points": [[0, 3], [2, 3], [1, 5]]}, {"point": "q", "at": [1, 4]}],
+  "ask": [["r", "A"], {"first hit": "r"}, {"clip": "r", "to": "A"}, {"fit": "P"}, {"fit": "P", "volume": "hull"},
+          {"hierarchy": ["A", "B"]}, {"hierarchy": "all"}, {"walk": ["q", "P"]},
+          {"walk": ["q", "P"], "lesson": "convex-polygon"}, {"walk": "all", "lesson": "collision", "method": "sweep"}]})";
+  const viz::Lesson& lesson = scene::kept_lesson_of(text, "");
+  const auto told = [&](const Names& about) {
+    std::string all;
+    for (const viz::SceneQuestion& q : editor.asked(lesson, about)) all += q.words + "\n";
+    return all;
+  };
+  CHECK(told({}).empty());
+  CHECK(told({"r", "A"}) == "How r and A lie\nThe part of r in A\nA hierarchy of all objects\nStep by step: " +
+                                viz::lesson_named(isect::lessons::all_lessons(), "collision").title + " (all)\n");
+  CHECK_THAT(told({"r"}), Contains("What r meets first\n"));
+  CHECK_THAT(told({"P"}), Contains("Volumes around P\n") && Contains("The hull around P\n") && Contains("(q, P)\n"));
+  CHECK_THAT(told({"A", "B"}), Contains("A hierarchy of A, B\n"));
+  int removed = 0;
+  for (const char* name : {"r", "A", "B", "P", "q"})
+    for (const viz::SceneQuestion& q : editor.asked(lesson, {name})) {
+      INFO(q.id);
+      const viz::Lesson& now =
+          editor.edited(lesson, lesson.presets[0].parameters, {.kind = viz::SceneEdit::Kind::unask, .what = q.id});
+      const Json ask = Json::parse(now.made_from)["ask"];
+      CHECK((ask.size() == 9 && std::ranges::find(ask, Json::parse(q.id)) == ask.end()));
+      ++removed;
+    }
+  CHECK(removed > 10);
+  const viz::Lesson& every = scene::kept_lesson_of(with(two, "[[\"A\", \"B\"]]", "\"all pairs\""), "");
+  REQUIRE(editor.asked(every, {"A"}).size() == 1);
+  CHECK(editor.asked(every, {"A"})[0].words == "How all pairs lie");
+}
+
+TEST_CASE("the sides of a polygon are those of the setting, and a corner more is drawn and answered", "[scene]") {
+  const viz::SceneEditor editor = scene::editor();
+  const viz::Lesson& lesson = scene::kept_lesson_of(
+      R"({"objects": [{"polygon": "P", "at": [1, 0], "rings": [[[0, 0], [4, 0], [4, 4]], [[3, 1], [3.5, 1], [3.5, 2]]]},
+                      {"polygon": "H", "hidden": true, "points": [[0, 0], [1, 0], [0, 1]]},
+                      {"point": "q", "at": [2, -0.5]}], "ask": [["q", "P"]]})",
+      "");
+  viz::Parameters now = lesson.presets[0].parameters;
+  now["P.2"] = Vec3(5, 0, 0);
+  const std::vector<viz::SceneSide> sides = editor.sides(lesson, now);
+  REQUIRE(sides.size() == 6);
+  CHECK((sides[0].parameter() == "P.1" && sides[0].from == Vec3(1, 0, 0) && sides[0].to == Vec3(6, 0, 0)));
+  CHECK((sides[2].from == Vec3(5, 4, 0) && sides[2].to == Vec3(1, 0, 0)));
+  CHECK((sides[5].corner == 6 && sides[5].to == Vec3(4, 1, 0)));
+  const viz::SceneEdit more = {
+      .kind = viz::SceneEdit::Kind::add_corner, .what = "P", .middle = Vec3(2, -1, 0), .corner = 1};
+  const viz::Lesson& edited = editor.edited(lesson, now, more);
+  const viz::Parameters& then = edited.presets[0].parameters;
+  CHECK((std::get<Vec3>(then.at("P.2")) == Vec3(1, -1, 0) && std::get<Vec3>(then.at("P.3")) == Vec3(5, 0, 0)));
+  CHECK(lesson.steps(now).steps[1].verdict.kind == viz::Verdict::Kind::no);
+  CHECK(edited.steps(then).steps[1].verdict.kind == viz::Verdict::Kind::yes);
+  CHECK(edited.steps(then).steps[0].scene.handles.size() == lesson.steps(now).steps[0].scene.handles.size() + 1);
+  const viz::SceneEdit fewer = {.kind = viz::SceneEdit::Kind::remove_corner, .what = "P", .corner = 2};
+  const viz::Lesson& back = editor.edited(edited, then, fewer);
+  CHECK(back.presets[0].parameters == now);
+  CHECK(back.steps(now).steps[1].verdict.kind == viz::Verdict::Kind::no);
+  CHECK_THROWS_WITH(editor.edited(back, now, fewer), Contains("a list of 3 to 10000 points"));
 }
 
 TEST_CASE("of 1,000 objects the one that moves is drawn anew, and no other", "[scene]") {

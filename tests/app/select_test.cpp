@@ -59,6 +59,22 @@ TEST_CASE("the step of a preset's file is what is rendered, explained and shown,
   CHECK(lines_of(shell("isect render --preset all.json --format svg").out).size() > 5);
 }
 
+TEST_CASE("a scene or a preset comes through a pipe, with the files beside us that it names", "[select]") {
+  const Shell shell;
+  write(shell.work() / "some.csv", "x,y\n0,0\n4,0\n1,3\n");
+  write(shell.work() / "beside/s.json",
+        R"({"objects": [{"cloud": "C", "file": "some.csv"}], "ask": [{"fit": "C", "volume": "box"}]})");
+  write(shell.work() / "p.json", from_above);
+  const Ran drawn = shell("cat beside/s.json | isect render - --step 1 --format svg --out made");
+  CHECK(drawn.status == 0);
+  CHECK_THAT(drawn.out, StartsWith("made/scene/stdin/01-"));
+  CHECK_THAT(shell("isect explain - < p.json").out, Contains("Step 3 of"));
+  CHECK(shell("cat beside/s.json | isect show -").status == 77);  // nothing is refused but the missing display
+  CHECK_THAT(shell("isect show beside/s.json").err, Contains("beside/some.csv"));
+  CHECK(shell("isect scene - < beside/s.json").status == 0);
+  CHECK(shell("echo '{\"objects\": 1}' | isect show -").status == 2);
+}
+
 TEST_CASE("a figure is taken as a preset's file is: with its lesson, step, numbers and camera", "[select]") {
   const Shell shell;
   write(shell.work() / "p.json", from_above);

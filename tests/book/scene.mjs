@@ -105,6 +105,16 @@ try {
   check((await beside()).at === "2" && (await look()).yes, `it is shown at step ${(await beside()).at}`);
   check((await beside()).told === "" && (await beside()).choices.length === 0, "something is still said of a text that is shown");
   compared += await compare("typed");
+  // A double click on a corner's ring removes it, and keys there do the same.
+  await type('{"objects": [{"polygon": "P", "points": [[0, 0], [4, 0], [4, 4], [0, 4]]}, {"point": "q", "at": [2, 1]}], "ask": [["q", "P"]]}');
+  await site.click("Show this scene");
+  const at_ring = event => browser.ask(`document.querySelector('.live .grip[data-handle^="P.2/"]').dispatchEvent(new ${event})`);
+  await at_ring(`KeyboardEvent("keydown", { key: "Insert", bubbles: true })`);
+  check((await look()).scene.includes("[4, 0], [4, 2], [4, 4]"), "Insert adds no corner: " + (await look()).scene);
+  await at_ring(`MouseEvent("dblclick", { bubbles: true })`);
+  check((await look()).scene.includes("[0, 0], [4, 2], [4, 4]"), "a double click removes no corner: " + (await look()).scene);
+
+  // Where one stands at an answer that is still asked, one stays there.
   const three = radius => `{"title": "Mine", "objects": [{"point": "p", "at": [1, 1]}, {"circle": "c", "center": [0, 0], "radius": ${radius}},\n` +
     ` {"point": "q", "at": [2, 0]}], "ask": [["p", "c"], ["q", "c"]]}`;
   await type(three(1.5));

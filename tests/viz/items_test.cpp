@@ -1,6 +1,8 @@
 // The kinds of items, each by the shapes it becomes.
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include <isect/convex_hull_3d.h>
 #include "tests/catch.h"
@@ -247,6 +249,34 @@ TEST_CASE("a grid puts drawings of one scale in rows and columns, their headings
   const Dot& dot = *std::get_if<Dot>(
       &*std::find_if(items.begin(), items.end(), [](const Item& item) { return std::holds_alternative<Dot>(item); }));
   CHECK(d.view.project(dot.at).at.x() == Approx(text("g").at.x()));  // moved with its inset, to its middle
+}
+
+TEST_CASE("small multiples stand in the number of columns in which they are largest", "[items]") {
+  const Camera camera = {.azimuth = 0, .elevation = 0};
+  const std::vector<Inset> insets(6, {{Ball{{0, 0, 0}, 1}}, "disjoint", ""});
+  const Scene own = arrangeable(insets, 3, camera);
+  REQUIRE(own.items.size() == small_multiples(insets, 3, camera).size());
+  const auto rows = [](const Scene& scene) {
+    std::set<double> heights;
+    for (const Item& item : scene.items)
+      if (const Ball* ball = std::get_if<Ball>(&item)) heights.insert(std::round(1000 * ball->center.y()));
+    return heights.size();
+  };
+  CHECK(rows(own) == 2);
+  CHECK_FALSE(arranged(own, camera, 1.25));  // none is larger
+  CHECK(rows(arranged(own, camera, 8).value()) == 1);
+  CHECK(rows(arranged(own, camera, 0.2).value()) == 6);
+  CHECK(rows(arranged(own, camera, 0.6).value()) == 3);
+  for (const double aspect : {0.2, 0.6, 3.0, 8.0}) {
+    const Scene best = arranged(own, camera, aspect).value();
+    CHECK(frame(camera, {&best}, aspect).half_height * 1.05 < frame(camera, {&own}, aspect).half_height);
+  }
+  Scene moves = own;
+  moves.handles = {{.parameter = "x", .kind = Handle::Kind::point, .at = Vec3::Zero()}};
+  CHECK_FALSE(arranged(moves, camera, 8));
+  Scene items = own;
+  items.grid.reset();
+  CHECK_FALSE(arranged(items, camera, 8));
 }
 
 TEST_CASE("a handle along a direction sets a number", "[items]") {

@@ -793,4 +793,33 @@ TEST_CASE("values that read alike and are not equal are shown in full", "[window
   CHECK(found > 0);
 }
 
+TEST_CASE("small multiples take the room of a large window, and figures keep the lesson's columns", "[window]") {
+  WindowDriver window(isect::lessons::all_lessons(), 2560, 1440, place_at("speed-against-error", "ray-sphere"), {},
+                      layout_only);
+  Player& player = window.player();
+  for (int i = 0; i < player.count() && player.step().slug != "typical"; ++i) player.go_to(i);
+  REQUIRE(player.step().slug == "typical");
+  window.frames(3);
+  const ReaderState state = player.reader_state();
+  const double aspect = player.camera().aspect();
+  const auto half_height = [&](const Scene& scene) { return frame(*state.camera, {&scene}, aspect, 0).half_height; };
+  REQUIRE(player.is_arranged());
+  CHECK(player.scene().items.size() == player.step().scene.items.size());
+  CHECK(1.05 * half_height(player.scene()) < half_height(player.step().scene));
+  CHECK(&player.own_scene() == &player.step().scene);
+
+  const Rect scene = window.rect("scene");
+  window.drag(scene.left + 40, scene.top + 150, scene.left + 90, scene.top + 170);
+  window.frames(2);
+  CHECK_FALSE(player.is_arranged());  // the reader's own view, which copied states and figures keep
+  window.key(key::z, true);
+  window.frames(2);
+  CHECK(player.is_arranged());
+  CHECK(player.camera().goal() == *state.camera);
+
+  window.key(key::right);
+  window.frames(2);
+  CHECK_FALSE(player.is_arranged());
+}
+
 }  // namespace window_look_test

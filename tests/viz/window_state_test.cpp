@@ -301,6 +301,95 @@ TEST_CASE("a scene that was changed and not saved is left at the second time onl
   }
 }
 
+TEST_CASE("a scene that has no file is saved under a name in a folder, and from then on into that file", "[window]") {
+  Lesson scene = disc;
+  scene.made_from = "{}";
+  const std::string folder = isect::test::scratch("isect-window-scene").string();
+  std::filesystem::remove_all(folder);
+  int saved = 0;
+  std::string taken, refused;
+  const auto text_of = [](const Parameters& p) { return "{\"scene\": " + to_json(p) + "}\n"; };
+  WindowOptions options = {.reduced_motion = true, .figures = folder};
+  options.save_scene = [&](const Lesson&, const Parameters&) { ++saved; };
+  options.new_scene_file.text = [&](const Lesson&, const Parameters& p, const std::string& to) {
+    if (to.ends_with("elsewhere")) throw BadInput(refused = "What the scene names does not lie there");
+    return text_of(p);
+  };
+  options.new_scene_file.take = [&](const Lesson&, const Parameters& p, const std::string& path) {
+    taken = path;
+    scene.presets.front().parameters = p;
+  };
+  const std::vector<const Lesson*> lessons = {&scene, &ball};
+  WindowDriver window(lessons, 1280, 800, {}, {}, options);
+  const auto give = [&](const char* field, const std::string& words) {
+    window.click(field);
+    window.key(key::a, true);
+    window.type(words);
+    window.frames(2);
+  };
+  CHECK(window.ui.may_close());
+  window.drag("handle c", 60, 30);
+  CHECK_FALSE(window.ui.may_close());
+  CHECK_THAT(window.ui.message(), isect::test::Contains("leaves it as it came"));
+
+  window.key(key::s, true);
+  window.frames(2);
+  REQUIRE((window.has("save sheet") && window.has("save name") && window.has("save folder")));
+  CHECK_FALSE((window.has("format png") || window.has("save as preset") || window.has("save scene")));
+  give("save folder", folder + "/elsewhere");
+  window.click("save");
+  window.frames(2);
+  CHECK(window.ui.message() == refused);
+  CHECK((taken.empty() && !std::filesystem::exists(folder)));
+
+  window.key(key::s, true);
+  window.frames(2);
+  give("save name", "mine.json");
+  give("save folder", folder + "/scenes");
+  window.click("save");
+  window.frames(2);
+  const std::string file = folder + "/scenes/mine.json";
+  CHECK(window.ui.message() == "Saved " + file);
+  CHECK(taken == file);
+  CHECK(read_file(file) == text_of(window.player().parameters()));
+  CHECK(window.ui.may_close());
+  CHECK(window.player().played().preset_id() == scene.presets.front().id);  // nothing is "changed" any more
+  CHECK(saved == 0);
+
+  window.drag("handle c", 30, 30);
+  CHECK_FALSE(window.ui.may_close());
+  window.key(key::s, true);
+  CHECK(saved == 1);
+  CHECK_FALSE(window.has("save sheet"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("a scene without a file is saved from the sheet of figures, too, and loses no other file", "[window]") {
+  Lesson scene = disc;
+  scene.made_from = "{}";
+  const std::string folder = isect::test::scratch("isect-window-scenes").string();
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  write_file(folder + "/scene.json", "somebody's");
+  WindowOptions options = {.reduced_motion = true, .figures = folder};
+  options.save_scene = [](const Lesson&, const Parameters&) {};
+  options.new_scene_file = {[](const Lesson&, const Parameters&, const std::string&) { return std::string("{}"); },
+                            [](const Lesson&, const Parameters&, const std::string&) {}};
+  WindowDriver window({&scene, &ball}, 1280, 800, {}, {}, options);
+  window.type("s");
+  window.frames(2);
+  REQUIRE((window.has("format png") && window.has("save scene")));
+  window.click("save scene");
+  window.frames(2);
+  CHECK(window.ui.message() == "Saved " + folder + "/scene-2.json");
+  CHECK(read_file(folder + "/scene.json") == "somebody's");
+  window.type("]");
+  window.key(key::s, true);
+  window.frames(2);
+  CHECK((window.has("format png") && window.has("save as preset") && !window.has("save scene")));
+  std::filesystem::remove_all(folder);
+}
+
 TEST_CASE("a scene of a file leaves the reader's place among the lessons as it was", "[window]") {
   Lesson scene = disc;
   scene.id = "scene", scene.made_from = "{}";

@@ -464,6 +464,40 @@ TEST_CASE("a scene's text opens, follows what is dragged, and opens again as it 
   CHECK(ask(lessons_only, {{"do", "open"}, {"scene", text}}).contains("wrong"));
 }
 
+TEST_CASE("a scene's polygon gets a corner on a side, and loses one, in its text", "[session]") {
+  BrowserSession session = fresh();
+  const std::string text =
+      "{\"objects\": [{\"polygon\": \"P\", \"points\": [[0, 0], [4, 0], [4, 4], [0, 4]]}, // mine\n"
+      "  {\"point\": \"q\", \"at\": [2, -0.5]}],\n \"ask\": [[\"q\", \"P\"]]}";
+  const Json frame = ask(session, {{"do", "open"}, {"scene", text}, {"step", 1}});
+  const Json one = handle(frame, "P.1"), two = handle(frame, "P.2"), three = handle(frame, "P.3");
+  const auto between = [](const Json& a, const Json& b, double share) {
+    const auto at = [&](const char* x) { return (1 - share) * a.at(x).get<double>() + share * b.at(x).get<double>(); };
+    return Json{{"do", "corner"}, {"x", at("x")}, {"y", at("y")}};
+  };
+  const auto points = [](const Json& reply) {
+    const std::string now = reply.at("scene");
+    CHECK_THAT(now, Contains("// mine"));
+    return Json::parse(now, nullptr, true, true)["objects"][0]["points"];
+  };
+  const Json more = points(ask(session, between(one, two, 0.25)));
+  REQUIRE(more.size() == 5);
+  CHECK((std::abs(more[1][0].get<double>() - 1) < 1e-9 && std::abs(more[1][1].get<double>()) < 1e-9));
+  CHECK(ask(session, between(one, three, 0.4)).empty());  // no side passes there
+  const Json fewer = ask(session, {{"do", "corner"}, {"handle", one.at("name")}});
+  CHECK(points(fewer) == Json::parse("[[4, 0], [4, 4], [0, 4]]"));
+  CHECK(points(ask(session, {{"do", "corner"}, {"handle", two.at("name")}, {"behind", true}}))[2] ==
+        Json::parse("[4, 2]"));
+  CHECK(ask(session, {{"do", "corner"}, {"handle", handle(frame, "q.at").at("name")}}).empty());
+
+  const Json last = ask(session, {{"do", "open"}, {"scene", fewer.at("scene")}, {"step", "same answer"}});
+  CHECK(last.at("step") == 1);
+  CHECK_THAT(ask(session, {{"do", "corner"}, {"handle", handle(last, "P.1").at("name")}}).value("wrong", ""),
+             Contains("a list of 3 to 10000 points"));
+  open(session, "sphere-sphere");
+  CHECK(ask(session, {{"do", "corner"}, {"x", 100}, {"y", 100}}).empty());
+}
+
 TEST_CASE("a scene opens at its first answer, or stays at the one that is still asked for", "[session]") {
   BrowserSession session = fresh();
   const auto text = [](const std::string& asked) {

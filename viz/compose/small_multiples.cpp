@@ -1,7 +1,9 @@
 #include "viz/compose/small_multiples.h"
 
 #include <algorithm>
+#include <memory>
 #include <span>
+#include <utility>
 
 #include "viz/compose/compose.h"
 
@@ -80,6 +82,40 @@ std::vector<Item> small_multiples(const std::vector<Inset>& insets, int columns,
       all.push_back(Heading{at(middle - Vec2(0, text)), insets[i].note, insets[i].role, size.x() + gap / 2, false});
   }
   return all;
+}
+
+Scene arrangeable(const std::vector<Inset>& insets, int columns, const Camera& camera,
+                  const std::function<std::vector<Item>(std::vector<Item>)>& placed) {
+  const auto items = [=](int in) {
+    std::vector<Item> all = small_multiples(insets, in, camera);
+    return placed ? placed(std::move(all)) : all;
+  };
+  Scene scene;
+  scene.items = items(columns);
+  scene.grid = std::make_shared<const Scene::Grid>(Scene::Grid{static_cast<int>(insets.size()), columns, items});
+  return scene;
+}
+
+std::optional<Scene> arranged(const Scene& scene, const Camera& camera, double aspect) {
+  constexpr double larger = 1.05;
+  if (!scene.grid || !scene.handles.empty()) return {};  // handles stand where the lesson's own drawings do
+  const auto half_height = [&](const std::vector<Item>& items) {
+    const Box2 box = extent(items, camera);
+    const Vec2 size = box.hi - box.lo;
+    return std::max(size.y(), size.x() / aspect) / 2;
+  };
+  double least = half_height(scene.items) / larger;
+  std::optional<Scene> best;
+  for (int columns = 1; columns <= scene.grid->count; ++columns) {
+    if (columns == scene.grid->columns) continue;
+    std::vector<Item> items = scene.grid->items(columns);
+    const double half = half_height(items);
+    if (!(half < least)) continue;
+    least = half;
+    best = scene;
+    best->items = std::move(items);
+  }
+  return best;
 }
 
 }  // namespace isect::viz

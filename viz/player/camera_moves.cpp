@@ -18,7 +18,7 @@ void zoom(Player& player, const View& view, const Vec2& at, double factor) {
 void frame_all(Player& player) { player.frame(player.camera().whole(player.played())); }
 
 void frame_shown(Player& player) {
-  const Camera all = player.camera().holding(player.scene());
+  const Camera all = player.camera().holding(player.own_scene());
   player.move_camera("", [&](CameraRig& camera) { camera.glide(all); });
 }
 

@@ -89,9 +89,9 @@ void Player::begin_motion() {
   if (posed_)
     motion_.begin(posed_);
   else if (quiz_.asked())
-    motion_.begin({quiz_.asking_step(), &scene()});
+    motion_.begin({quiz_.asking_step(), &shown().scene});
   else
-    motion_.begin({played_, &scene()});
+    motion_.begin({played_, &shown().scene});
 }
 
 void Player::reduce_motion(bool reduced) {

@@ -45,7 +45,13 @@ class Player {
   /// Returns step() or, while a question is open, what is known of the step that it asks about.
   const Step& shown() const { return quiz_.asked() ? *quiz_.asking_step() : step(); }
   /// Returns the scene that is drawn.
-  const Scene& scene() const { return posed_ ? *posed_ : shown().scene; }
+  const Scene& scene() const { return arranged_ ? *arranged_ : own_scene(); }
+  /// Returns that scene in the lesson's own arrangement: at the time that is chosen, if one is.
+  const Scene& own_scene() const { return posed_ ? *posed_ : shown().scene; }
+  /// Draws the scene on show in another arrangement (viz/compose/small_multiples.h) until another one is on show; null:
+  /// in its own. Figures, copied states and the camera know nothing of it.
+  void arrange(std::shared_ptr<const Scene> arranged) { arranged_ = std::move(arranged); }
+  bool is_arranged() const { return arranged_ != nullptr; }
   /// Returns a preset's title, or "preset 2", its place in the group, while a question is open that it may answer.
   std::string told_title(const Preset&) const;
   /// Returns the preset that was loaded last.
@@ -189,22 +195,23 @@ class Player {
   bool can_ask() const { return !at_end() && walk().steps[index() + 1].question; }
   void ask(bool);  ///< about the next step, if it has a question
   void answer(GivenAnswer);
-  Camera opening_view() const { return camera_.opening(*played_, scene()); }
+  Camera opening_view() const { return camera_.opening(*played_, own_scene()); }
   /// Returns the opening view in the projection that the reader has chosen; once a time is chosen, with the whole
   /// motion in view. (player_time.cpp)
   Camera framed_view() const;
 
   void let_time_run(double seconds);
-  void leave_time();  ///< the scene is the step's own again
+  void leave_time();  ///< the scene is the step's own again, in its own arrangement
   /// Shows the same step of another walk at the time that was shown before.
   void keep_time(const Player& before);
 
   std::vector<const Lesson*> lessons_;
   Chosen chosen_;
-  std::shared_ptr<PlayedWalk> played_;  ///< shared with copies of this player
-  int at_ = 0;                          ///< the step that is shown
-  std::optional<double> now_;           ///< the time of its scene; none: the scene is the step's own
-  std::shared_ptr<const Scene> posed_;  ///< the scene at that time, if there is one
+  std::shared_ptr<PlayedWalk> played_;     ///< shared with copies of this player
+  int at_ = 0;                             ///< the step that is shown
+  std::optional<double> now_;              ///< the time of its scene; none: the scene is the step's own
+  std::shared_ptr<const Scene> posed_;     ///< the scene at that time, if there is one
+  std::shared_ptr<const Scene> arranged_;  ///< the scene in another arrangement, if there is one
   bool time_runs_ = false;
   std::optional<int> exercise_;
   unsigned revision_ = 0, walks_ = 0, answers_ = 0;

@@ -41,6 +41,7 @@ void Player::let_time_run(double seconds) {
 void Player::leave_time() {
   now_.reset();
   posed_.reset();
+  arranged_.reset();
   time_runs_ = false;
 }
 

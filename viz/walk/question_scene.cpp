@@ -194,6 +194,7 @@ Step asking_step(const Walk& walk, int step) {
   shown.question = asked.question;
   shown.scene = question_scene(walk, step);
   shown.scene.time.reset();  // bodies that run on would show the answer
+  shown.scene.grid.reset();  // and so would all items, in other columns
   shown.values = known_values(walk, step);
   if (step == 0) return shown;
   const Step& before = walk.steps[static_cast<std::size_t>(step) - 1];

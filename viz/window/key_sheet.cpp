@@ -35,6 +35,7 @@ constexpr Row left_keys[] = {
     {"S, F12, Ctrl+S", "save figure or preset"},
     {"Ctrl+S in a scene", "save it into its file"},
     {"F2 / Delete", "rename / remove object"},
+    {"Insert / Delete", "add / remove a corner"},
     {"F1 or ?", "this sheet"},
     {"Ctrl+Q", "leave"},
 };
@@ -45,6 +46,7 @@ constexpr Row right_keys[] = {
     {"drag, right-drag", "turn, shift the scene"},
     {"wheel", "zoom at the pointer"},
     {"double click or F", "frame all"},
+    {"double click a side", "a polygon’s: add a corner"},
     {"L", "keep this view, or not"},
     {"P / O", "perspective / orthographic"},
     {"Shift+arrows", "turn, or move the handle"},

@@ -248,10 +248,15 @@ void character(WindowSession& s, char c) {
 
 }  // namespace
 
-bool keeps_file(const WindowSession& s) { return s.scene_file.save && !s.player.lesson().made_from.empty(); }
+KeptScene kept_scene(const WindowSession& s) {
+  if (s.player.lesson().made_from.empty()) return KeptScene::nowhere;
+  if (s.scene_file.fresh.text) return KeptScene::without_file;
+  return s.scene_file.save ? KeptScene::in_file : KeptScene::nowhere;
+}
 
 void save_back(WindowSession& s) {
-  if (!keeps_file(s)) {
+  if (const KeptScene kept = kept_scene(s); kept != KeptScene::in_file) {
+    if (kept == KeptScene::without_file) s.save_sheet.what = SaveSheet::What::scene;
     s.requests.sheet = Sheet::save;
     return;
   }
@@ -267,10 +272,11 @@ bool may_leave(WindowSession& s) {
   if (s.review) leave_review(s);
   const bool edited = s.scene_file.written && s.scene_file.written != &s.player.lesson();
   const bool as_in_file = !s.player.played().preset_id().empty() && !edited;
-  const bool saved = !keeps_file(s) || as_in_file || s.scene_file.told_unsaved == s.player.revision();
-  if (saved) return true;
+  const KeptScene kept = kept_scene(s);
+  if (kept == KeptScene::nowhere || as_in_file || s.scene_file.told_unsaved == s.player.revision()) return true;
   s.scene_file.told_unsaved = s.player.revision();
-  s.toast.complain("This scene is not saved: Ctrl+S saves it; Ctrl+Q once more leaves it as its file is");
+  s.toast.complain(std::string("This scene is not saved: Ctrl+S saves it; Ctrl+Q once more leaves it as ") +
+                   (kept == KeptScene::in_file ? "its file is" : "it came"));
   return false;
 }
 

@@ -1,9 +1,11 @@
 #include "viz/window/object_changes.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <vector>
 
+#include "viz/player/side_at.h"
 #include "viz/window/objects_panel.h"
 #include "viz/window/sheets.h"
 
@@ -21,7 +23,7 @@ void list_anew(WindowSession& s) {
       return std::ranges::find(panel.objects, name, &SceneObject::name) == panel.objects.end();
     };
     std::erase_if(panel.chosen, gone);
-    panel.asked_about.clear(), panel.questions.clear();
+    panel.asked_about.clear(), panel.questions.clear(), panel.asked.clear();
     panel.renaming = {};
   }
   if (panel.objects.size() <= few_objects) panel.search.clear();
@@ -34,6 +36,7 @@ void list_anew(WindowSession& s) {
   if (panel.asked_about == panel.chosen) return;
   panel.asked_about = panel.chosen;
   panel.questions = s.scene_editor.questions(lesson, panel.chosen);
+  panel.asked = s.scene_editor.asked(lesson, panel.chosen);
 }
 
 bool change_scene(WindowSession& s, const SceneEdit& edit) {
@@ -94,6 +97,58 @@ void ask_about_chosen(WindowSession& s, const std::string& question) {
   const std::vector<Step>& steps = s.player.walk().steps;
   const auto answer = std::ranges::find_if(steps, [&](const Step& step) { return !before.contains(step.slug); });
   if (answer != steps.end()) s.player.go_to(static_cast<int>(answer - steps.begin()));
+}
+
+void remove_question(WindowSession& s, const SceneQuestion& question) {
+  if (!change_scene(s, {.kind = SceneEdit::Kind::unask, .what = question.id})) return;
+  s.toast.say("“" + question.words + "” is no longer asked. Ctrl+Z brings it back");
+}
+
+namespace {
+
+/// Returns the sides of the scene on show: none while a question is open, or if it can't be changed.
+std::vector<SceneSide> sides(const WindowSession& s) {
+  const Lesson& lesson = s.player.lesson();
+  if (!s.scene_editor.sides || lesson.made_from.empty() || s.player.quiz().asked()) return {};
+  return s.scene_editor.sides(lesson, s.player.parameters());
+}
+
+std::optional<SceneSide> side_from(const WindowSession& s, const std::string& handle) {
+  const std::vector<SceneSide> all = sides(s);
+  const auto found = std::ranges::find(all, handle, &SceneSide::parameter);
+  return found == all.end() ? std::nullopt : std::optional(*found);
+}
+
+void add_corner(WindowSession& s, SceneSide side, const Vec3& at) {
+  const SceneEdit edit = {
+      .kind = SceneEdit::Kind::add_corner, .what = side.object, .middle = at, .corner = side.corner};
+  if (!change_scene(s, edit)) return;
+  ++side.corner;
+  if (s.ui.focus.name().starts_with("handle ")) s.ui.focus.take("handle " + side.parameter());
+  s.toast.say(side.object + " has a corner more. Drag it to its place");
+}
+
+}  // namespace
+
+bool add_corner_at(WindowSession& s, const View& view, const Vec2& pixel) {
+  constexpr double reach = 8;  // px
+  const std::optional<PlaceOnSide> place = side_at(sides(s), view, pixel, reach);
+  if (place) add_corner(s, place->side, place->at);
+  return place.has_value();
+}
+
+bool add_corner_behind(WindowSession& s, const std::string& handle) {
+  const std::optional<SceneSide> side = side_from(s, handle);
+  if (side) add_corner(s, *side, side->from / 2 + side->to / 2);
+  return side.has_value();
+}
+
+bool remove_corner(WindowSession& s, const std::string& handle) {
+  const std::optional<SceneSide> side = side_from(s, handle);
+  if (!side) return false;
+  if (change_scene(s, {.kind = SceneEdit::Kind::remove_corner, .what = side->object, .corner = side->corner}))
+    s.toast.say("A corner of " + side->object + " is removed. Ctrl+Z brings it back");
+  return true;
 }
 
 void begin_renaming(ObjectsPanel& panel, const std::string& name) {

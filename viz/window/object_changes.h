@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "viz/camera.h"
 #include "viz/window/window_session.h"
 
 namespace isect::viz {
@@ -21,5 +22,13 @@ void begin_renaming(ObjectsPanel&, const std::string& name);
 void rename_object(WindowSession&, const std::string& name, const std::string& now);
 /// Adds a question, and goes to its answer.
 void ask_about_chosen(WindowSession&, const std::string& question);
+void remove_question(WindowSession&, const SceneQuestion&);
+
+// The corners of outlines. Each returns whether there is such a side or corner; why a change is refused is told.
+/// Adds a corner where a side is seen at this pixel.
+bool add_corner_at(WindowSession&, const View&, const Vec2& pixel);
+/// Adds one in the middle of the side that begins at the corner of a handle, "P.3".
+bool add_corner_behind(WindowSession&, const std::string& handle);
+bool remove_corner(WindowSession&, const std::string& handle);
 
 }  // namespace isect::viz

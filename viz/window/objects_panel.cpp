@@ -14,7 +14,7 @@
 namespace isect::viz {
 namespace {
 
-constexpr float objects_margin = 20, question_row = 36;
+constexpr float objects_margin = 20, question_row = 36, asked_head = 28, asked_row = 28;
 
 /// Draws the field that filters a long list.
 void object_search(WindowSession& s, const Rect& r) {
@@ -56,7 +56,33 @@ std::string words_on_chosen(const std::vector<std::string>& chosen) {
 
 float height_below_list(const ObjectsPanel& panel) {
   const float buttons = panel.chosen.size() == 1 ? question_row : 0;
-  return 62 + buttons + question_row * static_cast<float>(panel.questions.size());
+  const float asked = panel.asked.empty() ? 0 : asked_head + asked_row * static_cast<float>(panel.asked.size());
+  return 62 + buttons + question_row * static_cast<float>(panel.questions.size()) + asked;
+}
+
+/// Draws the questions that are asked about the chosen objects from y down, each with a cross that removes it; returns
+/// where they end. There may be hundreds: those out of view are not drawn.
+float asked_list(WindowSession& s, float left, float right, float y, Afterwards& then) {
+  Ui& ui = s.ui;
+  if (s.objects.asked.empty()) return y;
+  text(ui.fonts.body, left, y + asked_head / 2, packed(ui.palette.muted), "Asked already");
+  y += asked_head;
+  const float top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
+  int number = 0;
+  for (const SceneQuestion& question : s.objects.asked) {
+    const Rect row{left, y, right, y + asked_row};
+    ++number, y += asked_row;
+    if (row.bottom < top - asked_row || row.top > bottom + asked_row) continue;
+    const Rect button{right - 30, row.top + 1, right, row.bottom - 1};
+    const std::string words = fitted(ui.fonts.body, question.words, button.left - left - 6);
+    text(ui.fonts.body, left, row.middle_y(), packed(ui.palette.text), words);
+    const Press p = press(ui, "unask " + std::to_string(number), button);
+    if (p.hovered) filled(button, ui.palette.hovered);
+    cross(button.middle_x(), button.middle_y(), 11, packed(ui.palette.text));
+    if (p.hovered) tooltip(ui, "Ask no longer: " + question.words);
+    if (p.clicked) then.emplace_back([&s, question] { remove_question(s, question); });
+  }
+  return y;
 }
 
 /// Draws what can be done with the objects that are chosen.
@@ -89,6 +115,7 @@ void below_list(WindowSession& s, const Rect& r, Afterwards& then) {
       if (label != question.words && ImGui::IsItemHovered()) tooltip(ui, question.words);
       y += question_row;
     }
+    y = asked_list(s, r.left, r.right - 14, y, then);
     ImGui::SetCursorScreenPos({r.left, top});
     ImGui::Dummy({1, y - top});
   });
@@ -106,6 +133,15 @@ void object_keys(WindowSession& s, Afterwards& then) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput || io.KeyCtrl || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;
   const std::string name = object_at_hand(s);
+  if (const std::string part = "handle ", held = s.ui.focus.name(); held.starts_with(part)) {
+    const std::string corner = held.substr(part.size());
+    if (ImGui::IsKeyPressed(key::insert, false)) then.emplace_back([&s, corner] { add_corner_behind(s, corner); });
+    if (ImGui::IsKeyPressed(key::del, false))
+      then.emplace_back([&s, corner, name] {
+        if (!remove_corner(s, corner) && !name.empty()) remove_object(s, name);
+      });
+    return;
+  }
   if (std::ranges::find(s.objects.objects, name, &SceneObject::name) == s.objects.objects.end()) return;
   if (ImGui::IsKeyPressed(key::f2, false)) then.emplace_back([&s, name] { begin_renaming(s.objects, name); });
   if (ImGui::IsKeyPressed(key::del, false)) then.emplace_back([&s, name] { remove_object(s, name); });

@@ -117,11 +117,11 @@ void follow_review(WindowSession&);
 void review_bars(WindowSession&, const Rect& top, const Rect& bottom);
 void review_score(WindowSession&, const Rect&);
 
-/// Whether the lesson lies in a file that can be written to; save_back() writes the setting there, or else opens the
-/// sheet that saves figures. (keys.cpp)
-bool keeps_file(const WindowSession&);
+/// Whether the lesson on show is a scene in a file that can be written to, or one that can get a file. (keys.cpp)
+KeptScene kept_scene(const WindowSession&);
 /// Returns false once if numbers of a scene would be lost, with a message.
 bool may_leave(WindowSession&);
+/// Writes the setting into the scene's file; or opens the sheet that makes one, or else the one that saves figures.
 void save_back(WindowSession&);
 /// Whether a character belongs to what answers the open question besides a choice: the first opens the field for it.
 /// (answer_field.cpp)

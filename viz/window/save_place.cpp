@@ -128,7 +128,8 @@ void place_fields(Ui& ui, SaveSheet& sheet, const Settings& settings, const std:
     failure(ui, sheet, settings, usual, {left, y, r.right, r.bottom});
   } else {
     const std::string name = given_name(sheet, settings);
-    const std::string file = (sheet.progress ? "File: " : "Figure: ") + (name.empty() ? stem : name) + "." + ending;
+    const std::string file =
+        (sheet.what == SaveSheet::What::figure ? "Figure: " : "File: ") + (name.empty() ? stem : name) + "." + ending;
     text(ui.fonts.body, left, y + 8, packed(c.muted), fitted(ui.fonts.body, file, r.right - left));
   }
 }

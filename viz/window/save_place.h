@@ -7,6 +7,9 @@
 
 namespace isect::viz {
 
+/// The name of the file of a scene that has none yet.
+constexpr const char* usual_scene_name = "scene";
+
 /// Returns the whole path of a file or a folder, without `.` and `..`.
 std::string whole_path(const std::string&);
 /// Returns the typed name without spaces around it and without the ending of a figure or a preset; empty: the usual

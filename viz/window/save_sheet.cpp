@@ -93,11 +93,11 @@ void choices_of_figure(SaveSheet& sheet, Ui& ui, Settings& settings, const ImVec
   }
 }
 
-/// Draws the button that saves the setting, if there is one: into the scene's file, or as a preset.
-void setting_button(const Player& player, Ui& ui, bool ready, bool to_file, Requests& requests, const Rect& r) {
-  const bool scene = !player.lesson().made_from.empty();
-  if (scene && to_file && chip(ui, "save scene", r, "Save the scene", false)) {
-    requests.save_back = true;
+/// Draws the button that saves the setting, if there is one: into the scene's file or a new one, or as a preset.
+void setting_button(const Player& player, Ui& ui, bool ready, KeptScene kept, Requests& requests, const Rect& r) {
+  const bool scene = !player.lesson().made_from.empty(), in_file = kept == KeptScene::in_file;
+  if (scene && kept != KeptScene::nowhere && chip(ui, "save scene", r, "Save the scene", false) && (ready || in_file)) {
+    (in_file ? requests.save_back : requests.save_scene) = true;
     ImGui::CloseCurrentPopup();
   }
   if (!scene && chip(ui, "save as preset", r, "Save as preset", false) && ready) {
@@ -108,50 +108,58 @@ void setting_button(const Player& player, Ui& ui, bool ready, bool to_file, Requ
 
 /// Draws the buttons beside each other from `at` on, and presses the first one on Enter. `ready`: nothing that was
 /// typed is refused.
-void save_buttons(const Player& player, Ui& ui, const SaveSheet& sheet, bool ready, bool to_file, Requests& requests,
+void save_buttons(const Player& player, Ui& ui, const SaveSheet& sheet, bool ready, KeptScene kept, Requests& requests,
                   const ImVec2& at) {
+  using What = SaveSheet::What;
   const float x = at.x, y = at.y;
   const bool typing = ImGui::GetIO().WantTextInput;
   const bool again = !typing && ImGui::GetIO().InputQueueCharacters.contains('s') && !ImGui::IsWindowAppearing();
   const bool held = !ui.focus.name().empty() || typing;  // then Enter belongs to them
   const bool enter = (!held && (key_down(key::enter) || key_down(key::keypad_enter))) || key_down(key::f12) || again;
-  const char* const words = sheet.progress ? "Save JSON" : "Save";
-  if ((chip(ui, "save", {x, y - 18, x + 110, y + 18}, words, true) || enter) && ready) {
-    (sheet.progress ? requests.save_progress : requests.save_figure) = true;
+  const bool figure = sheet.what == What::figure;
+  if ((chip(ui, "save", {x, y - 18, x + 110, y + 18}, figure ? "Save" : "Save JSON", true) || enter) && ready) {
+    (figure                         ? requests.save_figure
+     : sheet.what == What::progress ? requests.save_progress
+                                    : requests.save_scene) = true;
     ImGui::CloseCurrentPopup();
   }
-  if (!sheet.progress) setting_button(player, ui, ready, to_file, requests, {x + 120, y - 18, x + 260, y + 18});
-  text(ui.fonts.body, x + (sheet.progress ? 126 : 276), y, packed(ui.palette.muted), "Enter saves");
+  if (figure) setting_button(player, ui, ready, kept, requests, {x + 120, y - 18, x + 260, y + 18});
+  text(ui.fonts.body, x + (figure ? 276 : 126), y, packed(ui.palette.muted), "Enter saves");
 }
 
 }  // namespace
 
 void save_sheet(const Player& player, Ui& ui, SaveSheet& sheet, Settings& settings, const std::string& figures,
-                bool to_file, Requests& requests, const Rect& window) {
+                KeptScene kept, Requests& requests, const Rect& window) {
+  using What = SaveSheet::What;
+  const bool figure = sheet.what == What::figure;
   const float place = sheet.failed.empty() ? 104 : 172;  // of the name and the folder, with what is said below them
-  const float choices = sheet.progress ? 0 : 140;        // of the figure
+  const float choices = figure ? 140 : 0;
   sheet.open = begin_sheet(ui, "save sheet", window, 780, 126 + choices + place);
   if (!sheet.open) {
     sheet.name.clear(), sheet.folder.clear(), sheet.failed.clear();
-    sheet.progress = false;
+    sheet.what = What::figure;
     return;
   }
   if (ImGui::IsWindowAppearing() && sheet.folder.empty()) sheet.folder = whole_folder(sheet, settings, figures);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   text(ui.fonts.heading, at.x, at.y + 10, packed(ui.palette.text),
-       sheet.progress ? "Save the progress" : "Save this figure");
+       figure                         ? "Save this figure"
+       : sheet.what == What::progress ? "Save the progress"
+                                      : "Save the scene");
   const Rect all = ui.rects["save sheet"];
   const float top = at.y + 56 + choices, buttons = top + place + 8;
   const bool named = wrong_name(sheet, settings).empty();
-  if (sheet.progress) {
-    place_fields(ui, sheet, settings, figures, usual_progress_name, "json", {at.x, top, all.right - 20, top + place});
-    save_buttons(player, ui, sheet, named, to_file, requests, {at.x, buttons});
+  if (!figure) {
+    place_fields(ui, sheet, settings, figures, sheet.what == What::progress ? usual_progress_name : usual_scene_name,
+                 "json", {at.x, top, all.right - 20, top + place});
+    save_buttons(player, ui, sheet, named, kept, requests, {at.x, buttons});
   } else {
     choices_of_figure(sheet, ui, settings, {at.x, at.y + 56});
     const float right = ui.rects["other width"].right;
     place_fields(ui, sheet, settings, figures, usual_stem(player), settings.save_format,
                  {at.x, top, right, top + place});
-    save_buttons(player, ui, sheet, named && sheet.width_wrong.empty(), to_file, requests, {at.x, buttons});
+    save_buttons(player, ui, sheet, named && sheet.width_wrong.empty(), kept, requests, {at.x, buttons});
     preview(sheet, ui, {right + 20, at.y + 10, all.right - 20, all.bottom - 20});
   }
   ImGui::EndPopup();

@@ -11,23 +11,21 @@ namespace isect::viz {
 namespace {
 
 /// Calls write(folder, name), by what the save sheet says, and tells what it returns. Where it fails, the sheet opens
-/// again and says why. Returns whether it was written.
+/// again for `what`, and says why.
 template <class Write>
-bool save_by_sheet(WindowSession& s, const Write& write) {
+void save_by_sheet(WindowSession& s, SaveSheet::What what, const Write& write) {
   SaveSheet& sheet = s.save_sheet;
   const std::string folder = whole_folder(sheet, s.settings, s.figures);
-  sheet.failed.clear(), sheet.progress = false;
+  sheet.failed.clear(), sheet.what = SaveSheet::What::figure;
   try {
     s.toast.say("Saved " + write(folder, given_name(sheet, s.settings)));
     s.settings.save_folder = folder == whole_path(s.figures) ? std::string() : folder;
   } catch (const BadInput& wrong) {
     s.toast.complain(wrong.what());
   } catch (const FileError& failed) {
-    sheet.failed = failed.what(), sheet.folder = folder;
+    sheet.failed = failed.what(), sheet.folder = folder, sheet.what = what;
     s.requests.sheet = Sheet::save;
-    return false;
   }
-  return true;
 }
 
 std::string save_as_preset(WindowSession& s, const std::string& folder, const std::string& name) {
@@ -39,19 +37,35 @@ std::string save_as_preset(WindowSession& s, const std::string& folder, const st
   return path;
 }
 
+/// Writes a scene that has no file into a new one, which is the scene's from then on.
+std::string save_as_scene(WindowSession& s, const std::string& folder, const std::string& name) {
+  const Lesson& lesson = s.player.lesson();
+  const std::string text = s.scene_file.fresh.text(lesson, s.player.parameters(), folder);
+  const std::string path = free_path(folder + "/" + (name.empty() ? usual_scene_name : name), "json", text);
+  write_file(path, text);
+  s.scene_file.fresh.take(lesson, s.player.parameters(), path);
+  s.scene_file.fresh = {}, s.scene_file.written = &lesson;
+  s.player.reread();
+  return path;
+}
+
 }  // namespace
 
 void save_what_is_wanted(WindowSession& s, Renderer& renderer) {
   using Words = const std::string&;
+  using What = SaveSheet::What;
   if (std::exchange(s.requests.save_figure, false))
-    save_by_sheet(s, [&](Words folder, Words name) {
+    save_by_sheet(s, What::figure, [&](Words folder, Words name) {
       return save_figure(s.player, s.settings, renderer, folder, name) + ", with its alt text";
     });
   if (std::exchange(s.requests.save_preset, false))
-    save_by_sheet(s, [&](Words folder, Words name) { return save_as_preset(s, folder, name); });
+    save_by_sheet(s, What::figure, [&](Words folder, Words name) { return save_as_preset(s, folder, name); });
   if (std::exchange(s.requests.save_progress, false))
-    s.save_sheet.progress = !save_by_sheet(
-        s, [&](Words folder, Words name) { return save_progress(s.player.lessons(), s.settings, folder, name); });
+    save_by_sheet(s, What::progress, [&](Words folder, Words name) {
+      return save_progress(s.player.lessons(), s.settings, folder, name);
+    });
+  if (std::exchange(s.requests.save_scene, false))
+    save_by_sheet(s, What::scene, [&](Words folder, Words name) { return save_as_scene(s, folder, name); });
 }
 
 }  // namespace isect::viz

@@ -147,19 +147,25 @@ void SceneView::turn_by_keys(const ScenePane& s, const View& view, const Vec2& d
     pan(s.player, view, middle, middle - far * down);
 }
 
-/// Takes the handle at the pointer when the button is pressed, and lets it go when the button is released.
+/// Takes the handle at the pointer when the button is pressed, and lets it go when the button is released. Pressed
+/// twice it removes a corner, or adds one to a side, or frames all; between two short drags nothing is removed.
 void SceneView::take_or_release(const ScenePane& s, const View& view, bool hovered) {
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     s.player.end_action();
     held_ = handle_near(s.handles(), view, mouse());
     forbidden_.clear();
     end_search(s.toast);
-    if (held_) {
+    const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    const bool as_before = twice && clicked_at_ == s.player.revision();
+    clicked_at_ = s.player.revision();
+    if (held_ && as_before && s.remove_corner && s.remove_corner(*held_)) {
+      held_.reset();
+    } else if (held_) {
       s.player.remember("drag");
       held_in_ = &s.player.lesson(), start_ = held_->at, snapping_ = false;
       begun_ = s.player.parameters(), pressed_ = followed_ = mouse();
       grip_ = mouse() - view.project(held_->at).at;
-    } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    } else if (twice && !(s.add_corner && s.add_corner(view, mouse()))) {
       frame_all(s.player);
     }
   }

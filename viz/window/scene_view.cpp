@@ -11,6 +11,7 @@
 #include "viz/chart/chart.h"
 #include "viz/chart/chart_pick.h"
 #include "viz/compose/compose.h"
+#include "viz/compose/small_multiples.h"
 #include "viz/compose/t_axis.h"
 #include "viz/player/camera_moves.h"
 #include "viz/player/dragging.h"
@@ -42,8 +43,9 @@ std::string line_of(const ScenePane& s, const Rect& r, double scale) {
   const Camera& c = s.player.camera().now();
   const Scene* const before = s.player.motion().before();
   const double motion = before && may_move(*before, s.player.scene()) ? s.player.motion().share() : 1;
-  const std::string what = fmt::format("{} {} {} {} {} {} {} {}", static_cast<int>(s.pane), s.player.revision(), motion,
-                                       s.player.now(), r.width(), r.height(), scale, name_of(s.ui.palette.theme.name));
+  const std::string what =
+      fmt::format("{} {} {} {} {} {} {} {} {}", static_cast<int>(s.pane), s.player.revision(), s.player.is_arranged(),
+                  motion, s.player.now(), r.width(), r.height(), scale, name_of(s.ui.palette.theme.name));
   if (s.player.scene().chart) return what;  // the camera does not matter
   return what + fmt::format(" {} {} {} {} {} {} {} {}", c.target.x(), c.target.y(), c.target.z(), c.azimuth,
                             c.elevation, c.half_height, c.perspective, c.field_of_view);
@@ -90,6 +92,24 @@ bool has_much(const Drawing& drawing) {
 }
 
 }  // namespace
+
+Camera SceneView::arrange(Player& player) {
+  constexpr double taken = 0.9;  // of the picture, as by other small multiples
+  player.arrange(nullptr);
+  const Scene& own = player.own_scene();
+  if (!own.grid || player.camera().moved()) return player.camera().now();
+  const double aspect = player.camera().aspect();
+  if (own.grid != arranged_of_ || aspect != arranged_for_) {
+    std::optional<Scene> best = arranged(own, player.camera().goal(), aspect);
+    arranged_ = best ? std::make_shared<const Scene>(std::move(*best)) : nullptr;
+    arranged_of_ = own.grid, arranged_for_ = aspect;
+  }
+  if (!arranged_) return player.camera().now();
+  Camera camera = frame(player.camera().goal(), {arranged_.get()}, aspect, 0);
+  camera.half_height /= taken;
+  player.arrange(arranged_);
+  return camera;
+}
 
 void SceneView::draw(const ScenePane& s, const Rect& r, const View& view) {
   behind_ = false;
@@ -211,7 +231,7 @@ void SceneView::show(const ScenePane& s, const Rect& whole) {
   const float head = head_of(player, ui, steady, r), below = player.scene().chart ? 0 : axis;
   const float height = r.height() - head - std::max(below, changed_room(player));
   const Vec2 corner(r.left, r.top + head);
-  const View before(player.camera().now(), r.width(), height, corner);
+  const View before(arrange(player), r.width(), height, corner);
 
   const bool lead = s.pane == Pane::lead, in_space = !player.scene().chart && !has_drawings(player.scene());
   if (lead && in_space && !player.lesson().flat) projection_name(player, ui, before, r, s.handles());
@@ -227,7 +247,7 @@ void SceneView::show(const ScenePane& s, const Rect& whole) {
   go_on_snapping(player, s.toast);
   if (const Handle* now = held_ ? same_handle(player.scene(), *held_) : nullptr) held_ = *now;
 
-  const View view(player.camera().now(), r.width(), height, corner);
+  const View view(arrange(player), r.width(), height, corner);
   draw(s, r, view);
   ImGui::GetWindowDrawList()->AddImage(picture_.id(), top_left(r), bottom_right(r), {0, 1}, {1, 0});
   handles_and_names(s, r, view, hovered, active);

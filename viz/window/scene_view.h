@@ -2,6 +2,8 @@
 // The interactive scene: composed from the current step, drawn by the Renderer, held and turned by the
 // pointer.
 
+#include <functional>
+#include <memory>
 #include <optional>
 
 #include "viz/chart/chart_pick.h"
@@ -25,6 +27,10 @@ struct ScenePane {
   Toast& toast;
   double& zoom;  ///< asked for by keys, until it is done: then 1
   Pane pane = Pane::lead;
+  /// Adds a corner to the side of an outline that is seen at a pixel; removes the corner that a handle moves. They
+  /// return false if there is none. Null: no outline can be changed.
+  std::function<bool(const View&, const Vec2&)> add_corner = {};
+  std::function<bool(const Handle&)> remove_corner = {};
   /// Returns the handles that can be dragged.
   const std::vector<Handle>& handles() const {
     static const std::vector<Handle> none;
@@ -50,6 +56,9 @@ class SceneView {
 
  private:
   void draw(const ScenePane&, const Rect&, const View&);
+  /// Returns the camera that the scene is seen by: the player's or, where small multiples stand in other columns, one
+  /// that frames those; the reader's own view keeps the lesson's columns.
+  Camera arrange(Player&);
   void pointer(const ScenePane&, const View&, bool hovered, bool active);
   void chart_under_pointer(const ScenePane&, const Rect&, const View&, bool hovered);
   void handles_and_names(const ScenePane&, const Rect&, const View&, bool hovered, bool active);
@@ -68,12 +77,15 @@ class SceneView {
   std::vector<PlacedLabel> labels_;
   KeptPicture picture_;
   TallestVerdict tallest_verdict_;
-  std::string drawn_;             ///< what the picture shows, as one line: it is not drawn twice
-  double turning_ = -1;           ///< seconds for which keys have turned or shifted it; < 0: they do not
-  std::vector<ChartMark> marks_;  ///< of the chart, once the pointer was over it
-  std::string marked_;            ///< which chart they are of, as one line
-  bool sketched_ = false;         ///< drawn coarsely during a drag, smoothly once the button is released
-  std::optional<Handle> held_;    ///< while a handle is dragged: the handle as it is now
+  std::string drawn_;                      ///< what the picture shows, as one line: it is not drawn twice
+  double turning_ = -1;                    ///< seconds for which keys have turned or shifted it; < 0: they do not
+  std::vector<ChartMark> marks_;           ///< of the chart, once the pointer was over it
+  std::string marked_;                     ///< which chart they are of, as one line
+  bool sketched_ = false;                  ///< drawn coarsely during a drag, smoothly once the button is released
+  std::shared_ptr<const Scene> arranged_;  ///< small multiples in other columns; null: in the lesson's own
+  std::shared_ptr<const Scene::Grid> arranged_of_;  ///< whose they are
+  double arranged_for_ = 0;                         ///< the aspect
+  std::optional<Handle> held_;                      ///< while a handle is dragged: the handle as it is now
   const Lesson* held_in_ = nullptr;
   /// A snap whose search takes more than a frame, and what was on show when it began.
   struct Search {
@@ -85,6 +97,7 @@ class SceneView {
   std::optional<Search> search_;
   std::string forbidden_;         ///< why it does not follow the pointer; empty: it does
   MapDrag map_drag_;              ///< while the step shows the map of cases
+  unsigned clicked_at_ = 0;       ///< the player's revision when the button was pressed once
   Vec3 start_ = Vec3::Zero();     ///< where it stood when it was taken
   Parameters begun_;              ///< the setting then
   Vec2 pressed_ = Vec2::Zero();   ///< the pointer that took it

@@ -90,7 +90,7 @@ void sheets(WindowSession& s, const Rect& window) {
   reviews_sheet(s, window);
   progress_sheet(s, window);
   if (s.hour) stops_sheet(s, window);
-  save_sheet(s.player, s.ui, s.save_sheet, s.settings, s.figures, keeps_file(s), s.requests, window);
+  save_sheet(s.player, s.ui, s.save_sheet, s.settings, s.figures, kept_scene(s), s.requests, window);
   if (std::exchange(s.requests.save_back, false)) save_back(s);
   if (const int number = std::exchange(s.requests.review, 0)) begin_review(s, number);
 }

@@ -39,7 +39,7 @@ void progress_sheet(WindowSession&, const Rect& window);
 void stops_sheet(WindowSession&, const Rect& window);
 /// Asks for the format, theme, size, name and folder of a figure. `to_file`: the setting can be written into the
 /// scene's file. `figures`: the usual folder.
-void save_sheet(const Player&, Ui&, SaveSheet&, Settings&, const std::string& figures, bool to_file, Requests&,
+void save_sheet(const Player&, Ui&, SaveSheet&, Settings&, const std::string& figures, KeptScene, Requests&,
                 const Rect& window);
 
 }  // namespace isect::viz

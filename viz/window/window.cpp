@@ -350,7 +350,7 @@ void run(Window& window, Input& input, WindowUi& ui, const EndSignals& signals, 
 void show(const std::vector<const Lesson*>& lessons, const Course& course, const ReaderState& at,
           const std::function<void(const std::string&)>& say,
           const std::function<void(const Lesson&, const Parameters&)>& save_scene, const Playlist& playlist,
-          const SceneEditor& editor) {
+          const SceneEditor& editor, const NewSceneFile& new_file) {
   const std::string file = settings_file();
   Settings kept = read_settings(file, lessons);
   const bool resumed = at.lesson.empty() && kept.reader_state && playlist.stops.empty();
@@ -365,6 +365,7 @@ void show(const std::vector<const Lesson*>& lessons, const Course& course, const
                .texts_a_frame = smooth_texts,
                .course = course,
                .save_scene = save_scene,
+               .new_scene_file = new_file,
                .playlist = playlist,
                .scene_editor = editor});
   if (const std::string damage = set_spoilt_settings_aside(file); !damage.empty()) {

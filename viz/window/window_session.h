@@ -100,6 +100,7 @@ struct Requests {
   bool save_preset = false;    ///< the setting as a preset file
   bool save_back = false;      ///< the setting into the scene's file
   bool save_progress = false;  ///< what the reader has done, as a file
+  bool save_scene = false;     ///< a scene that has no file, as a new one
   bool close = false;          ///< the reader wants to close the window
   int review = 0;              ///< to be begun: its number
   double zoom = 1;
@@ -109,9 +110,14 @@ struct Requests {
 struct SceneFile {
   /// Writes the lesson with this setting into it, from which the lesson is then made; null: there is no file.
   std::function<void(const Lesson&, const Parameters&)> save = {};
+  NewSceneFile fresh = {};                    ///< while there is none, and one can be made
   std::optional<unsigned> told_unsaved = {};  ///< revision of a scene that was unsaved when the reader wanted to close
-  const Lesson* written = nullptr;  ///< the version of the scene that it holds; null: nobody has edited the scene
+  /// The version of the scene that it holds, or that came without a file; null: nobody has edited the scene.
+  const Lesson* written = nullptr;
 };
+
+/// Where the scene on show is saved: nowhere, as it is none or can't be; in its file; in a new one.
+enum class KeptScene { nowhere, in_file, without_file };
 
 /// The list of a scene's objects. (objects_panel.cpp)
 struct ObjectsPanel {
@@ -120,9 +126,10 @@ struct ObjectsPanel {
   std::vector<std::size_t> found = {};    ///< those with the words that are searched for, in their order
   std::string search = {}, searched = {};
   std::vector<std::string> chosen = {};       ///< at most two names
-  std::vector<std::string> asked_about = {};  ///< those that `questions` are about
-  std::vector<SceneQuestion> questions = {};
-  std::string to_see = {};  ///< the object whose row is to come into view
+  std::vector<std::string> asked_about = {};  ///< those that `questions` and `asked` are about
+  std::vector<SceneQuestion> questions = {};  ///< that can be added
+  std::vector<SceneQuestion> asked = {};      ///< that are asked
+  std::string to_see = {};                    ///< the object whose row is to come into view
   /// A name that is being typed.
   struct Renaming {
     std::string object, text;
@@ -131,8 +138,11 @@ struct ObjectsPanel {
   } renaming = {};
 };
 
-/// The sheet that saves figures, with the figure as it would save it: that is drawn between two frames.
+/// The sheet that saves files: a figure, which it shows as it would save it, drawn between two frames; or else the
+/// reader's progress, or a scene.
 struct SaveSheet {
+  enum class What { figure, progress, scene };
+  What what = What::figure;
   bool open = false;
   ImTextureID picture = {};
   float width = 0, height = 0;   ///< of the figure, in any unit
@@ -142,7 +152,6 @@ struct SaveSheet {
   std::string name = {};         ///< as typed, without ending; empty: the usual one
   std::string folder = {};       ///< as typed
   std::string failed = {};       ///< why the last file could not be written
-  bool progress = false;         ///< that file was the reader's progress
 };
 
 /// The list of lessons.

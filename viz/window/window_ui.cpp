@@ -25,6 +25,7 @@
 #include "viz/window/key_codes.h"
 #include "viz/window/lesson_picture.h"
 #include "viz/window/map_view.h"
+#include "viz/window/object_changes.h"
 #include "viz/window/objects_panel.h"
 #include "viz/window/panels.h"
 #include "viz/window/save_figure.h"
@@ -93,7 +94,7 @@ struct WindowUi::Impl {
                 .settings = settings,
                 .course = course,
                 .figures = options.figures,
-                .scene_file = {.save = options.save_scene},
+                .scene_file = {.save = options.save_scene, .fresh = options.new_scene_file},
                 .scene_editor = options.scene_editor},
         scene(gl, options.scale, options.draw_scene, options.place_names),
         map(gl, options.scale, options.draw_scene),
@@ -202,7 +203,9 @@ struct WindowUi::Impl {
 
   /// Shows all between the two bars.
   void show_step(const WindowLayout& at) {
-    const ScenePane pane{player, ui, session.toast, session.requests.zoom};
+    ScenePane pane{player, ui, session.toast, session.requests.zoom};
+    pane.add_corner = [this](const View& view, const Vec2& pixel) { return add_corner_at(session, view, pixel); };
+    pane.remove_corner = [this](const Handle& handle) { return remove_corner(session, handle.id()); };
     LessonPanel lesson{player, ui, settings, session.fields, session.step_words, session.requests, session.toast};
     lesson.in_hour = session.hour.has_value();
     if (session.review) return show_review(at, pane, lesson);

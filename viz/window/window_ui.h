@@ -28,6 +28,7 @@ struct WindowOptions {
   Course course = {};
   /// Writes the lesson's scene with a setting into its file; null: there is none.
   std::function<void(const Lesson&, const Parameters&)> save_scene = {};
+  NewSceneFile new_scene_file = {};  ///< of a scene that has none yet
   Playlist playlist = {};  ///< to be gone through, from where the settings left it, and not from `at`; empty: none
   SceneEditor scene_editor = {};  ///< lists and changes the objects of scenes
 };
