@@ -85,7 +85,7 @@ int check_and_show(const Program& program, const ThemeOptions& options) {
 void add_theme(CLI::App& app, Program& program) {
   CLI::App& sub = *app.add_subcommand("theme", "checks a theme of your own, and draws a swatch of it");
   const auto options = std::make_shared<ThemeOptions>();
-  sub.add_option("THEME", options->theme, "its file, or screen, print, grey or dark")->type_name("")->expected(0, 1);
+  sub.add_option("THEME", options->theme, "its file, or screen, print, grey or dark")->type_name("");
   CLI::Option* const out = add_path(sub, "--out", options->out,
                                     "draws every role as usual, as colour-blind readers see it, and in\ngrey", "FILE");
   sub.add_flag("--json", options->json, "all its values, as a file to begin your own with")->excludes(out);

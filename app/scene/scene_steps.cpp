@@ -60,7 +60,7 @@ class Walker {
         context_.file.asked, [](const Asked& asked) { return std::holds_alternative<PairAsked>(asked); });
     viz::Walk walk;
     walk.steps.push_back(all_objects());
-    walk.alt = held() + marked();
+    walk.alt = held() + noted() + marked();
     for (const Note& note : context_.file.notes) walk.alt += " Note: " + note.text + ".";
     const std::vector<Asked>& all = context_.file.asked;
     const bool hidden = context_.file.answers_hidden;
@@ -186,13 +186,19 @@ class Walker {
 
   std::string held() const { return fmt::format("The scene holds {}.", listed_objects()); }
 
+  /// Returns what was noted of objects when they were read.
+  std::string noted() const {
+    std::string all;
+    for (const Object& o : context_.file.objects)
+      if (!o.note.empty()) all += fmt::format(" {}: {}", shown_name(o.name), viz::as_markup(o.note));
+    return all;
+  }
+
   viz::Step all_objects() {
     viz::Step step;
     step.slug = "objects";
     step.title = context_.file.title;
-    step.caption = context_.file.caption.empty() ? held() : context_.file.caption;
-    for (const Object& o : context_.file.objects)
-      if (!o.note.empty()) step.caption += fmt::format(" {}: {}", shown_name(o.name), viz::as_markup(o.note));
+    step.caption = (context_.file.caption.empty() ? held() : context_.file.caption) + noted();
     draw(step, {}, 1);
     return step;
   }
