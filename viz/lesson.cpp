@@ -113,47 +113,76 @@ Vec3 turned(const Vec3& v, const Vec3& from, const Vec3& to) {
   return 2 * half.dot(v) * half - v;
 }
 
+/// Returns a number of the handle on its line, within the ends of that and of the parameter.
+double on_line(const Parameter& p, const Handle& handle, const Vec3& arm) {
+  return std::clamp(std::clamp(arm.dot(handle.direction), handle.lo, handle.hi), p.lo, p.hi);
+}
+
+double angle(const Handle& handle, const Vec3& arm) {
+  constexpr double degrees = 180 / std::numbers::pi;
+  return handle.scale * degrees * std::atan2(arm.dot(handle.across), arm.dot(handle.direction));
+}
+
+/// Returns v turned so that it points where the arm does; v itself where that has no direction.
+Vec3 turned_along(const Vec3& v, const Vec3& arm) {
+  const Vec3 way = arm.stableNormalized();
+  return way.isZero(0.5) ? v : Vec3(v.stableNorm() * way);
+}
+
+/// Returns v shifted as the handle is. What is not meant to move stays to the last bit; a handle that is not the latest
+/// leads to the same place.
+Vec3 shifted(const Vec3& v, const Handle& handle, const Vec3& to) {
+  Vec3 before = handle.at - handle.anchor - v;
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(before[i]) <= 1e-12 * (std::abs(handle.at[i]) + std::abs(v[i]))) before[i] = 0;
+  return v + (to - handle.at + before);
+}
+
+/// Returns the point nearest to `to` of the plane through the handle.
+Vec3 on_plane(const Handle& handle, const Vec3& to) {
+  const Vec3 n = handle.direction.cross(handle.across);
+  return to - n.dot(to - handle.at) / n.squaredNorm() * n;
+}
+
+/// Returns the arm's two coordinates along the directions that span the handle's plane.
+Vec3 in_plane(const Handle& handle, const Vec3& arm) {
+  const Vec3 &u = handle.direction, &v = handle.across;
+  const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), au = arm.dot(u), av = arm.dot(v), det = uu * vv - uv * uv;
+  return Vec3(au * vv - av * uv, av * uu - au * uv, 0) / det;
+}
+
 /// Returns the parameter's value when its handle is dragged to `to`, clamped to the parameter's range. `now`: its
 /// value.
 Setting clamped(const Parameter& p, const Handle& handle, const Vec3& to, const Setting& now) {
   const Vec3 arm = to - handle.anchor;
-  if (handle.kind == Handle::Kind::on_line) {
-    const double x = std::clamp(std::clamp(arm.dot(handle.direction), handle.lo, handle.hi), p.lo, p.hi);
-    if (std::holds_alternative<double>(now)) return x;
-    Vec3 v = std::get<Vec3>(now);
-    v[handle.axis] = x;
-    return v;
+  switch (handle.kind) {
+    case Handle::Kind::on_line: {
+      const double x = on_line(p, handle, arm);
+      if (std::holds_alternative<double>(now)) return x;
+      Vec3 v = std::get<Vec3>(now);
+      v[handle.axis] = x;
+      return v;
+    }
+    case Handle::Kind::angle:
+      return std::clamp(angle(handle, arm), p.lo, p.hi);
+    case Handle::Kind::length:
+      return std::clamp(arm.norm(), p.lo, p.hi);
+    case Handle::Kind::along:
+      return std::clamp(arm.dot(handle.direction), p.lo, p.hi);
+    case Handle::Kind::turn:
+      return in_range(p, turned_along(std::get<Vec3>(now), arm));
+    case Handle::Kind::shift:
+      return in_range(p, shifted(std::get<Vec3>(now), handle, to));
+    case Handle::Kind::point:
+      return in_range(p, to);
+    case Handle::Kind::vector:
+      return in_range(p, arm / handle.scale);
+    case Handle::Kind::on_plane:
+      return in_range(p, on_plane(handle, to));
+    case Handle::Kind::plane:
+      return in_range(p, in_plane(handle, arm));
   }
-  if (handle.kind == Handle::Kind::angle) {
-    constexpr double degrees = 180 / std::numbers::pi;
-    const double angle = std::atan2(arm.dot(handle.across), arm.dot(handle.direction));
-    return std::clamp(handle.scale * degrees * angle, p.lo, p.hi);
-  }
-  if (handle.kind == Handle::Kind::turn) {
-    const Vec3 way = arm.stableNormalized();
-    return way.isZero(0.5) ? now : Setting(in_range(p, std::get<Vec3>(now).stableNorm() * way));
-  }
-  if (handle.kind == Handle::Kind::shift) {
-    // What is not meant to move stays to the last bit; a handle that is not the latest leads to the same place.
-    const Vec3& v = std::get<Vec3>(now);
-    Vec3 before = handle.at - handle.anchor - v;
-    for (int i = 0; i < 3; ++i)
-      if (std::abs(before[i]) <= 1e-12 * (std::abs(handle.at[i]) + std::abs(v[i]))) before[i] = 0;
-    return in_range(p, v + (to - handle.at + before));
-  }
-  if (handle.kind == Handle::Kind::length) return std::clamp(arm.norm(), p.lo, p.hi);
-  if (handle.kind == Handle::Kind::along) return std::clamp(arm.dot(handle.direction), p.lo, p.hi);
-  Vec3 moved = handle.kind == Handle::Kind::point ? to : arm / handle.scale;
-  if (handle.kind == Handle::Kind::on_plane) {
-    const Vec3 n = handle.direction.cross(handle.across);
-    moved = to - n.dot(to - handle.at) / n.squaredNorm() * n;
-  }
-  if (handle.kind == Handle::Kind::plane) {
-    const Vec3 &u = handle.direction, &v = handle.across;
-    const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), au = arm.dot(u), av = arm.dot(v), det = uu * vv - uv * uv;
-    moved = Vec3(au * vv - av * uv, av * uu - au * uv, 0) / det;
-  }
-  return in_range(p, moved);
+  return now;
 }
 
 /// Moves the other parameters of a handle whose own one has moved.

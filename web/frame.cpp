@@ -63,13 +63,6 @@ bool has_handles(const viz::Walk& walk) {
   return std::ranges::any_of(walk.steps, [](const viz::Step& step) { return !step.scene.handles.empty(); });
 }
 
-/// What a choice is called: a method by its title, as in the window.
-std::string title_of_choice(const viz::Player& player, const viz::Parameter& p, const std::string& choice) {
-  for (const viz::Method& m : player.played().methods())
-    if (p.name == player.lesson().group_by && m.choice == choice) return viz::plain(m.title);
-  return choice;
-}
-
 /// Whether a setting is of the objects that an exercise speaks of: a choice that it does not ask for stays as given.
 bool keeps_objects(const viz::Lesson& lesson, const viz::Exercise& e, const viz::Parameters& setting) {
   if (e.preset.empty()) return true;
@@ -83,10 +76,10 @@ bool keeps_objects(const viz::Lesson& lesson, const viz::Exercise& e, const viz:
 }
 
 /// A walk of this one step, whose page is laid out as the whole walk's.
-viz::Walk alone(const viz::Walk& walk, viz::Step step) {
+viz::Walk alone(const viz::PlayedWalk& played, viz::Step step) {
   viz::Walk one;
   one.steps.resize(1);
-  if (viz::has_axis(walk)) one.steps[0].scene.axis = viz::Axis();
+  if (played.has_axis()) one.steps[0].scene.axis = viz::Axis();
   one.steps.push_back(std::move(step));
   return one;
 }
@@ -104,7 +97,7 @@ viz::Figure BrowserSession::composed(Drawn how) {
   viz::Step bare;
   bare.slug = p.step().slug, bare.title = p.step().title;
   bare.scene = viz::with_names(p);
-  const viz::Walk one = alone(p.walk(), std::move(bare));
+  const viz::Walk one = alone(p.played(), std::move(bare));
   const bool chart = bool(one.steps[1].scene.chart);
   const auto camera = [&](double aspect) {
     if (!chart) p.set_aspect(aspect);
@@ -150,7 +143,7 @@ Json BrowserSession::frame(Drawn how, const viz::Moved& moved) {
                 {"refused", p.shown().refused},
                 {"untaken", p.shown().untaken},
                 {"handles", handles()},
-                {"moves", viz::has_time(p.walk())},
+                {"moves", p.played().has_time()},
                 {"time", time_shown()},
                 {"has handles", has_handles(p.walk())},
                 {"chart", bool(p.scene().chart)},
@@ -244,7 +237,7 @@ Json BrowserSession::parameters() const {
                        : std::holds_alternative<Vec3>(p.initial) ? "point"
                                                                  : "choice";
     Json titles = Json::array();
-    for (const std::string& choice : p.choices) titles.push_back(title_of_choice(*player_, p, choice));
+    for (const std::string& choice : p.choices) titles.push_back(player_->played().title_of(p, choice));
     Json one = {{"name", p.name},
                 {"label", html_text(p.label.empty() ? p.name : p.label)},
                 {"help", p.help},

@@ -84,15 +84,19 @@ void KeptFile::require_same() const {
         "cannot write '{}': somebody has changed it since it was opened. Ctrl+C copies these numbers", path_));
 }
 
+void KeptFile::put(const std::string& text) {
+  viz::write_file(path_, text);
+  text_ = text;
+}
+
 void KeptFile::save(const viz::Parameters& parameters) {
   require_same();
-  write(with_numbers(text_, read_scene(text_, folder()), parameters));
+  put(with_numbers(text_, read_scene(text_, folder()), parameters));
 }
 
 void KeptFile::write(const std::string& text) {
   require_same();
-  viz::write_file(path_, text);
-  text_ = text;
+  put(text);
 }
 
 }  // namespace isect::program::scene

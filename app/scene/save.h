@@ -24,6 +24,7 @@ class KeptFile {
  private:
   /// Throws viz::FileError if somebody has changed the file.
   void require_same() const;
+  void put(const std::string& text);
 
   std::string path_, text_;  ///< as it was read or written last
 };

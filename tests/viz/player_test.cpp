@@ -1,6 +1,7 @@
 #include "viz/player/player.h"
 
 #include "tests/catch.h"
+#include "tests/viz/moving_lesson.h"
 #include "tests/viz/sample_lesson.h"
 #include "viz/compose/compose.h"
 #include "viz/player/camera_moves.h"
@@ -573,6 +574,24 @@ TEST_CASE("a view nobody has moved follows the window's shape, one that was move
   const double kept = player.camera().now().half_height;
   player.set_aspect(2);
   CHECK(player.camera().now().half_height == kept);
+}
+
+TEST_CASE("a played walk knows which rooms its steps need, and what choices are called", "[player]") {
+  const Lesson moves = moving::lesson();
+  Lesson with_axis = disc;
+  with_axis.steps = [](const Parameters& values) {
+    Walk walk = sample::walk(values);
+    walk.steps.back().scene.axis = Axis();
+    return walk;
+  };
+  const Player still({&disc}), axis({&with_axis}), moving({&moves});
+  CHECK_FALSE((still.played().has_axis() || still.played().has_time()));
+  CHECK((axis.played().has_axis() && !axis.played().has_time()));
+  CHECK((moving.played().has_time() && !moving.played().has_axis()));
+  const Parameter &way = disc.parameters[0], &radius = disc.parameters[3];
+  CHECK(still.played().title_of(way, "squared") == "By squares");
+  CHECK(still.played().title_of(way, "by hand") == "by hand");
+  CHECK(still.played().title_of(radius, "squared") == "squared");
 }
 
 }  // namespace player_test

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "viz/chart/case_map.h"
+#include "viz/text/rich_text.h"
 
 namespace isect::viz {
 namespace {
@@ -50,6 +51,8 @@ PlayedWalk::PlayedWalk(const Lesson& lesson, Parameters parameters, std::shared_
     : lesson_(lesson),
       parameters_(std::move(parameters)),
       walk_(checked_walk(lesson, parameters_)),
+      has_axis_(viz::has_axis(walk_)),
+      has_time_(viz::has_time(walk_)),
       overview_(overview ? std::move(overview) : overview_of(lesson, walk_, parameters_)),
       preset_(matching_preset(lesson, parameters_)) {
   if (lesson.opinions) opinions_ = lesson.opinions(parameters_);
@@ -58,6 +61,12 @@ PlayedWalk::PlayedWalk(const Lesson& lesson, Parameters parameters, std::shared_
 
 bool PlayedWalk::methods_differ() const {
   return std::ranges::any_of(opinions_, [](const Opinion& o) { return !o.agrees; });
+}
+
+std::string PlayedWalk::title_of(const Parameter& p, const std::string& choice) const {
+  if (p.name != lesson_.group_by) return choice;
+  const auto found = std::ranges::find(methods(), choice, &Method::choice);
+  return found == methods().end() ? choice : plain(found->title);
 }
 
 std::string PlayedWalk::method() const {

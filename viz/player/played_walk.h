@@ -33,6 +33,8 @@ class PlayedWalk {
   const Lesson& lesson() const { return lesson_; }
   const Parameters& parameters() const { return parameters_; }
   const Walk& walk() const { return walk_; }
+  bool has_axis() const { return has_axis_; }  ///< viz::has_axis(walk())
+  bool has_time() const { return has_time_; }  ///< viz::has_time(walk())
   /// Returns the preset that has these parameters; empty if they were changed by hand.
   const std::string& preset_id() const { return preset_; }
   /// Returns what the lesson's methods say of these parameters, if it has several that should agree.
@@ -40,6 +42,8 @@ class PlayedWalk {
   bool methods_differ() const;
 
   const std::vector<Method>& methods() const { return overview_->methods; }
+  /// Returns what a parameter's choice is called, as plain text: a method by its title.
+  std::string title_of(const Parameter&, const std::string& choice) const;
   /// Returns the value of the grouping parameter; empty if the lesson has none.
   std::string method() const;
   /// Returns the presets of that group, in order: the keys 1 to 9 load them.
@@ -56,6 +60,7 @@ class PlayedWalk {
   const Lesson& lesson_;
   Parameters parameters_;
   Walk walk_;
+  bool has_axis_, has_time_;
   std::shared_ptr<const LessonOverview> overview_;
   std::vector<Opinion> opinions_;
   std::string preset_;

@@ -148,10 +148,7 @@ void vector(const Form& form, const Parameter& p, const Vec3& value, const Rect&
 float choice(Player& player, Ui& ui, Toast& toast, const Parameter& p, const std::string& value, const Rect& r) {
   float x = r.left, y = r.top;
   for (const std::string& c : p.choices) {
-    std::string title = c;
-    for (const Method& m : player.played().methods())
-      if (p.name == player.lesson().group_by && m.choice == c) title = plain(m.title);
-    title = fitted(ui.fonts.body, title, r.width() - 18);
+    const std::string title = fitted(ui.fonts.body, player.played().title_of(p, c), r.width() - 18);
     const float width = text_width(ui.fonts.body, title) + 18;
     if (x > r.left && x + width > r.right) {
       x = r.left;

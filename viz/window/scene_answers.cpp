@@ -7,6 +7,7 @@
 #include "viz/text/rich_text.h"
 #include "viz/window/objects_panel.h"
 #include "viz/window/panels.h"
+#include "viz/window/scene_marks.h"
 
 namespace isect::viz {
 
@@ -39,11 +40,7 @@ void scene_answers(Column& c, Player& player) {
     const Verdict& verdict = steps[i].verdict;
     const bool here = i == player.index();
     if (here || p.hovered) filled(r, here ? ui.palette.frame : ui.palette.hovered, 5);
-    const bool yes = verdict.kind == Verdict::Kind::yes, on = verdict.kind == Verdict::Kind::on;
-    const ImU32 ink = packed(yes                                 ? ui.palette.hit
-                             : verdict.kind == Verdict::Kind::no ? ui.palette.miss
-                                                                 : ui.palette.muted);
-    (yes ? tick : on ? diamond : ring)(r.left + 14, r.middle_y(), 12, ink);
+    verdict_sign(verdict.kind, r.left + 14, r.middle_y(), 12, packed(verdict_ink(ui.palette, verdict.kind)));
     const std::string words = plain(verdict.text), shown = fitted(ui.fonts.body, words, r.width() - 36);
     text(ui.fonts.body, r.left + 28, r.middle_y(), packed(ui.palette.text), shown);
     if (p.hovered && shown != words) tooltip(ui, words);

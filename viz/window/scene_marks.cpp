@@ -19,33 +19,6 @@
 namespace isect::viz {
 namespace {
 
-const Colour& ink_of(const Palette& c, Verdict::Kind kind) {
-  switch (kind) {
-    case Verdict::Kind::yes:
-      return c.hit;
-    case Verdict::Kind::no:
-      return c.miss;
-    case Verdict::Kind::on:
-      return c.highlight;
-    case Verdict::Kind::open:
-      break;
-  }
-  return c.muted;
-}
-
-void verdict_sign(Verdict::Kind kind, float x, float y, ImU32 ink) {
-  switch (kind) {
-    case Verdict::Kind::yes:
-      return tick(x, y, 16, ink);
-    case Verdict::Kind::no:
-      return ring(x, y, 16, ink);
-    case Verdict::Kind::on:
-      return diamond(x, y, 15, ink);
-    case Verdict::Kind::open:
-      for (const float dot : {-6.0f, 0.0f, 6.0f}) ImGui::GetWindowDrawList()->AddCircleFilled({x + dot, y}, 1.8f, ink);
-  }
-}
-
 Rect projection_rect(const Player& player, const Ui& ui, const Rect& scene) {
   const char* name = player.camera().goal().perspective ? "perspective" : "orthographic";
   const float width = text_width(ui.fonts.body, name);
@@ -143,18 +116,46 @@ float chips_height(const Player& player, Ui& ui, const Rect& scene) {
   return verdict + alarm > 0 ? edge(scene) + verdict + alarm : 0;
 }
 
+const Colour& verdict_ink(const Palette& c, Verdict::Kind kind) {
+  switch (kind) {
+    case Verdict::Kind::yes:
+      return c.hit;
+    case Verdict::Kind::no:
+      return c.miss;
+    case Verdict::Kind::on:
+      return c.highlight;
+    case Verdict::Kind::open:
+      break;
+  }
+  return c.muted;
+}
+
+void verdict_sign(Verdict::Kind kind, float x, float y, float size, ImU32 ink) {
+  switch (kind) {
+    case Verdict::Kind::yes:
+      return tick(x, y, size, ink);
+    case Verdict::Kind::no:
+      return ring(x, y, size, ink);
+    case Verdict::Kind::on:
+      return diamond(x, y, size - 1, ink);
+    case Verdict::Kind::open:
+      for (const float dot : {-0.375f, 0.0f, 0.375f})
+        ImGui::GetWindowDrawList()->AddCircleFilled({x + dot * size, y}, 0.1125f * size, ink);
+  }
+}
+
 void verdict_chip(const Player& player, Ui& ui, const Rect& scene) {
   const Verdict& verdict = player.shown().verdict;
   const float height = verdict_height(player, ui, scene), in = edge(scene);
   if (height == 0) return;
-  const Colour& ink = ink_of(ui.palette, verdict.kind);
+  const Colour& ink = verdict_ink(ui.palette, verdict.kind);
   const Paragraph words = verdict_words(player, ui, scene, verdict.text);
   const ImVec2 size = ui.texts.size_of(words);
   const Rect r{scene.left + in, scene.top + in, scene.left + in + 60 + size.x, scene.top + in + height};
   ui.rects["verdict"] = r;
   filled(r, ui.palette.window, 8);
   outlined(r, ink, 1.5f, 8);
-  verdict_sign(verdict.kind, r.left + 22, r.middle_y(), packed(ink));
+  verdict_sign(verdict.kind, r.left + 22, r.middle_y(), 16, packed(ink));
   rich(ui, words, {r.left + 40, r.middle_y() - size.y / 2});
 }
 

@@ -21,6 +21,9 @@ float head_of(const Player&, Ui&, float steady, const Rect& scene);
 float steady_head(const Player&, Ui&, TallestVerdict& known, const Rect& scene);
 /// Returns how far the chips reach below the scene's top; 0 if there are none.
 float chips_height(const Player&, Ui&, const Rect& scene);
+/// The ink of a verdict, and its sign: a tick, a ring, a diamond, or dots while it is open.
+const Colour& verdict_ink(const Palette&, Verdict::Kind);
+void verdict_sign(Verdict::Kind, float x, float y, float size, ImU32 ink);
 /// Draws the verdict in a chip at the top left.
 void verdict_chip(const Player&, Ui&, const Rect& scene);
 /// Draws, below the verdict, or beside it in a low scene, a chip if methods that should agree do not: how many differ,

@@ -56,7 +56,7 @@ Theme axis_look(const Theme& theme, const Rect& r) { return window_theme(theme.n
 
 /// Returns the height of a ray's t-axis below the scene: the same in all steps.
 float axis_room(const Player& player, const Theme& theme, const Rect& r) {
-  return has_axis(player.walk()) ? static_cast<float>(axis_height * axis_look(theme, r).sizes.axis) + 10 : 0;
+  return player.played().has_axis() ? static_cast<float>(axis_height * axis_look(theme, r).sizes.axis) + 10 : 0;
 }
 
 /// Draws the axis between the tripod and the name of the projection.

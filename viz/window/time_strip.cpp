@@ -58,7 +58,7 @@ void time_line(Player& player, Ui& ui, const Rect& r) {
 }  // namespace
 
 float time_room(const Player& player, const Rect& whole) {
-  if (!has_time(player.walk())) return 0;
+  if (!player.played().has_time()) return 0;
   return is_low(whole) ? 30.0f : 38.0f;
 }
 
