@@ -90,7 +90,7 @@ std::vector<PresetFile> named_files(const std::vector<std::string>& paths) {
   std::set<std::string> names;
   for (const std::string& path : paths)
     if (known.insert(place_of(path)).second) {
-      files.push_back({path, fs::path(path).stem().string()});
+      files.push_back({path, path == "-" ? "stdin" : fs::path(path).stem().string()});
       names.insert(files.back().name);
     }
   if (names.size() == files.size()) return files;

@@ -133,7 +133,7 @@ TEST_CASE("marks stand at places of objects and of the core's answers", "[scene]
   CHECK(place_of(s, "c").isApprox(Vec3(4, 3, 0)));
   const Vec3 g = place_of(s, "g");
   CHECK((g - Vec3(8, 0, 0)).norm() == Approx(5));
-  CHECK_THAT(viz::plain(walk.alt), Contains("Marked: ") && Contains("the length from p to f: 5") &&
+  CHECK_THAT(viz::plain(walk.alt), Contains("Marked:") && Contains("the length from p to f: 5") &&
                                        Contains("the right angle at f between p and s.to"));
   for (const std::size_t i : {1, 2}) CHECK(labels(walk.steps[i]).size() >= 12);
 }
@@ -237,7 +237,7 @@ TEST_CASE("marks are drawn in every format, in the plane and in space", "[scene]
   CHECK_THAT(contents(shell.work() / "figures/scene/space/01-objects.svg"),
              Contains("right angle at f between p and (2, 0, 1)"));
   CHECK_THAT(contents(shell.work() / "figures/scene/plane/01-objects.svg"), Contains("Marked: the point q, "));
-  CHECK_THAT(shell("isect explain plane.json").out, Contains("Marked: "));
+  CHECK_THAT(shell("isect explain plane.json").out, Contains("Marked:"));
 }
 
 }  // namespace scene_marks_test

@@ -808,7 +808,7 @@ TEST_CASE("what is wrong with many numbers is told by line and field, or by the 
   CHECK_THAT(refused(shell, R"({"cloud": "C", "points": [[0,0]]})", R"([{"fit": "C", "volume": "spere"}])"),
              Contains("ask[0].volume: ") && Contains("\"sphere\""));
   CHECK_THAT(refused(shell, point, R"([{"fitt": "p"}])"), Contains("ask[0].fitt: unknown; did you mean \"fit\"?"));
-  CHECK_THAT(refused(shell, point, R"([{}])"), Contains("one of these is expected: first hit, fit"));
+  CHECK_THAT(refused(shell, point, R"([{}])"), Contains("one of these is expected: of, first hit, fit"));
   CHECK_THAT(refused(shell, point + R"(, {"box": "A", "lo": [0,0,0], "hi": [1,1,1]})", R"([{"clip": "p", "to": "A"}])"),
              Contains("a ray, a line, a segment"));
   CHECK_THAT(refused(shell, point, R"([{"hierarchy": "p"}])"), Contains("a mesh, \"all\""));
