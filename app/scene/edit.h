@@ -1,7 +1,7 @@
 #pragma once
 // Edits of a scene file's text: an object more or less, another name, a question more or less, a corner more or
-// less. All else of the text stays as it is, with its comments and its order. What the reader would refuse is refused in
-// the same words, as viz::BadInput.
+// less. All else of the text stays as it is, with its comments and its order. What the reader would refuse is refused
+// in the same words, as viz::BadInput.
 
 #include <string>
 
