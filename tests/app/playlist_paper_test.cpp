@@ -321,4 +321,16 @@ TEST_CASE("a playlist in the book leads through the lessons' pages, step by step
   for (const std::string& file : files_in(site)) CHECK_FALSE(file.starts_with("hour-"));
 }
 
+TEST_CASE("a stop's time is in the address of its step, and in the picture of a page of its own", "[playlist][book]") {
+  const Shell shell;
+  const std::string timed = R"({"lesson": "moving-bodies", "preset": "boxes-meet", "step": 8, "time": 0.75})";
+  const std::string own = R"({"lesson": "moving-bodies", "parameters": {"r_a": 0.875}, "step": 8, "time": 0.75})";
+  write(shell.work() / "moves.json", "{\"stops\": [" + timed + ",\n" + own + "]}");
+  REQUIRE(shell("isect book --playlist moves.json --out site").status == 0);
+  const std::string script = contents(shell.work() / "site/hour-moves.js");
+  CHECK_THAT(script,
+             Contains("\"moving-bodies.html#boxes-meet/8?time=0.75\"") && Contains("\"hour-moves-2.html#setting/8\""));
+  CHECK_THAT(contents(shell.work() / "site/hour-moves-2.html"), Contains("The picture shows "));
+}
+
 }  // namespace playlist_paper_test

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bench/random.h"
+#include "tests/settings.h"
 #include "viz/lesson.h"
 
 namespace isect::tests {
@@ -53,6 +54,29 @@ inline std::optional<std::pair<viz::Parameters, viz::Parameters>> beside_a_borde
     (map.branch(at(middle)) == first ? from : to) = middle;
   }
   return std::pair{at(from), at(to)};
+}
+
+/// How many settings to draw; a lesson about measurements has few.
+inline int settings_to_draw(const viz::Lesson& lesson, int few) {
+  return lesson.parameters.size() < 2 ? 10 : cases(few, 10 * few);
+}
+
+/// Calls look(setting) with the settings of all presets, with settings drawn at random, and with those on either side
+/// of borders of the map, between two places drawn at random. They are the same in each test.
+template <class Look>
+void at_any_settings(const viz::Lesson& lesson, const Look& look) {
+  bench::Random random(bench::stream(seed(), lesson.id.c_str()));
+  for (const viz::Preset& p : lesson.presets) look(p.parameters);
+  for (int i = 0; i < settings_to_draw(lesson, 1000); ++i) look(random_setting(lesson, random));
+  const auto place = [&] {
+    return viz::Vec2(random.uniform(lesson.map->lo.x(), lesson.map->hi.x()),
+                     random.uniform(lesson.map->lo.y(), lesson.map->hi.y()));
+  };
+  for (int i = 0; lesson.map && i < settings_to_draw(lesson, 200); ++i) {
+    const viz::Vec2 from = place(), to = place();
+    const viz::Preset& start = lesson.presets[static_cast<std::size_t>(i) % lesson.presets.size()];
+    if (const auto pair = beside_a_border(lesson, start.parameters, from, to)) look(pair->first), look(pair->second);
+  }
 }
 
 }  // namespace isect::tests

@@ -290,28 +290,9 @@ class Faults {
   std::map<std::string, std::string> found_;
 };
 
-/// How many settings to draw; a lesson about measurements has few.
-int how_many(const Lesson& lesson, int few) { return lesson.parameters.size() < 2 ? 10 : tests::cases(few, 10 * few); }
-
-/// Checks two settings on either side of a border of the map, between two places drawn at random.
-void look_beside_a_border(const Lesson& lesson, const Parameters& start, bench::Random& random, Faults& faults) {
-  const auto place = [&] {
-    return Vec2(random.uniform(lesson.map->lo.x(), lesson.map->hi.x()),
-                random.uniform(lesson.map->lo.y(), lesson.map->hi.y()));
-  };
-  const Vec2 from = place(), to = place();
-  if (const auto pair = tests::beside_a_border(lesson, start, from, to))
-    faults.look_at(pair->first), faults.look_at(pair->second);
-}
-
 void look_at_any_setting(const Lesson& lesson) {
-  bench::Random random(bench::stream(tests::seed(), lesson.id.c_str()));
   Faults faults(lesson);
-  for (const Preset& p : lesson.presets) faults.look_at(p.parameters);
-  for (int i = 0; i < how_many(lesson, 1000); ++i) faults.look_at(tests::random_setting(lesson, random));
-  for (int i = 0; lesson.map && i < how_many(lesson, 200); ++i)
-    look_beside_a_border(lesson, lesson.presets[static_cast<std::size_t>(i) % lesson.presets.size()].parameters, random,
-                         faults);
+  tests::at_any_settings(lesson, [&](const Parameters& setting) { faults.look_at(setting); });
   for (const auto& [what, where] : faults.found()) FAIL_CHECK(lesson.id << ": " << what << "\n  " << where);
 }
 
