@@ -1,7 +1,6 @@
 #pragma once
 // Edits of a scene file's text: an object more or less, another name, a question more. All else of the text stays as it
-// is, with its comments and its order. What the reader would refuse is refused in the same words,
-// as viz::BadInput.
+// is, with its comments and its order. What the reader would refuse is refused in the same words, as viz::BadInput.
 
 #include <string>
 
