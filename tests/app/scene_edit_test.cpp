@@ -131,8 +131,10 @@ TEST_CASE("a question is added to the list of questions, which begins below the 
 }
 
 TEST_CASE("a question is removed alone, whichever it is, and no comment goes with it", "[scene]") {
+  const std::string boxes = R"({"objects": [{"box": "A", "lo": [0, 0], "hi": [2, 2]}, // mine
+    {"box": "B", "lo": [1, 1], "hi": [3, 3]}], "ask": [["A", "B"]]})";
   const std::string asks =
-      with(two, "[[\"A\", \"B\"]]",
+      with(boxes, "[[\"A\", \"B\"]]",
            "[ // of both\n    [\"A\", \"B\"], /* first */\n    {\"hierarchy\": [\"A\", \"B\"]} // then\n"
            "    , {\"walk\": [\"A\", \"B\"]}\n  ]");
   REQUIRE(read(asks).asked.size() == 3);

@@ -157,7 +157,7 @@ TEST_CASE("marks follow a drag, and what is there no more is told and not drawn"
 TEST_CASE("a right angle that is none is refused with the true angle", "[scene]") {
   CHECK(refused(scene_of(R"({"right angle": ["p", "S.center", "T.center"]})")).empty());
   CHECK_THAT(refused(scene_of(R"({"right angle": ["p", "s.to", "s.from"]})")),
-             Contains("line 3: marks[0]: ") && Contains("it is ≈ 39.806°"));
+             Contains("line 5: marks[0]: ") && Contains("it is ≈ 39.806°"));
   CHECK_THAT(refused(scene_of(R"({"point": "q", "at": "r x S"}, {"right angle": ["p", "q", [-9, 3]]})")),
              Contains("marks[1]"));
 }
@@ -165,7 +165,7 @@ TEST_CASE("a right angle that is none is refused with the true angle", "[scene]"
 TEST_CASE("what is wrong with a mark is told by line and field", "[scene]") {
   CHECK_THAT(refused(scene_of(R"({"dimention": ["p", "s.to"]})")), Contains("did you mean \"dimension\"?"));
   CHECK_THAT(refused(scene_of(R"({"arrow": ["p", "s.too"]})")),
-             Contains("line 3: marks[0].arrow[1]") && Contains("did you mean \"to\"?"));
+             Contains("line 5: marks[0].arrow[1]") && Contains("did you mean \"to\"?"));
   CHECK_THAT(refused(scene_of(R"({"arrow": ["p", "S"]})")), Contains("such as \"S.center\""));
   CHECK_THAT(refused(scene_of(R"({"arrow": ["p", "r and S"]})")), Contains("a place is expected"));
   CHECK_THAT(refused(scene_of(R"({"arrow": ["p"]})")), Contains("2 places are expected"));

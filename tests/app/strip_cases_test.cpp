@@ -302,7 +302,7 @@ TEST_CASE("nine cases make a grid for a poster", "[strip][cases]") {
   CHECK(fs::path(file).stem().string().size() <= 100);
   CHECK_THAT(file, StartsWith("figures/crossings/strip-inside+outside+") && Contains("~"));
   const std::string svg = contents(shell.work() / file), drawn = svg.substr(svg.find("</desc>"));
-  CHECK_THAT(svg, Contains("width=\"1700.7874"));
+  CHECK_THAT(svg, Contains("width=\"1700.787\""));
   std::vector<std::pair<double, double>> at;
   for (char letter = 'a'; letter <= 'i'; ++letter) {
     const std::size_t words = drawn.find(fmt::format("<tspan>({}) ", letter));

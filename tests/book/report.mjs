@@ -29,7 +29,7 @@ const state = () => ask(`({
   sheet: document.querySelector("dialog")?.open ?? false })`);
 /// What of the first picture is seen.
 const seen = () => ask(`(() => {
-  const views = document.querySelector(".pair");
+  const views = document.querySelector(".pair, .views");
   const is = name => { const f = views.querySelector("." + name), s = getComputedStyle(f); return s.display !== "none" && s.visibility !== "hidden"; };
   return ["old", "new", "difference"].filter(is).join();
 })()`);

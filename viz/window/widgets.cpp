@@ -246,8 +246,11 @@ void begin_region(Ui& ui, const char* name, const Rect& r, const std::optional<C
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
   ImGui::Begin((ui.side + name).c_str(), nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoScrollWithMouse | (background ? 0 : ImGuiWindowFlags_NoBackground) |
+                   ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing |
+                   (background ? 0 : ImGuiWindowFlags_NoBackground) |
                    (above ? 0 : ImGuiWindowFlags_NoBringToFrontOnFocus));
+  // It takes no focus when it appears: Dear ImGui can't have that in the frame in which a sheet opens.
+  if (above && ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
 }
