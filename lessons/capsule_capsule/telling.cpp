@@ -119,14 +119,28 @@ class Teller {
     shown_.ways = ends_;
     Step& step = add(of_a ? "ends-a" : "ends-b", of_a ? "The ends of a" : "The ends of b", of_a ? 2 : 3, caption,
                      "least *d* so far = " + shown(least_));
-    step.question =
-        which_value(fmt::format("{} tested against {}. What is the least *d* so far?", tested(), tested_against()),
-                    least_, misconceived(before),
-                    std::string("The nearest point of a segment lies between its ends, or is one of them.") +
-                        (least_ < before ? "" : " None of these is nearer than what was found before."));
+    if (read_well(least_as_read(before), least_))
+      step.question =
+          which_value(fmt::format("{} tested against {}. What is the least *d* so far?", tested(), tested_against()),
+                      least_, misconceived(before),
+                      std::string("The nearest point of a segment lies between its ends, or is one of them.") +
+                          (least_ < before ? "" : " None of these is nearer than what was found before."));
     give_before(script_.walk(), {"least *d* so far"});
     shown_.earlier.insert(shown_.earlier.end(), ends_.begin(), ends_.end());
     shown_.ways.clear(), ends_.clear();
+  }
+
+  /// The least *d* that a reader finds from the numbers as they are shown.
+  double least_as_read(double before) const {
+    const auto read = [](const Vec2& p) { return Vec2(as_read(p.x()), as_read(p.y())); };
+    Setup setup = s_;
+    for (Capsule2* c : {&setup.a, &setup.b}) c->p = read(c->p), c->q = read(c->q);
+    double least = std::isinf(before) ? before : as_read(before);
+    for (const End& e : ends_) {
+      const auto [end, nearest] = setup.way(e);
+      least = std::min(least, (end - nearest).norm());
+    }
+    return least;
   }
 
   /// "**p**_a = (1, 2) is": the ends of this step; a search that ends early leaves some out.

@@ -170,6 +170,8 @@ class Teller {
                                  "line meets it at one *t*{}. The range decides whether it counts.",
                                  shown(-s_.wall), s_.made == Made::unit ? ", the signed distance from **o**" : ""),
                      fmt::format("*t* = −(**n** · **o** + *D*) / (**n** · **{}**) = {}", letter(s_), shown(t)));
+    const double read = (as_read(s_.wall) - as_read(s_.ray.origin.x())) / as_read(s_.ray.direction.x());
+    if (!read_well(read, t)) return;  // the numbers as they are shown do not give it
     step.question = which_value(
         fmt::format("**o** = ({}, {}) and **{}** = ({}, {}). At which *t* does the line meet the wall *x* = {}?",
                     shown(s_.ray.origin.x()), shown(s_.ray.origin.y()), letter(s_), shown(s_.ray.direction.x()),
