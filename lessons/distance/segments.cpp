@@ -129,7 +129,9 @@ class SegmentsTeller : Teller {
   }
 
   void ask_for_place(Step& step, const Vec3& at, double numerator, double place, double clamped) {
-    const Vec3 d = s_.b.q - s_.b.p;
+    const auto read = [](const Vec3& p) { return Vec3(p.unaryExpr([](double x) { return as_read(x); })); };
+    const Vec3 d = s_.b.q - s_.b.p, d_read = read(d);
+    if (!read_well((read(at) - read(s_.b.p)).dot(d_read) / d_read.squaredNorm(), place)) return;
     const double lines = at_lines();
     step.question = which_value(
         fmt::format(

@@ -131,10 +131,10 @@ TEST_CASE("a question is added to the list of questions, which begins below the 
 }
 
 TEST_CASE("a question is removed alone, whichever it is, and no comment goes with it", "[scene]") {
-  const std::string boxes = R"({"objects": [{"box": "A", "lo": [0, 0], "hi": [2, 2]}, // mine
-    {"box": "B", "lo": [1, 1], "hi": [3, 3]}], "ask": [["A", "B"]]})";
+  const std::string capsules = R"({"objects": [{"capsule": "A", "p": [0, 0], "q": [2, 0], "r": 1}, // mine
+    {"capsule": "B", "p": [0, 1], "q": [2, 2], "r": 1}], "ask": [["A", "B"]]})";
   const std::string asks =
-      with(boxes, "[[\"A\", \"B\"]]",
+      with(capsules, "[[\"A\", \"B\"]]",
            "[ // of both\n    [\"A\", \"B\"], /* first */\n    {\"hierarchy\": [\"A\", \"B\"]} // then\n"
            "    , {\"walk\": [\"A\", \"B\"]}\n  ]");
   REQUIRE(read(asks).asked.size() == 3);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/random.h"
+#include "lessons/shared/questions.h"
 #include "tests/lessons/on_show.h"
 #include "tests/lessons/ways_in_words.h"
 #include "tests/lessons/ways_to_numbers.h"
@@ -143,10 +144,14 @@ inline Way way_to_answer(const Question& question) {
   return {};
 }
 
-/// Calls look(moved) with other numbers that are shown alike, to five digits: each moved alone, then all in 32 ways;
-/// until one returns true. Returns whether one did.
+/// Calls look(moved) with other numbers that are shown alike, to five digits: all as they are read, each moved alone,
+/// then all in 32 ways; until one returns true. Returns whether one did.
 template <class Look>
 bool if_read_otherwise(const OnShow& shown, const Look& look) {
+  OnShow read = shown;
+  for (double& x : read.told) x = lessons::as_read(x);
+  for (auto& [name, x] : read.values) x = lessons::as_read(x);
+  if (look(read)) return true;
   const auto digit = [](double x) {
     return x == 0 || !std::isfinite(x) ? 0 : std::pow(10, std::floor(std::log10(std::abs(x))) - 4);
   };
