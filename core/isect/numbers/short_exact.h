@@ -124,13 +124,13 @@ class FixedExact {
     return whole_ == Whole{} ? 0 : std::ldexp(mantissa().hi, exponent_);
   }
   /// The double nearest to x / y, y != 0, up to a relative 2^-100; NaN where one is unknown.
-  friend double quotient(const FixedExact& x, const FixedExact& y) {
+  [[gnu::noinline]] friend double quotient(const FixedExact& x, const FixedExact& y) {
     if (!x.known() || !y.known()) return std::numeric_limits<double>::quiet_NaN();
     if (x.whole_ == Whole{}) return 0;
     return std::ldexp(quotient(x.mantissa(), y.mantissa()), x.exponent_ - y.exponent_);
   }
   /// The square root of x >= 0, within a relative 2^-103; unknown where x is.
-  friend FixedExact sqrt(const FixedExact& x) {
+  [[gnu::noinline]] friend FixedExact sqrt(const FixedExact& x) {
     if (!x.known() || x.whole_ == Whole{}) return x;
     const int odd = x.exponent_ & 1;
     const DoubleDouble root = sqrt(x.mantissa() * (1.0 + odd));
