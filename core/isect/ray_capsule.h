@@ -64,13 +64,16 @@ using Event = std::variant<Between, End, Passage, Fallback>;
 
 namespace detail {
 
-/// The sign of |x|^2 - r^2.
-template <class Text, class Trace>
-int beyond(double r, const Text& x, Trace&& trace) {
+// The compiler reads a text once for each arithmetic that may settle it, which takes most of its time here. So an end
+// is told to a text as a number or a point, and one text serves all ends.
+
+/// The sign of the distance of the line's point at t from c compared with r.
+template <int N, bool ends, class Trace>
+int beyond(const Point<double, N>& c, const Straight<N, ends>& line, double t, double r, Trace&& trace) {
   return sign_of(
       [&]<class W>() -> W {
-        const auto at = x.template operator()<W>();
-        return dot(at, at) - W(r) * W(r);
+        const Components<W, N> x = seen_from<W, N>(c, line, t);
+        return dot(x, x) - W(r) * W(r);
       },
       trace);
 }
@@ -81,12 +84,8 @@ int compare(const Point<double, N>& c, const Straight<N, ends>& line, double r, 
   const auto onwards = [&](double t) {  // the sign of what is left from the line's point at t to the nearest one
     return -sign_of([&]<class W>() -> W { return dot(seen_from<W, N>(c, line, t), line.template along<W>()); }, trace);
   };
-  const auto at = [&](double t) {
-    return beyond(
-        r, [&]<class W>() -> Components<W, N> { return seen_from<W, N>(c, line, t); }, trace);
-  };
-  if (std::isfinite(line.range.lo) && onwards(line.range.lo) <= 0) return at(line.range.lo);
-  if (std::isfinite(line.range.hi) && onwards(line.range.hi) >= 0) return at(line.range.hi);
+  if (std::isfinite(line.range.lo) && onwards(line.range.lo) <= 0) return beyond<N>(c, line, line.range.lo, r, trace);
+  if (std::isfinite(line.range.hi) && onwards(line.range.hi) >= 0) return beyond<N>(c, line, line.range.hi, r, trace);
   return sign_of(
       [&]<class W>() -> W {
         const Components<W, N> d = line.template along<W>();
@@ -98,18 +97,17 @@ int compare(const Point<double, N>& c, const Straight<N, ends>& line, double r, 
 /// The sign of the distance of the line's point at t from the axis compared with r.
 template <int N, bool ends, class Trace>
 int compare(const Straight<N, ends>& line, double t, const Capsule<double, N>& capsule, Trace&& trace) {
-  const auto from_p = [&]<class W>() -> Components<W, N> { return seen_from<W, N>(capsule.p, line, t); };
-  const auto from_q = [&]<class W>() -> Components<W, N> { return seen_from<W, N>(capsule.q, line, t); };
-  const auto along = [&](const auto& x) {
+  const auto along = [&](const Point<double, N>& end) {
     return sign_of(
-        [&]<class W>() -> W { return dot(x.template operator()<W>(), difference<W, N>(capsule.q, capsule.p)); }, trace);
+        [&]<class W>() -> W { return dot(seen_from<W, N>(end, line, t), difference<W, N>(capsule.q, capsule.p)); },
+        trace);
   };
-  if (along(from_p) <= 0) return beyond(capsule.radius, from_p, trace);
-  if (along(from_q) >= 0) return beyond(capsule.radius, from_q, trace);
+  if (along(capsule.p) <= 0) return beyond<N>(capsule.p, line, t, capsule.radius, trace);
+  if (along(capsule.q) >= 0) return beyond<N>(capsule.q, line, t, capsule.radius, trace);
   return sign_of(
       [&]<class W>() -> W {
         const Components<W, N> v = difference<W, N>(capsule.q, capsule.p);
-        return point_segment::detail::cross_squared(from_p.template operator()<W>(), v) -
+        return point_segment::detail::cross_squared(seen_from<W, N>(capsule.p, line, t), v) -
                W(capsule.radius) * W(capsule.radius) * dot(v, v);
       },
       trace);
@@ -142,6 +140,20 @@ int crossing(const Straight<N, ends>& line, const Capsule<double, N>& capsule, T
   return sign_of([&]<class W>() -> W { return places<W, N>(line, capsule).all; }, trace);
 }
 
+/// The sign of how far from an end (0: p, 1: q of the axis, 2: the first, 3: the last point of the ray) towards the
+/// other one the lines come nearest, times their denominator.
+template <int N, bool ends, class Trace>
+int past(int end, const Straight<N, ends>& line, const Capsule<double, N>& capsule, Trace&& trace) {
+  return sign_of(
+      [&]<class W>() -> W {
+        const Places<W, N> at = places<W, N>(line, capsule);
+        if (end == 0) return at.axis;
+        if (end == 1) return at.all - at.axis;
+        return end == 2 ? at.ray - W(line.range.lo) * at.all : W(line.range.hi) * at.all - at.ray;
+      },
+      trace);
+}
+
 /// In space r^2 n.n - (w.n)^2; in the plane r^2 n.n, as w.n is 0.
 template <PolynomialScalar W, int N, bool ends>
 W room(const Straight<N, ends>& line, const Capsule<double, N>& capsule) {
@@ -160,13 +172,10 @@ template <int N, bool ends, class Trace>
 Between between_ends(const Straight<N, ends>& line, const Capsule<double, N>& capsule, Trace&& trace) {
   const int all = crossing(line, capsule, trace);
   if (all == 0) return {};
-  const auto after = [&](const auto& excess) {
-    return all * sign_of([&]<class W>() -> W { return excess(places<W, N>(line, capsule)); }, trace) > 0;
-  };
-  if (!after([](const auto& p) { return p.axis; }) || !after([](const auto& p) { return p.all - p.axis; })) return {};
-  const double lo = line.range.lo, hi = line.range.hi;
-  if (std::isfinite(lo) && !after([lo]<class W>(const Places<W, N>& p) { return p.ray - W(lo) * p.all; })) return {};
-  if (std::isfinite(hi) && !after([hi]<class W>(const Places<W, N>& p) { return W(hi) * p.all - p.ray; })) return {};
+  const auto before = [&](int end) { return all * past(end, line, capsule, trace) > 0; };
+  if (!before(0) || !before(1)) return {};
+  if (std::isfinite(line.range.lo) && !before(2)) return {};
+  if (std::isfinite(line.range.hi) && !before(3)) return {};
   if constexpr (N == 2)
     return {true, capsule.radius > 0 ? -1 : 0};
   else
@@ -206,8 +215,9 @@ Piece passage(const Straight<N, ends>& line, const Capsule<double, N>& capsule, 
   if (all == 0) return (forward < 0) != leaves ? Piece::q : Piece::p;
 
   // The sign of where it passes the endless cylinder less an end of the axis, along that
-  const auto past = [&](const Point<double, N>& end, const auto& nearest) {
-    const int middle = all * sign_of([&]<class W>() -> W { return nearest(places<W, N>(line, capsule)); }, trace);
+  const auto passes = [&](int at_end) {
+    const Point<double, N>& end = at_end == 0 ? capsule.p : capsule.q;
+    const int middle = (at_end == 0 ? all : -all) * past(at_end, line, capsule, trace);
     const int half_chord = leaves ? forward : -forward;
     if (middle * half_chord >= 0) return middle != 0 ? middle : half_chord;
     const auto beside_disc = [&]<class W>() -> W {
@@ -220,8 +230,8 @@ Piece passage(const Straight<N, ends>& line, const Capsule<double, N>& capsule, 
     const int sign = sign_of(beside_disc, trace);
     return sign == 0 ? 0 : sign > 0 ? middle : half_chord;
   };
-  if (past(capsule.p, [](const auto& at) { return at.axis; }) < 0) return Piece::p;
-  return past(capsule.q, [](const auto& at) { return at.axis - at.all; }) > 0 ? Piece::q : Piece::side;
+  if (passes(0) < 0) return Piece::p;
+  return passes(1) > 0 ? Piece::q : Piece::side;
 }
 
 /// The polynomial of the ball around that end, with f = o - end and d.

@@ -22,16 +22,26 @@ using Event = ray_capsule::Event;
 
 namespace detail {
 
+/// The sign of the distance of x from the center compared with the radius.
+template <int N, class Trace>
+int beyond(const Point<double, N>& x, const Sphere<double, N>& ball, Trace&& trace) {
+  return sign_of(
+      [&]<class W>() -> W {
+        const Components<W, N> f = difference<W, N>(x, ball.center);
+        return dot(f, f) - W(ball.radius) * W(ball.radius);
+      },
+      trace);
+}
+
 /// Where the point at t, 0 or 1, lies among the roots of a line that has some.
 template <int N, class Trace>
 ray_sphere::AmongRoots among_roots(const Straight<N, true>& line, int t, const Sphere<double, N>& ball, Trace&& trace) {
   using ray_sphere::AmongRoots;
   const Point<double, N>& end = t == 0 ? line.origin : line.heading;
-  const auto from_center = [&]<class W>() -> Components<W, N> { return difference<W, N>(end, ball.center); };
-  const int c = ray_capsule::detail::beyond(ball.radius, from_center, trace);
+  const int c = beyond(end, ball, trace);
   if (c < 0) return AmongRoots::between;
-  const int b = sign_of(
-      [&]<class W>() -> W { return dot(from_center.template operator()<W>(), line.template along<W>()); }, trace);
+  const int b =
+      sign_of([&]<class W>() -> W { return dot(difference<W, N>(end, ball.center), line.template along<W>()); }, trace);
   if (c == 0) return b > 0 ? AmongRoots::exit : AmongRoots::entry;
   return b > 0 ? AmongRoots::after : AmongRoots::before;
 }
@@ -44,8 +54,7 @@ RaySphere<S> meet(const Straight<N, true>& line, const Sphere<double, N>& ball, 
   const Interval<S> range = {S(0), S(1)};
   if (line.is_point()) {
     RaySphere<S> result;
-    const auto from_center = [&]<class W>() -> Components<W, N> { return difference<W, N>(line.origin, ball.center); };
-    const int c = ray_capsule::detail::beyond(ball.radius, from_center, trace);
+    const int c = beyond(line.origin, ball, trace);
     result.origin = c < 0 ? Location::in : c == 0 ? Location::on : Location::out;
     if (c == 0) result.surface = S(0);
     if (c <= 0) result.solid = range;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <isect/interval.h>
@@ -142,7 +143,8 @@ struct Frustum {
   std::array<Plane<S, 3>, 6> planes;
 };
 
-// Whether every coordinate is finite. The tests check it first.
+// Whether every coordinate is finite. The tests check it first. Where a vector is looked at number by number, here and
+// elsewhere in the core, and not by an expression of Eigen's, that is to spare compilers hundreds of small functions.
 
 template <class S>
 bool finite(const Interval<S>& x) {
@@ -150,7 +152,9 @@ bool finite(const Interval<S>& x) {
 }
 template <class S, int N, int M>
 bool finite(const Eigen::Matrix<S, N, M>& x) {
-  return (x - x).sum() == S(0);  // x - x is 0, or NaN; without branches
+  if constexpr (M > 1) return (x - x).sum() == S(0);  // x - x is 0, or NaN; without branches
+  return [&]<int... i>(std::integer_sequence<int, i...>) { return ((x.data()[i] - x.data()[i]) + ...) == S(0); }
+  (std::make_integer_sequence<int, N>());
 }
 /// The range may be infinite, but not NaN.
 template <class S, int N>
@@ -221,6 +225,14 @@ bool finite(const Ring<S, N>& x) {
   return true;
 }
 
+/// Whether every component is 0.
+template <class S, int N>
+bool is_zero(const Eigen::Matrix<S, N, 1>& x) {
+  bool all = true;
+  for (int i = 0; i < N; ++i) all &= x[i] == 0;
+  return all;
+}
+
 // Whether a shape has no point. A NaN makes it empty too, as no comparison with it holds.
 
 template <class S>
@@ -245,7 +257,9 @@ bool empty(const Cone<S>& x) {
 }
 template <class S, int N>
 bool empty(const Aabb<S, N>& x) {
-  return !(x.lo.array() <= x.hi.array()).all();
+  bool in_order = true;
+  for (int i = 0; i < N; ++i) in_order &= x.lo[i] <= x.hi[i];
+  return !in_order;
 }
 /// Looks at each slab by itself: slabs that contradict each other are not noticed.
 template <class S, int N>
@@ -256,7 +270,9 @@ bool empty(const Kdop<S, N>& x) {
 }
 template <class S, int N>
 bool empty(const Obb<S, N>& x) {
-  return !(x.half.array() >= 0).all();
+  bool positive = true;
+  for (int i = 0; i < N; ++i) positive &= x.half[i] >= 0;
+  return !positive;
 }
 
 // Converts a shape to another scalar: float to double, which is exact, or double to float, which rounds.

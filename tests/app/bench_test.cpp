@@ -9,13 +9,9 @@
 #include "tests/catch.h"
 
 namespace bench_test {
+using namespace isect::test;
 using isect::bench::Report;
 using isect::bench::Row;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 
 namespace {
 
@@ -228,7 +224,7 @@ TEST_CASE("a wrong name or value is refused with what is allowed", "[bench]") {
   refuses("--seed many", "many");
   refuses("--peers --native", "--native");
   refuses("--quick --from all.json", "--from");
-  isect::test::write(shell.work() / "rubbish.json", "{\"rows\": 3}");
+  write(shell.work() / "rubbish.json", "{\"rows\": 3}");
   refuses("--from rubbish.json", "rubbish.json: not a report of measurements: ");
 }
 
@@ -259,12 +255,12 @@ TEST_CASE("what was not built is said, with the command that builds it", "[bench
 TEST_CASE("a program beside it that fails is reported, not believed", "[bench]") {
   const Shell shell;
   copy_program(shell);
-  isect::test::write(shell.work() / "measure_native/orient2d", "#!/bin/sh\necho 'no such instruction' >&2\nexit 3\n");
+  write(shell.work() / "measure_native/orient2d", "#!/bin/sh\necho 'no such instruction' >&2\nexit 3\n");
   Ran ran = shell("chmod +x measure_native/orient2d; ./alone bench --native orient2d");
   CHECK(ran.status == 1);
   CHECK_THAT(ran.err, Contains("measure_native/orient2d failed (3): no such instruction"));
 
-  isect::test::write(shell.work() / "measure_native/orient2d", "#!/bin/sh\necho rubbish\n");
+  write(shell.work() / "measure_native/orient2d", "#!/bin/sh\necho rubbish\n");
   ran = shell("./alone bench --native orient2d");
   CHECK(ran.status == 1);
   CHECK_THAT(ran.err, Contains("not a report of measurements"));
@@ -278,8 +274,7 @@ TEST_CASE("the suites asked for are measured one after the other, as one report"
   one.rows.resize(1);
   for (const char* suite : {"orient2d", "ray-aabb"}) {
     one.rows[0].test = suite, one.machine.noise += 0.02;
-    isect::test::write(shell.work() / "measure" / suite,
-                       "#!/bin/sh\ncat <<'END'\n" + isect::bench::json(one) + "END\n");
+    write(shell.work() / "measure" / suite, "#!/bin/sh\ncat <<'END'\n" + isect::bench::json(one) + "END\n");
   }
   const Ran ran = shell("chmod +x measure/*; ./alone bench orient2d ray-aabb --json -");
   INFO(ran.err);
@@ -294,7 +289,7 @@ TEST_CASE("a run on a noisy machine is not published", "[bench]") {
   const Shell shell;
   Report noisy;
   noisy.machine.build = "portable", noisy.machine.noise = 0.5;
-  isect::test::write(shell.work() / "noisy.json", isect::bench::json(noisy));
+  write(shell.work() / "noisy.json", isect::bench::json(noisy));
   const Ran ran = shell("isect bench --publish out --from noisy.json");
   CHECK(ran.status == 2);
   CHECK_THAT(ran.err, Contains("--publish: the portable build was measured at 50 % noise; at most 10 %"));
@@ -308,12 +303,12 @@ TEST_CASE("a quick run is not published, nor are changed sources", "[bench]") {
   CHECK_THAT(now.err, Contains("--publish: a quick run judges too few cases to be published"));
   Report report;
   report.machine.build = "portable", report.quick = true;
-  isect::test::write(shell.work() / "quick.json", isect::bench::json(report));
+  write(shell.work() / "quick.json", isect::bench::json(report));
   const Ran quick = shell("isect bench --publish out --from quick.json");
   CHECK(quick.status == 2);
   CHECK_THAT(quick.err, Contains("--publish: the run of the portable build was quick"));
   report.quick = false, report.machine.commit = "0123abc-dirty";
-  isect::test::write(shell.work() / "dirty.json", isect::bench::json(report));
+  write(shell.work() / "dirty.json", isect::bench::json(report));
   const Ran dirty = shell("isect bench --publish out --from dirty.json");
   CHECK(dirty.status == 2);
   CHECK_THAT(dirty.err, Contains("--publish: the portable build has changes that no commit has (0123abc-dirty)"));
@@ -324,8 +319,8 @@ TEST_CASE("what is to be published is asked for its commit before it is measured
   const Shell shell;
   copy_program(shell);
   const auto program = [&](const std::string& build, const std::string& commit) {
-    isect::test::write(shell.work() / build / "orient2d",
-                       "#!/bin/sh\ntest \"$1\" = --commit && echo " + commit + " || echo measured >> ran\n");
+    write(shell.work() / build / "orient2d",
+          "#!/bin/sh\ntest \"$1\" = --commit && echo " + commit + " || echo measured >> ran\n");
   };
   program("measure", "0123abc"), program("measure_native", "4567def");
   const Ran ran = shell("chmod +x measure*/*; ./alone bench orient2d --publish out");
@@ -341,9 +336,9 @@ TEST_CASE("what was measured and can't be published is kept, and nothing is writ
   Report noisy;
   noisy.machine.build = "portable", noisy.machine.noise = 0.5;
   noisy.rows.resize(1), noisy.rows[0].test = "orient2d";
-  isect::test::write(shell.work() / "measure/orient2d",
-                     "#!/bin/sh\ntest \"$1\" = --commit && exit\ncat <<'END'\n" + isect::bench::json(noisy) + "END\n");
-  isect::test::write(shell.work() / "out/measured-portable.json", "mine\n");
+  write(shell.work() / "measure/orient2d",
+        "#!/bin/sh\ntest \"$1\" = --commit && exit\ncat <<'END'\n" + isect::bench::json(noisy) + "END\n");
+  write(shell.work() / "out/measured-portable.json", "mine\n");
   const Ran ran = shell("chmod +x measure/*; ./alone bench orient2d --publish out");
   CHECK(ran.status == 1);
   if (ran.err.find("kept") == std::string::npos) {  // this machine itself is too noisy to begin

@@ -13,14 +13,8 @@
 #include "viz/walk/review.h"
 
 namespace book_test {
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
-using isect::test::all_between;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::count;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 
 /// A page without what its own scripts say, who write elements, too.
 std::string without_scripts(const std::string& page) {
@@ -132,11 +126,11 @@ TEST_CASE("a book has a page for each lesson, with every preset and every step",
   const std::filesystem::path site = shell.work() / "site";
   const auto& lessons = isect::lessons::all_lessons();
   const std::size_t reviews = (lessons.size() + 4) / 5, files = lessons.size() + reviews + 13;
-  CHECK(isect::test::files_in(site).size() == files);
+  CHECK(files_in(site).size() == files);
   CHECK(count(r.out, "\n") == static_cast<int>(files));
 
   std::uintmax_t bytes = 0;
-  for (const std::string& file : isect::test::files_in(site)) {
+  for (const std::string& file : files_in(site)) {
     const std::string text = contents(site / file);
     INFO(file);
     bytes += text.size();
@@ -277,7 +271,7 @@ TEST_CASE("one lesson in one file needs nothing beside it, and is the same each 
   const Ran r = shell("isect book points --single --out one");
   CHECK(r.status == 0);
   CHECK(r.out == "one/points.html\n");
-  CHECK(isect::test::files_in(shell.work()) == std::vector<std::string>{"one/points.html"});
+  CHECK(files_in(shell.work()) == std::vector<std::string>{"one/points.html"});
   const std::string page = contents(shell.work() / "one/points.html");
   CHECK(faults(without_scripts(page)) == "");
   CHECK_THAT(page, Contains("@font-face") && Contains("SIL OPEN FONT LICENSE") && Contains("addEventListener") &&
@@ -286,7 +280,7 @@ TEST_CASE("one lesson in one file needs nothing beside it, and is the same each 
   REQUIRE(shell("isect book points --single --out one").status == 0);
   CHECK(contents(shell.work() / "one/points.html") == page);
   REQUIRE(shell("ray-sphere book --out two").status == 0);
-  CHECK(isect::test::files_in(shell.work() / "two") == std::vector<std::string>{"ray-sphere.html"});
+  CHECK(files_in(shell.work() / "two") == std::vector<std::string>{"ray-sphere.html"});
 }
 
 TEST_CASE("a page with compiled lessons has them, and its fonts for figures that are saved", "[book]") {
@@ -344,7 +338,7 @@ TEST_CASE("a book is never written over somebody else's files", "[book]") {
     CHECK(r.status == 4);
     CHECK_THAT(r.err, Contains("book/" + mine) && Contains("--out"));
     CHECK(contents(shell.work() / "book" / mine) == "mine");
-    CHECK(isect::test::files_in(shell.work()).size() == 1);  // nothing else was written either
+    CHECK(files_in(shell.work()).size() == 1);  // nothing else was written either
   }
   const Shell shell;
   write(shell.work() / "file", "mine");
@@ -355,7 +349,7 @@ TEST_CASE("a book is never written over somebody else's files", "[book]") {
   const Ran among = shell("isect book --out s");
   CHECK(among.status == 2);
   CHECK_THAT(among.err, Contains("baselines"));
-  CHECK(isect::test::files_in(shell.work() / "s").size() == 1);
+  CHECK(files_in(shell.work() / "s").size() == 1);
 }
 
 TEST_CASE("a book takes away its own pages of lessons that are gone, and nothing else", "[book]") {
@@ -409,7 +403,7 @@ TEST_CASE("what is wrong with the words of a book is said", "[book]") {
     INFO(command);
     CHECK(r.status == 2);
     CHECK_THAT(r.err, Contains(told));
-    CHECK(isect::test::files_in(shell.work()).empty());
+    CHECK(files_in(shell.work()).empty());
   }
 }
 

@@ -7,15 +7,8 @@
 
 namespace check_accept_test {
 namespace fs = std::filesystem;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
-using isect::test::all_between;
-using isect::test::all_in;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::count;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 using nlohmann::json;
 
 namespace {
@@ -195,22 +188,22 @@ TEST_CASE("new, left over and moved baselines are accepted by their ticks", "[ch
 TEST_CASE("what isect did not make is not accepted over, and is said so", "[check][accept]") {
   const Changed shell;
   const fs::path file = shell.work() / "figs/snapshots/intervals/a/04-relation.png";
-  write(file, isect::test::photo());
+  write(file, photo());
   const Ran r = shell.accept(all_of(ticks_in(shell.page)));
   CHECK(r.status == 1);
   CHECK_THAT(r.out, Contains("REFUSED intervals/a/04-relation.png: the file in its place was not made by isect"));
-  CHECK(contents(file) == isect::test::photo());
+  CHECK(contents(file) == photo());
 }
 
 TEST_CASE("the lessons' own baselines are accepted by ticks as well", "[check][accept]") {
-  const isect::test::Accepted shell;
+  const Accepted shell;
   accept_other_interval(shell);
-  REQUIRE(shell(isect::test::check + " --report r.html").status == 1);
+  REQUIRE(shell(check + " --report r.html").status == 1);
   const std::string page = contents(shell.work() / "r.html");
   write(shell.work() / "accept.json", all_of(ticks_in(page)));
   CHECK(all_between(page, "data-command=\"") == std::vector<std::string>{"isect check --accept"});
   CHECK(shell("isect check --accept accept.json").status == 0);
-  CHECK(shell(isect::test::check).status == 0);
+  CHECK(shell(check).status == 0);
 }
 
 TEST_CASE("a list that is none, or is for another folder, is refused", "[check][accept]") {

@@ -8,11 +8,13 @@
 #include "app/checks/check_report.h"
 #include "app/checks/text_difference.h"
 #include "app/figures/digest.h"
+#include "tests/app/refusals.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 
 namespace check_causes_test {
 namespace fs = std::filesystem;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
 using isect::program::Acceptance;
 using isect::program::by_cause;
@@ -22,11 +24,6 @@ using isect::program::first_difference;
 using isect::program::heading;
 using isect::program::Report;
 using isect::program::Reviewed;
-using isect::test::all_between;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::count;
-using isect::test::files_in;
 using isect::viz::Change;
 using Kind = Failure::Kind;
 
@@ -190,14 +187,7 @@ TEST_CASE("a file of what was ticked is read back, and a broken one names entry 
   CHECK_FALSE(read[0].remove);
   CHECK(read[1].remove);
 
-  const auto why = [](const std::string& text) -> std::string {
-    try {
-      read_accept_file(text);
-    } catch (const isect::viz::BadInput& e) {
-      return e.what();
-    }
-    return "it was read";
-  };
+  const auto why = [](const std::string& text) { return refusal_of([&] { read_accept_file(text); }); };
   const auto entry = [&](const std::string& fields) {
     return why(R"({"accept": [{"file": "a/b.png", "digest": "0123456789abcdef"}, {)" + fields + "}]}");
   };
@@ -258,7 +248,7 @@ TEST_CASE("just what was reviewed is accepted", "[accept]") {
 }
 
 TEST_CASE("pictures that are too many for a page lie beside it, and those of an earlier report go", "[report]") {
-  const isect::test::Shell shell;
+  const Shell shell;
   const std::string page = (shell.work() / "check.html").string();
   const auto folder = shell.work() / "check-pictures";
   Report r = of_causes(2);
@@ -279,7 +269,7 @@ TEST_CASE("pictures that are too many for a page lie beside it, and those of an 
   CHECK(files_in(folder).size() == 3);
   CHECK(contents(folder / (isect::program::digest("new") + ".png")) == "new");
 
-  isect::test::write(folder / "mine.png", "mine");
+  write(folder / "mine.png", "mine");
   r.failures[0].fresh_file = r.failures[1].fresh_file = "newer";
   write_html(to_html(r, page, 10), page);
   CHECK(files_in(folder).size() == 4);
@@ -288,7 +278,7 @@ TEST_CASE("pictures that are too many for a page lie beside it, and those of an 
   CHECK(files_in(folder) == std::vector<std::string>{"mine.png"});
 
   const auto taken = folder / (isect::program::digest("old") + ".png");
-  isect::test::write(taken, "another's");
+  write(taken, "another's");
   CHECK_THROWS_AS(write_html(to_html(r, page, 10), page), isect::viz::FileError);
   CHECK(contents(taken) == "another's");
 }

@@ -4,14 +4,8 @@
 
 namespace check_dir_test {
 namespace fs = std::filesystem;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
-using isect::test::accept_command;
-using isect::test::all_in;
-using isect::test::Contains;
-using isect::test::Ran;
-using isect::test::scene;
-using isect::test::Shell;
-using isect::test::write;
 
 namespace {
 
@@ -107,7 +101,7 @@ TEST_CASE("a preset's file may be called as one of the lesson's own, and is guar
   for (const std::string name : {"touching", "my-touching"})
     CHECK(shell("isect check --dir " + name + " --update=missing").status == 0);
   const auto files = [&](const std::string& name) {
-    return isect::test::files_in(shell.work() / name / "snapshots/intervals" / name);
+    return files_in(shell.work() / name / "snapshots/intervals" / name);
   };
   CHECK(files("touching").size() == 1 + 5);  // the trace, and a picture of each step but the card
   CHECK(files("touching") == files("my-touching"));
@@ -115,8 +109,7 @@ TEST_CASE("a preset's file may be called as one of the lesson's own, and is guar
   // The lesson's own data stands in the trace of its first preset, not in that of a file of the same name.
   write(shell.work() / "first/overlapping.json", scene("overlapping"));
   CHECK(shell("isect check --dir first --update=missing").status == 0);
-  CHECK_THAT(isect::test::contents(shell.work() / "first/snapshots/intervals/overlapping/trace.json"),
-             !Contains("\"exercises\""));
+  CHECK_THAT(contents(shell.work() / "first/snapshots/intervals/overlapping/trace.json"), !Contains("\"exercises\""));
   const Ran without = shell("isect check --preset touching/touching.json");
   CHECK(without.status == 2);
   CHECK_THAT(without.err, Contains("for files of yours give --dir"));

@@ -4,19 +4,13 @@
 
 #include "app/guard.h"
 #include "tests/app/accepted.h"
+#include "tests/app/refusals.h"
 
 namespace check_guard_test {
 namespace fs = std::filesystem;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
 using isect::program::guards_in;
-using isect::test::accept_command;
-using isect::test::all_in;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::files_in;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 
 namespace {
 
@@ -58,14 +52,7 @@ TEST_CASE("the names of guarded looks follow from what is listed", "[guard]") {
 }
 
 TEST_CASE("a look that can't be guarded is refused with its place", "[guard]") {
-  const auto why = [](const std::string& list) -> std::string {
-    try {
-      guards_in("{\"guard\": " + list + "}");
-    } catch (const isect::viz::BadInput& e) {
-      return e.what();
-    }
-    return "it was read";
-  };
+  const auto why = [](const std::string& list) { return refusal_of([&] { guards_in("{\"guard\": " + list + "}"); }); };
   CHECK_THAT(why("3"), StartsWith("guard: 3 is no list of looks"));
   CHECK_THAT(why(R"([{"theme": "dark"}, 3])"), StartsWith("guard 2: 3 is no look"));
   CHECK_THAT(why("[{}]"), StartsWith("guard 1: {} is no look"));
@@ -97,7 +84,7 @@ TEST_CASE("each step has a baseline of each look, beside that of the usual one",
   // The texts are those that render makes, but for what changes from version to version.
   REQUIRE(shell("isect render --preset figs/a.json --step 4 --format svg --theme print --out - >r.svg").status == 0);
   const std::string rendered = contents(shell.work() / "r.svg"), kept = contents(shell.file("04-relation.print.svg"));
-  const auto paths = [](const std::string& svg) { return isect::test::all_between(svg, " d=\""); };
+  const auto paths = [](const std::string& svg) { return all_between(svg, " d=\""); };
   CHECK_FALSE(paths(kept).empty());
   CHECK(paths(rendered) == paths(kept));
   CHECK_THAT(kept, Contains("\"file\":\"intervals/a/04-relation.print\"") && !Contains("\"version\""));

@@ -5,20 +5,8 @@
 namespace check_ownership_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
-using isect::test::accept_other_interval;
-using isect::test::Accepted;
-using isect::test::as_of;
-using isect::test::baselines;
-using isect::test::check;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::files_in;
-using isect::test::intervals;
-using isect::test::photo;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 
 TEST_CASE("no update changes or removes what isect did not make", "[check]") {
   const Shell shell;

@@ -9,17 +9,8 @@
 
 namespace check_report_test {
 namespace fs = std::filesystem;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
-using isect::test::accept_command;
-using isect::test::accept_other_interval;
-using isect::test::Accepted;
-using isect::test::check;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::Ran;
-using isect::test::scene;
-using isect::test::Shell;
-using isect::test::write;
 
 TEST_CASE("one command accepts all that failed, word by word", "[check]") {
   const Shell shell;
@@ -126,8 +117,8 @@ TEST_CASE("a baseline that Git LFS has not fetched yet is told as such, and is n
     write(shell.file(name), pointer);
     const Ran r = shell(check);
     INFO(r.out);
-    CHECK_THAT(r.out, Contains(isect::test::baselines + "/" + name + " is a Git LFS pointer") &&
-                          Contains("git lfs pull") && !Contains("not made by isect") && !Contains("move it away"));
+    CHECK_THAT(r.out, Contains(baselines + "/" + name + " is a Git LFS pointer") && Contains("git lfs pull") &&
+                          !Contains("not made by isect") && !Contains("move it away"));
     if (name != "09-gone.png") CHECK(r.status == 1);
     CHECK_THAT(shell(check + " --update=all").out, !Contains("not made by isect"));
     CHECK(contents(shell.file(name)) == pointer);

@@ -5,21 +5,8 @@
 namespace check_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
-using isect::test::accept_command;
-using isect::test::accept_other_interval;
-using isect::test::accept_with;
-using isect::test::Accepted;
-using isect::test::all_in;
-using isect::test::ball;
-using isect::test::baselines;
-using isect::test::check;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::number;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 
 TEST_CASE("what was accepted passes, from any locale and with CI set", "[check]") {
   const Accepted shell;

@@ -12,10 +12,7 @@
 
 namespace copied_test {
 namespace viz = isect::viz;
-using isect::test::contents;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
+using namespace isect::test;
 
 namespace {
 
@@ -125,7 +122,7 @@ TEST_CASE("a time within a step's motion is rendered as it was copied, and drawn
   CHECK(place_in(again.out) == place_in(contents(figure)));
   std::string told = shell("isect explain moment.json").out;
   std::ranges::replace(told, '\n', ' ');
-  CHECK_THAT(told, isect::test::Contains("The picture shows t = "));
+  CHECK_THAT(told, Contains("The picture shows t = "));
   CHECK(shell("isect show '" + figure + "'").status == 77);  // nothing is refused but the missing display
 }
 
@@ -137,7 +134,6 @@ TEST_CASE("a preset's file tells its time's step and range where they are wrong"
     CHECK(r.status == 2);
     return r.err;
   };
-  using isect::test::Contains;
   CHECK_THAT(refused(R"(, "step": 8, "time": 2.5)"), Contains("wrong.json: time: 2.5") && Contains("from 0 to 2"));
   CHECK_THAT(refused(R"(, "step": 10, "time": 1)"), Contains("nothing moves at step 10"));
   CHECK_THAT(refused(R"(, "time": 1)"), Contains("of which step"));

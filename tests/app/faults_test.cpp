@@ -11,11 +11,7 @@
 namespace faults_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
+using namespace isect::test;
 
 namespace {
 

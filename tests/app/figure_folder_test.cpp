@@ -10,13 +10,8 @@
 namespace figure_folder_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::files_in;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 
 TEST_CASE("figures of a changed setting have a folder of their own, named after the change", "[render]") {
   const Shell shell;

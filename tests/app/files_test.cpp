@@ -15,19 +15,16 @@
 
 #include "app/scene/files/shape_file.h"
 #include "app/scene/lesson.h"
+#include "tests/app/refusals.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 #include "viz/formats/files.h"
 #include "viz/lesson.h"
 
 namespace files_test {
+using namespace isect::test;
 using isect::program::scene::read_shape;
 using isect::program::scene::ShapeFile;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 using isect::viz::Vec3;
 using Json = nlohmann::ordered_json;
 
@@ -544,13 +541,8 @@ TEST_CASE("a file at random is read, or refused with the place of what is wrong"
 }
 
 TEST_CASE("what is nested deep, long or written on many lines is refused soon, in a short message", "[files]") {
-  const auto refusal = [](const std::string& bytes, const std::string& name) -> std::string {
-    try {
-      read_shape(bytes, name);
-    } catch (const isect::viz::BadInput& e) {
-      return e.what();
-    }
-    return "it was read";
+  const auto refusal = [](const std::string& bytes, const std::string& name) {
+    return refusal_of([&] { read_shape(bytes, name); });
   };
   const auto polygon = [](const std::string& outline) {
     return R"({"type": "Polygon", "coordinates": [)" + outline + "]}";

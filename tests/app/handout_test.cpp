@@ -6,14 +6,9 @@
 #include "tests/catch.h"
 
 namespace handout_test {
+using namespace isect::test;
 using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::count;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 
 TEST_CASE("a handout has pictures, captions, pseudocode, questions, and the answers at the end", "[handout]") {
   const Shell shell;
@@ -90,7 +85,7 @@ TEST_CASE("a handout is never written over a file of somebody else's", "[handout
   CHECK(r.status == 4);
   CHECK_THAT(r.err, Contains("handout.tex") && Contains("--out"));
   CHECK(contents(mine) == "\\documentclass{letter}\n");
-  CHECK(isect::test::files_in(shell.work()).size() == 1);  // nothing else was written either
+  CHECK(files_in(shell.work()).size() == 1);  // nothing else was written either
 }
 
 TEST_CASE("pages and pictures of a handout or deck that someone has edited are left alone", "[handout]") {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/figures/theme_text.h"
+#include "tests/app/refusals.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 #include "viz/colour/theme_check.h"
@@ -13,18 +14,11 @@
 namespace own_theme_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
 using isect::program::read_theme;
 using isect::program::ReadTheme;
 using isect::program::theme_text;
-using isect::test::all_between;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::count;
-using isect::test::files_in;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 
 namespace {
 
@@ -41,12 +35,7 @@ constexpr const char* pale = R"({
 viz::Colour of(const viz::OwnTheme& theme, viz::Role role) { return theme.colours[static_cast<std::size_t>(role)]; }
 
 std::string refusal(const std::string& text) {
-  try {
-    read_theme(text, "file");
-  } catch (const viz::BadInput& e) {
-    return e.what();
-  }
-  return "it is not refused";
+  return refusal_of([&] { read_theme(text, "file"); });
 }
 
 }  // namespace

@@ -16,12 +16,8 @@ namespace playlist_file_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
 namespace program = isect::program;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 
 namespace {
 

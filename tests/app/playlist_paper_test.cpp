@@ -15,15 +15,8 @@
 namespace playlist_paper_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
-using isect::test::all_between;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::count;
-using isect::test::files_in;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 
 namespace {
 

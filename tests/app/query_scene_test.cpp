@@ -10,10 +10,7 @@
 #include "tests/catch.h"
 
 namespace query_scene_test {
-using isect::test::Contains;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
+using namespace isect::test;
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
@@ -64,7 +61,7 @@ TEST_CASE("a line that is a whole scene is answered as the scene is", "[query]")
     const Ran scene = shell("isect scene --json '" + entry.path().string() + "'");
     REQUIRE(scene.status == 0);
     expected.push_back({{"id", entry.path().stem().string()}, {"result", Json::parse(scene.out)}});
-    Json line = Json::parse(isect::test::contents(entry.path()), nullptr, true, true);
+    Json line = Json::parse(contents(entry.path()), nullptr, true, true);
     line["id"] = entry.path().stem().string();
     lines += line.dump() + "\n";
   }

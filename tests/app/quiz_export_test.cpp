@@ -16,16 +16,8 @@
 namespace quiz_export_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::count;
-using isect::test::files_in;
-using isect::test::Ran;
-using isect::test::ReadQuestion;
-using isect::test::Shell;
-using isect::test::unzipped;
-using isect::test::write;
 
 namespace {
 
@@ -35,11 +27,9 @@ const std::vector<std::string> files = {"quiz.moodle.xml", "quiz.gift.txt", "qui
 std::vector<std::vector<ReadQuestion>> read_all(const fs::path& folder) {
   std::string category;
   std::vector<ReadQuestion> qti;
-  for (const isect::test::QtiItem& item : isect::test::read_qti(unzipped(contents(folder / files[2]))))
-    qti.push_back(item.read);
-  return {isect::test::read_moodle(contents(folder / files[0]), category),
-          isect::test::read_gift(contents(folder / files[1]), category), qti,
-          isect::test::read_h5p(unzipped(contents(folder / files[3])))};
+  for (const QtiItem& item : read_qti(unzipped(contents(folder / files[2])))) qti.push_back(item.read);
+  return {read_moodle(contents(folder / files[0]), category), read_gift(contents(folder / files[1]), category), qti,
+          read_h5p(unzipped(contents(folder / files[3])))};
 }
 
 std::set<std::string> ids_of(const std::vector<ReadQuestion>& questions) {
@@ -108,8 +98,7 @@ TEST_CASE("a quiz of all presets has each question once, under the lesson's name
   REQUIRE(shell("isect quiz points --preset all --format gift,moodle").out ==
           "quizzes/points/quiz.gift.txt\nquizzes/points/quiz.moodle.xml\n");
   std::string category;
-  const std::vector<ReadQuestion> all =
-      isect::test::read_gift(contents(shell.work() / "quizzes/points/quiz.gift.txt"), category);
+  const std::vector<ReadQuestion> all = read_gift(contents(shell.work() / "quizzes/points/quiz.gift.txt"), category);
   int wanted = 0;
   const viz::Lesson& lesson = viz::lesson_named(isect::lessons::all_lessons(), "points");
   for (const viz::Preset& preset : lesson.presets) wanted += asking_steps("points", preset.id);
@@ -202,7 +191,7 @@ TEST_CASE("a lesson's page goes out as a SCORM package, the same each time, over
   CHECK_THAT(shell("python3 -m zipfile -t site/ray-sphere.scorm.zip").out, Contains("Done testing"));
 
   // The page reports its questions, each once. A page that is in no package reports none.
-  const std::vector<std::string> told = isect::test::all_between(page, " data-scorm=\"");
+  const std::vector<std::string> told = all_between(page, " data-scorm=\"");
   REQUIRE(told.size() == 1);
   std::set<std::string> names, wanted;
   for (std::size_t from = 0; from < told[0].size();) {
@@ -214,7 +203,7 @@ TEST_CASE("a lesson's page goes out as a SCORM package, the same each time, over
        viz::prompts_of(viz::lesson_named(isect::lessons::all_lessons(), "ray-sphere")))
     wanted.insert(prompt.question);
   CHECK(names == wanted);
-  for (const std::string& asked : isect::test::all_between(page, " data-asked=\""))
+  for (const std::string& asked : all_between(page, " data-asked=\""))
     CHECK(names.contains(asked.substr(asked.find(' ') + 1)));
   CHECK_THAT(page, Contains("LMSInitialize") && Contains("<body data-lesson=\"ray-sphere\" data-scorm=\""));
   REQUIRE(shell("isect book ray-sphere --single --out alone").status == 0);

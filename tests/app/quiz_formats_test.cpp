@@ -28,11 +28,8 @@
 namespace quiz_formats_test {
 namespace viz = isect::viz;
 namespace platforms = isect::program::platforms;
+using namespace isect::test;
 using isect::program::Excerpt;
-using isect::test::Contains;
-using isect::test::QtiItem;
-using isect::test::ReadAnswer;
-using isect::test::ReadQuestion;
 using platforms::QuizItem;
 using platforms::QuizSheet;
 
@@ -223,7 +220,7 @@ void check_typed(const Wanted& w, const ReadQuestion& read) {
 
 /// What an item of QTI says to a response.
 Said said(const QtiItem& item, const std::vector<std::string>& response) {
-  const isect::test::QtiOutcome outcome = isect::test::qti_outcome(item, response);
+  const QtiOutcome outcome = qti_outcome(item, response);
   CHECK((outcome.score == 0 || outcome.score == 1));
   CHECK(outcome.feedbacks.contains("SOLUTION"));
   Said told = {outcome.score == 1};
@@ -261,7 +258,7 @@ void check_qti(const Wanted& w, const QtiItem& item) {
     CHECK(item.read.kind == "number");
     CHECK(response == "single float");
     CHECK(by.empty());
-    CHECK(isect::test::qti_outcome(item, {}).score == 0);
+    CHECK(qti_outcome(item, {}).score == 0);
     check_numbers(*w.asked().number, [&](double typed) { return said(item, {fmt::format("{}", typed)}); });
     return;
   }
@@ -309,12 +306,12 @@ TEST_CASE("every question of every lesson is read from each format as the lesson
       fill(sheet);
       if (sheet.wanted.empty()) continue;
       std::string category;
-      const std::vector<ReadQuestion> moodle = isect::test::read_moodle(written(sheet.quiz, "moodle"), category);
+      const std::vector<ReadQuestion> moodle = read_moodle(written(sheet.quiz, "moodle"), category);
       CHECK(category == "$course$/top/isect/" + sheet.quiz.name);
-      const std::vector<ReadQuestion> gift = isect::test::read_gift(written(sheet.quiz, "gift"), category);
+      const std::vector<ReadQuestion> gift = read_gift(written(sheet.quiz, "gift"), category);
       CHECK(category == "$course$/top/isect/" + sheet.quiz.name);
-      const std::vector<QtiItem> qti = isect::test::read_qti(isect::test::unzipped(written(sheet.quiz, "qti")));
-      const std::vector<ReadQuestion> h5p = isect::test::read_h5p(isect::test::unzipped(written(sheet.quiz, "h5p")));
+      const std::vector<QtiItem> qti = read_qti(unzipped(written(sheet.quiz, "qti")));
+      const std::vector<ReadQuestion> h5p = read_h5p(unzipped(written(sheet.quiz, "h5p")));
       REQUIRE(moodle.size() == sheet.wanted.size());
       REQUIRE(gift.size() == sheet.wanted.size());
       REQUIRE(qti.size() == sheet.wanted.size());
@@ -395,10 +392,10 @@ TEST_CASE("texts that a format would interpret are read as they are", "[quiz]") 
       CHECK((read.answers[0].right && !read.answers[1].right));
       CHECK(trimmed(read.answers[1].reply) == trimmed(text));
     };
-    check_judged(isect::test::read_moodle(written(sheet, "moodle"), category).at(0));
-    check_judged(isect::test::read_gift(written(sheet, "gift"), category).at(0));
-    check_judged(isect::test::read_h5p(isect::test::unzipped(written(sheet, "h5p"))).at(0));
-    const QtiItem item = isect::test::read_qti(isect::test::unzipped(written(sheet, "qti"))).at(0);
+    check_judged(read_moodle(written(sheet, "moodle"), category).at(0));
+    check_judged(read_gift(written(sheet, "gift"), category).at(0));
+    check_judged(read_h5p(unzipped(written(sheet, "h5p"))).at(0));
+    const QtiItem item = read_qti(unzipped(written(sheet, "qti"))).at(0);
     check(item.read);
     CHECK(said(item, {item.choices[0]}) == Said{true});
     CHECK(said(item, {item.choices[1]}).reply + "\n" == trimmed(text));
@@ -434,7 +431,7 @@ TEST_CASE("an identifier suits XML and Moodle, is the same each time, and differ
   for (const std::string& name : names) {
     const std::string id = platforms::identifier(name);
     INFO(id);
-    CHECK(isect::test::is_qti_identifier(id));
+    CHECK(is_qti_identifier(id));
     CHECK(id.size() <= 100);
     CHECK(id == platforms::identifier(name));
     CHECK(all.insert(id).second);
@@ -474,16 +471,16 @@ TEST_CASE("a SCORM package launches its page, and names what it holds", "[quiz][
   const viz::Lesson& lesson = *isect::lessons::all_lessons().front();
   const std::string file = platforms::scorm_package(lesson, {"page.html", "<!DOCTYPE html>"}, "the end");
   CHECK(file.ends_with("the end"));
-  const auto files = isect::test::unzipped(file);
+  const auto files = unzipped(file);
   REQUIRE(files.size() == 2);
   CHECK(files.at("page.html") == "<!DOCTYPE html>");
-  const isect::test::Xml manifest = isect::test::parsed_xml(files.at("imsmanifest.xml"));
+  const Xml manifest = parsed_xml(files.at("imsmanifest.xml"));
   CHECK(manifest.at("identifier") == "isect." + lesson.id);
   CHECK(manifest.one("metadata").one("schema").text == "ADL SCORM");
   CHECK(manifest.one("metadata").one("schemaversion").text == "1.2");
-  const isect::test::Xml& course = manifest.one("organizations").one("organization");
+  const Xml& course = manifest.one("organizations").one("organization");
   CHECK(manifest.one("organizations").at("default") == course.at("identifier"));
-  const isect::test::Xml& page = manifest.one("resources").one("resource");
+  const Xml& page = manifest.one("resources").one("resource");
   CHECK(course.one("item").at("identifierref") == page.at("identifier"));
   CHECK(course.one("item").one("title").text == viz::plain(lesson.title));
   CHECK(page.at("adlcp:scormtype") == "sco");

@@ -16,13 +16,8 @@ namespace render_test {
 namespace fs = std::filesystem;
 namespace program = isect::program;
 namespace viz = isect::viz;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::files_in;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 
 TEST_CASE("render writes figures, alt text and a manifest, and prints the figures", "[render]") {
   const Shell shell;

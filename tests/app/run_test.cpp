@@ -8,12 +8,8 @@
 
 namespace run_test {
 namespace fs = std::filesystem;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 
 namespace {
 

@@ -2,18 +2,15 @@
 
 #include <algorithm>
 
-#include "app/scene/file.h"
 #include "app/scene/lesson.h"
+#include "tests/app/refusals.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 
 namespace scene_look_test {
 namespace scene = isect::program::scene;
 namespace viz = isect::viz;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::Shell;
-using isect::test::write;
+using namespace isect::test;
 using viz::Role;
 
 namespace {
@@ -23,15 +20,6 @@ std::string scene_of(const std::string& color_of_a, const std::string& color_of_
          R"({"circle": "B", "center": [1, 0], "radius": 1)" + color_of_b + R"(}], "ask": [["A", "B"], ["B", "A"]]})";
 }
 std::string color(const std::string& name) { return ", \"color\": \"" + name + "\""; }
-
-std::string refused(const std::string& text) {
-  try {
-    scene::read_scene(text, "");
-  } catch (const viz::BadInput& e) {
-    return e.what();
-  }
-  return "";
-}
 
 /// Returns the roles of a scene's circles.
 std::vector<Role> roles(const viz::Scene& of) {

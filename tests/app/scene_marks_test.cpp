@@ -4,8 +4,8 @@
 
 #include "app/scene/edit.h"
 #include "app/scene/exact_points.h"
-#include "app/scene/file.h"
 #include "app/scene/lesson.h"
+#include "tests/app/refusals.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 #include "viz/text/rich_text.h"
@@ -13,11 +13,7 @@
 namespace scene_marks_test {
 namespace scene = isect::program::scene;
 namespace viz = isect::viz;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
+using namespace isect::test;
 using viz::Vec3;
 
 namespace {
@@ -30,15 +26,6 @@ const std::string objects =
 std::string scene_of(const std::string& marks, const std::string& more = "") {
   return "{\"objects\": [" + objects + "],\n\"ask\": [[\"r\", \"S\"], [\"p\", \"S\"]],\n\"marks\": [" + marks + "]" +
          more + "}";
-}
-
-std::string refused(const std::string& text) {
-  try {
-    scene::read_scene(text, "");
-  } catch (const viz::BadInput& e) {
-    return e.what();
-  }
-  return "";
 }
 
 viz::Walk walk_of(const std::string& text) {

@@ -11,13 +11,8 @@
 #include "tests/catch.h"
 
 namespace scene_shapes_test {
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::files_in;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 using Json = nlohmann::ordered_json;
 
 namespace {

@@ -13,13 +13,8 @@
 namespace scene_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::files_in;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 using Json = nlohmann::ordered_json;
 
 namespace {

@@ -6,6 +6,7 @@
 #include "app/scene/edit.h"
 #include "app/scene/file.h"
 #include "app/scene/lesson.h"
+#include "tests/app/refusals.h"
 #include "tests/app/shell.h"
 #include "tests/catch.h"
 #include "viz/text/rich_text.h"
@@ -14,11 +15,7 @@ namespace scene_words_test {
 namespace fs = std::filesystem;
 namespace scene = isect::program::scene;
 namespace viz = isect::viz;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
+using namespace isect::test;
 using Json = nlohmann::ordered_json;
 
 namespace {
@@ -28,16 +25,6 @@ const std::string coins = R"({"circle": "A", "center": [-1.5, 0], "radius": 1},
 
 std::string scene_of(const std::string& ask, const std::string& more = "") {
   return "{\"objects\": [" + coins + "],\n\"ask\": [" + ask + "]" + more + "}";
-}
-
-/// Returns the error for a scene.
-std::string refused(const std::string& text) {
-  try {
-    scene::read_scene(text, "");
-  } catch (const viz::BadInput& e) {
-    return e.what();
-  }
-  return "";
 }
 
 viz::Parameters moved(const viz::Lesson& lesson, const std::string& name, const std::string& to) {

@@ -16,13 +16,9 @@
 namespace select_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
+using namespace isect::test;
 using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 
 namespace {
 

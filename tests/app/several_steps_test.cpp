@@ -11,15 +11,9 @@
 namespace several_steps_test {
 namespace fs = std::filesystem;
 namespace viz = isect::viz;
+using namespace isect::test;
 using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::count;
-using isect::test::files_in;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 
 TEST_CASE("a strip is one figure of several steps, with letters, captions and metadata", "[strip]") {
   const Shell shell;

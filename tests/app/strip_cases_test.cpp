@@ -22,14 +22,8 @@ namespace strip_cases_test {
 namespace fs = std::filesystem;
 namespace program = isect::program;
 namespace viz = isect::viz;
+using namespace isect::test;
 using Catch::Matchers::StartsWith;
-using isect::test::all_between;
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::count;
-using isect::test::Ran;
-using isect::test::Shell;
-using isect::test::write;
 using program::Excerpt;
 
 namespace {

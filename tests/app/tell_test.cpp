@@ -7,10 +7,7 @@
 #include "tests/catch.h"
 
 namespace tell_test {
-using isect::test::Contains;
-using isect::test::contents;
-using isect::test::Ran;
-using isect::test::Shell;
+using namespace isect::test;
 
 namespace {
 
@@ -321,7 +318,7 @@ TEST_CASE("explain, handout, deck and book say the same of a comparison, an erra
 
 TEST_CASE("explain tells a verdict that is open", "[explain]") {
   const Shell shell;
-  isect::test::write(shell.work() / "open.json", R"({"objects": [
+  write(shell.work() / "open.json", R"({"objects": [
       {"ray": "r", "origin": [2.1, 1.5, -2], "dir": [0, 0, 1]},
       {"polygon": "P", "points": [[-1,-1,0], [1,1,0], [1,-1,0], [-1,1,0]]}], "ask": [["r", "P"]]})");
   CHECK_THAT(shell("COLUMNS=200 isect explain open.json").out, Contains("Verdict: r and P: not decided, as "));

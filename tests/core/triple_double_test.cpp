@@ -14,18 +14,15 @@
 namespace triple_double_test {
 using namespace isect;
 using oracle::Rational;
-using Split = TripleDouble<false>;
-using Whole = TripleDouble<true>;
 
 namespace {
 
-Rational rational(const Split& x) { return Rational(x.hi) + Rational(x.lo) + Rational(x.rest); }
+Rational rational(const TripleDouble& x) { return Rational(x.hi) + Rational(x.lo) + Rational(x.rest); }
 
 /// A number tracked as predicates do it: with the size and the roundings of its double, and the grid.
 struct Tracked {
   Bounded<double> quick;
-  Split split;
-  Whole fused;
+  TripleDouble split, fused;  ///< by products of either kind
   Grid grid;
   Rational truth;
 };
@@ -35,16 +32,17 @@ Tracked sum(const Tracked& a, const Tracked& b) {
 }
 Tracked opposite(const Tracked& a) { return {-a.quick, -a.split, -a.fused, -a.grid, -a.truth}; }
 Tracked product(const Tracked& a, const Tracked& b) {
-  return {a.quick * b.quick, a.split * b.split, a.fused * b.fused, a.grid * b.grid, a.truth * b.truth};
+  return {a.quick * b.quick, detail::product<false>(a.split, b.split), detail::product<true>(a.fused, b.fused),
+          a.grid * b.grid, a.truth * b.truth};
 }
 
 template <class Number>
 Tracked expression(bench::Random& random, int depth, const Number& number) {
   if (depth == 0) {
     const double x = number(), y = random.one_in(2) ? number() : 0;
-    if (y == 0) return {Bounded<double>(x), Split(x), Whole(x), Grid(x), Rational(x)};
-    return {Bounded<double>::difference(x, y), Split::difference(x, y), Whole::difference(x, y), Grid::difference(x, y),
-            Rational(x) - Rational(y)};
+    if (y == 0) return {Bounded<double>(x), TripleDouble(x), TripleDouble(x), Grid(x), Rational(x)};
+    return {Bounded<double>::difference(x, y), TripleDouble::difference(x, y), TripleDouble::difference(x, y),
+            Grid::difference(x, y), Rational(x) - Rational(y)};
   }
   const Tracked a = expression(random, depth - 1, number);
   const Tracked b = random.one_in(8) ? a : expression(random, random.below(depth), number);
@@ -76,7 +74,7 @@ Seen attacked(bench::Random& random, int count, const Number& number) {
     REQUIRE(x.split.hi == x.fused.hi);
     REQUIRE(x.split.lo == x.fused.lo);
     REQUIRE(x.split.rest == x.fused.rest);
-    const Bounded<Split> fine(x.split, size, x.quick.roundings());
+    const Bounded<TripleDouble> fine(x.split, size, x.quick.roundings());
     const Rational error = abs(rational(x.split) - x.truth);
     REQUIRE(error <= Rational(fine.error()));
     seen.worst = std::max(seen.worst, static_cast<double>(error / Rational(fine.error())));
@@ -109,14 +107,14 @@ TEST_CASE("the error of a triple-double expression stays within its bound", "[tr
 }
 
 TEST_CASE("what two doubles leave is kept in the third", "[triple_double]") {
-  const Split sum = (Split(1.) + Split(0x1p-60)) + Split(0x1p-120);
+  const TripleDouble sum = (TripleDouble(1.) + TripleDouble(0x1p-60)) + TripleDouble(0x1p-120);
   CHECK(sum.hi == 1);
   CHECK(sum.lo == 0x1p-60);
   CHECK(sum.rest == 0x1p-120);
-  const Split far = sum - Split(1.) - Split(0x1p-60);
+  const TripleDouble far = sum - TripleDouble(1.) - TripleDouble(0x1p-60);
   CHECK(in_two(far).hi == 0x1p-120);
   CHECK(quotient(far, sum) == 0x1p-120);
-  const Split cube = Split(1 + 0x1p-40) * Split(1 + 0x1p-40) * Split(1 + 0x1p-40);
+  const TripleDouble cube = TripleDouble(1 + 0x1p-40) * TripleDouble(1 + 0x1p-40) * TripleDouble(1 + 0x1p-40);
   CHECK(rational(cube) ==
         (Rational(1) + Rational(0x1p-40)) * (Rational(1) + Rational(0x1p-40)) * (Rational(1) + Rational(0x1p-40)));
 }
@@ -125,12 +123,12 @@ TEST_CASE("quotients are within 0.51 ulp, however the three parts cancel", "[tri
   bench::Random random(bench::stream(tests::seed(), "threefold quotient"));
   for (int i = 0; i < 20000; ++i) {
     INFO("ISECT_SEED=" << tests::seed() << ", numbers " << i);
-    const auto number = [&]() -> Split {
+    const auto number = [&]() -> TripleDouble {
       const double hi = random.one_in(3) ? 0 : random.magnitude(-20, 20);
       const double lo = random.one_in(3) ? -hi + 0x1p-50 * hi : random.magnitude(-20, 20) * 0x1p-53;
       return {hi, lo, random.magnitude(-20, 20) * 0x1p-106};
     };
-    const Split x = number(), y = number();
+    const TripleDouble x = number(), y = number();
     if (rational(y) == 0 || rational(x) == 0) continue;
     const Rational truth = rational(x) / rational(y);
     REQUIRE(abs(Rational(quotient(x, y)) - truth) <= abs(truth) * Rational(0x1p-53 + 0x1p-60));

@@ -133,4 +133,27 @@ TEST_CASE("where the order or a place is not known, all changes", "[picture_chan
   CHECK_FALSE(changed(drawn({green}), drawn({green, nowhere})));
 }
 
+TEST_CASE("only the pixels around a change are drawn again, within the part that is shown", "[picture_changes]") {
+  const auto shown = [](const std::vector<Shape>& shapes, const PixelBox& part = {0, 0, 400, 240}) {
+    return LastPicture{part, 2, white, drawn(shapes)};
+  };
+  const LastPicture now = shown({red, green});
+  const PixelBox all = now.part;
+  CHECK(to_draw(now, now) == PixelBox{});
+  CHECK(to_draw(shown({red}), now) == PixelBox{108, 28, 24, 24});  // two pixels more on each side
+  CHECK(to_draw(shown({red}, {120, 0, 100, 40}), shown({red, green}, {120, 0, 100, 40})) == PixelBox{120, 28, 12, 12});
+  const PixelBox elsewhere = to_draw(shown({red}, {200, 0, 100, 40}), shown({red, green}, {200, 0, 100, 40}));
+  CHECK(elsewhere.width * elsewhere.height == 0);
+
+  CHECK(to_draw({}, now) == all);
+  CHECK(to_draw(shown({green, red}), now) == all);
+  LastPicture other = now;
+  other.background = black;
+  CHECK(to_draw(other, now) == all);
+  other = now;
+  other.scale = 1;
+  CHECK(to_draw(other, now) == all);
+  CHECK(to_draw(shown({red, green}, {0, 0, 200, 240}), now) == all);
+}
+
 }  // namespace picture_changes_test

@@ -137,4 +137,17 @@ bool meet(const Box& a, const Box& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
 
+PixelBox to_draw(const LastPicture& last, const LastPicture& now) {
+  if (last.scale != now.scale || last.part != now.part || last.background != now.background) return now.part;
+  const std::optional<Box> box = changed(last.shapes, now.shapes);
+  if (!box) return now.part;
+  if (box->low == box->high) return {};
+  constexpr double more = 2;  // smooth edges, and lines thinner than a pixel
+  const Vec2 first(now.part.left, now.part.top), end = first + Vec2(now.part.width, now.part.height);
+  const Vec2 low = (box->low * now.scale - Vec2::Constant(more)).cwiseMax(first).cwiseMin(end).array().floor();
+  const Vec2 high = (box->high * now.scale + Vec2::Constant(more)).cwiseMin(end).cwiseMax(low).array().ceil();
+  return {static_cast<int>(low.x()), static_cast<int>(low.y()), static_cast<int>(high.x() - low.x()),
+          static_cast<int>(high.y() - low.y())};
+}
+
 }  // namespace isect::viz

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viz/drawing.h"
+#include "viz/gl/renderer.h"
 #include "viz/gl/tessellate.h"
 
 namespace isect::viz {
@@ -25,5 +26,17 @@ std::vector<DrawnShape> drawn_shapes(const Drawing&, const std::function<Box(con
 std::optional<Box> changed(const std::vector<DrawnShape>& before, const std::vector<DrawnShape>& now);
 
 bool meet(const Box&, const Box&);
+
+/// What a target shows; nothing is known of it while the scale is 0.
+struct LastPicture {
+  PixelBox part = {};  ///< of the drawing, in pixels from its top left corner
+  double scale = 0;    ///< pixels per unit of the drawing
+  Colour background = {};
+  std::vector<DrawnShape> shapes = {};
+};
+
+/// Returns the pixels of the part in which the picture may differ from the last one: none if nothing changed, all if
+/// that is not known or if the last one had another part, scale or background.
+PixelBox to_draw(const LastPicture& last, const LastPicture& now);
 
 }  // namespace isect::viz

@@ -1,6 +1,5 @@
 #include "viz/gl/renderer.h"
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "viz/gl/facet_pixels.h"
 #include "viz/gl/gl.h"
 #include "viz/gl/picture_changes.h"
 #include "viz/gl/triangle_batch.h"
@@ -118,52 +118,6 @@ class TextCache {
 
 namespace {
 
-/// Fills the pixels whose middles lie in the facet; neighbouring facets share none, and leave none out.
-void fill(Picture& picture, std::array<Vec2, 3> p, const std::array<std::uint8_t, 4>& colour) {
-  std::ranges::sort(p, [](const Vec2& a, const Vec2& b) { return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x(); });
-  const auto first = [](double from, int count) {  // pixel whose middle is not before
-    return static_cast<int>(std::clamp(std::ceil(from - 0.5), 0.0, static_cast<double>(count)));
-  };
-  const std::array<Vec2, 3> slope = {p[2] - p[0], p[1] - p[0], p[2] - p[1]};
-  const auto at = [&](const Vec2& from, const Vec2& way, double y) {
-    return from.x() + (y - from.y()) * (way.x() / way.y());
-  };
-  const int end = first(p[2].y(), picture.height);
-  for (int row = first(p[0].y(), picture.height); row < end; ++row) {
-    const double y = row + 0.5, one = at(p[0], slope[0], y);
-    const double other = y < p[1].y() ? at(p[0], slope[1], y) : at(p[1], slope[2], y);
-    const int right = first(std::max(one, other), picture.width);
-    std::uint8_t* const pixels = &picture.rgba[4 * static_cast<std::size_t>(row) * picture.width];
-    for (int x = first(std::min(one, other), picture.width); x < right; ++x) std::ranges::copy(colour, pixels + 4 * x);
-  }
-}
-
-/// Draws facets pixel by pixel: thousands of facets of a few pixels each would take a software renderer with four
-/// samples six times as long. Returns nothing if none is visible.
-Rastered raster(const Facets& facets, double scale, const PixelBox& part) {
-  const auto finite = [&](std::size_t i) {
-    return std::all_of(&facets.corners[3 * i], &facets.corners[3 * i] + 3, [](const Vec2& p) { return p.allFinite(); });
-  };
-  Vec2 lo(part.left + part.width, part.top + part.height), hi(part.left, part.top);
-  for (const Vec2& p : facets.corners)
-    if (p.allFinite()) lo = lo.cwiseMin(p * scale), hi = hi.cwiseMax(p * scale);
-  lo = lo.cwiseMax(Vec2(part.left, part.top)).array().floor();
-  hi = hi.cwiseMin(Vec2(part.left + part.width, part.top + part.height)).array().ceil();
-  Rastered out{{}, lo / scale};
-  if (!(lo.x() < hi.x() && lo.y() < hi.y())) return out;
-  out.picture.width = static_cast<int>(hi.x() - lo.x()), out.picture.height = static_cast<int>(hi.y() - lo.y());
-  out.picture.rgba.resize(4 * static_cast<std::size_t>(out.picture.width) * out.picture.height);
-  const auto byte = [](double x) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0, 1.0))); };
-  for (std::size_t i = 0; i < facets.colours.size(); ++i) {
-    if (!finite(i)) continue;
-    const Vec2* const p = &facets.corners[3 * i];
-    const Colour& c = facets.colours[i];
-    fill(out.picture, {p[0] * scale - lo, p[1] * scale - lo, p[2] * scale - lo},
-         {byte(c.r), byte(c.g), byte(c.b), 255});
-  }
-  return out;
-}
-
 /// Sets what the pass does to the stencil and whether it writes colour. `mark`: for `once`.
 void set_pass(Pass pass, int mark) {
   const bool coloured = pass != Pass::winding && pass != Pass::parity && pass != Pass::wipe;
@@ -213,28 +167,6 @@ void set_uniform(int at, const Colour& c) {
 }  // namespace
 
 struct Renderer::Impl {
-  /// What a target shows.
-  struct LastPicture {
-    PixelBox part = {};
-    double scale = 0;
-    Colour background = {};
-    std::vector<DrawnShape> shapes = {};
-  };
-
-  /// Returns the pixels of the part in which the picture differs from the last one: all if that is not known.
-  static PixelBox to_draw(const LastPicture& last, const LastPicture& now) {
-    if (last.scale != now.scale || last.part != now.part || last.background != now.background) return now.part;
-    const std::optional<Box> box = changed(last.shapes, now.shapes);
-    if (!box) return now.part;
-    if (box->low == box->high) return {};
-    constexpr double more = 2;  // smooth edges, and lines thinner than a pixel
-    const Vec2 first(now.part.left, now.part.top), end = first + Vec2(now.part.width, now.part.height);
-    const Vec2 low = (box->low * now.scale - Vec2::Constant(more)).cwiseMax(first).cwiseMin(end).array().floor();
-    const Vec2 high = (box->high * now.scale + Vec2::Constant(more)).cwiseMin(end).cwiseMax(low).array().ceil();
-    return {static_cast<int>(low.x()), static_cast<int>(low.y()), static_cast<int>(high.x() - low.x()),
-            static_cast<int>(high.y() - low.y())};
-  }
-
   explicit Impl(GetProc proc) : get_proc((gl::load(proc), proc)) {
     glGenVertexArrays(1, &layout);
     glGenBuffers(1, &buffer);
@@ -375,9 +307,9 @@ void Renderer::sketch(const Drawing& drawing, double scale) {
 }
 
 void Renderer::make(const Drawing& drawing, double scale, const PixelBox& part) {
-  Impl::LastPicture now = {part, scale, drawing.background,
-                           drawn_shapes(drawing, [&](const Text& text) { return impl_->box_of(text, scale); })};
-  const PixelBox wanted = Impl::to_draw(impl_->last(), now);
+  LastPicture now = {part, scale, drawing.background,
+                     drawn_shapes(drawing, [&](const Text& text) { return impl_->box_of(text, scale); })};
+  const PixelBox wanted = to_draw(impl_->last(), now);
   impl_->last() = {};  // unknown, until all is drawn
   impl_->target().bind(part.width, part.height);
   const Colour& ground = drawing.background;

@@ -58,10 +58,7 @@ template <bool fused>
 double leading(const CompensatedBy<fused>& x) {
   return x.hi + x.lo;
 }
-template <bool fused>
-double leading(const TripleDouble<fused>& x) {
-  return in_two(x).hi;
-}
+inline double leading(const TripleDouble& x) { return in_two(x).hi; }
 template <Unrounded W>
 double leading(const W&) {
   return 0;

@@ -80,7 +80,7 @@ class Bounded {
   ISECT_INLINE double error() const {
     const double k = roundings_ + 1;
     constexpr double u = unit<double>;
-    if constexpr (is_triple_double<T>)
+    if constexpr (std::is_same_v<T, TripleDouble>)
       return 8 * (k * k * k) * (u * u * u) * size_;
     else
       return is_compensated<T> ? 2 * k * k * u * u * size_ : k * unit<T> * size_;
@@ -134,7 +134,7 @@ class Recorded;
 /// The arithmetics that the polynomial texts of predicates run in, one after the other.
 template <class W>
 concept PolynomialScalar = std::same_as<W, Bounded<double>> || std::same_as<W, Grid> || std::same_as<W, Recorded> ||
-    is_compensated<W> || is_triple_double<W> || std::same_as<W, Bounded<DoubleDouble>> || std::same_as<W, ShortExact> ||
-    std::same_as<W, MediumExact> || std::same_as<W, Exact>;
+    is_compensated<W> || std::same_as<W, TripleDouble> || std::same_as<W, Bounded<DoubleDouble>> ||
+    std::same_as<W, ShortExact> || std::same_as<W, MediumExact> || std::same_as<W, Exact>;
 
 }  // namespace isect

@@ -71,14 +71,10 @@ template <class Text, class Trace>
 inline constexpr bool recorded_for = small_code || heard<Trace>;
 template <class Text, class Trace>
 inline constexpr bool recorded_for<NotRecorded<Text>, Trace> = false;
-/// The sign in W, TripleDouble, by the size and the count of roundings that doubles found.
-template <class W, class Text, class... Listeners>
-ISECT_INLINE std::optional<int> sign_in_finer(const Text& text, const Bounded<double>& quick, double step,
-                                              Listeners&... listeners) {
-  const Bounded<W> x(text.template operator()<W>(), quick.size(), quick.roundings());
-  const std::optional<int> s = sign_on_grid(x, step);
-  (listeners(Stage{Stage::Kind::triple_double, leading(x.value()), x.error(), step, s}), ...);
-  return s;
+/// The step of a text's grid.
+template <class Text>
+[[gnu::noinline]] double step_of(const Text& text) {
+  return text.template operator()<Grid>().step();
 }
 ISECT_INLINE bool in_range(const Bounded<double>& x) { return 0x1p-800 < x.size() && x.size() < 0x1p900; }
 
@@ -92,10 +88,12 @@ template <class Text, class... Listeners>
 template <class Text, class... Listeners>
 [[gnu::noinline]] int sign_after_compensated(const Text& text, const Bounded<double>& quick, double step,
                                              Listeners&... listeners) {
-  if (step > 0)  // nothing underflows
-    if (const std::optional<int> s =
-            compensated([&]<class W>() { return sign_in_finer<finer_than_t<W>>(text, quick, step, listeners...); }))
-      return *s;
+  if (step > 0) {  // nothing underflows
+    const Bounded<TripleDouble> x(text.template operator()<TripleDouble>(), quick.size(), quick.roundings());
+    const std::optional<int> s = sign_on_grid(x, step);
+    (listeners(Stage{Stage::Kind::triple_double, leading(x.value()), x.error(), step, s}), ...);
+    if (s) return *s;
+  }
   if (quick.size() < 0x1p248 * step)
     if (const std::optional<int> s = sign_in<MediumExact>(text, listeners...)) return *s;
   return exact_sign(text, listeners...);
@@ -115,7 +113,7 @@ template <class Text, class... Listeners>
                    std::abs(value) - error > 0 ? std::optional(value > 0 ? 1 : -1) : std::nullopt}),
    ...);
   if (std::abs(value) - error > 0) return value > 0 ? 1 : -1;
-  if (step == 0) step = text.template operator()<Grid>().step();
+  if (step == 0) step = step_of(text);
   const double most = std::min(std::abs(quick.value()) + quick.error(), std::abs(value) + error);
   (listeners(on_grid(most, step)), ...);
   return most < step ? 0 : sign_after_compensated(text, quick, step, listeners...);
@@ -127,7 +125,7 @@ template <class Text, class... Listeners>
 [[gnu::noinline]] int sign_after_doubles(const Text& text, const Bounded<double>& quick, Listeners&... listeners) {
   double step = 0;
   if (quick.value() == 0) {
-    step = text.template operator()<Grid>().step();
+    step = step_of(text);
     (listeners(on_grid(quick.error(), step)), ...);
     if (quick.error() < step) return 0;
   }

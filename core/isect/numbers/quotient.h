@@ -93,100 +93,140 @@ struct KnownQuotients {
   std::array<std::optional<double>, K> values = {};  ///< where the denominator is not 0
 
   bool all() const {
-    const auto known = [](const auto& x) { return x.has_value(); };
-    return signs[K] == 0 ? std::ranges::all_of(signs, known) : signs[K] && std::ranges::all_of(values, known);
-  }
-
-  /// Looks at the K + 1 numbers for what is not known yet: sign(x, i) and value(num, den, i) may find nothing.
-  template <class Ratios, class Sign, class Value>
-  bool learn(const Ratios& ratios, const Sign& sign, const Value& value) {
-    const auto x = terms(ratios);
-    for (std::size_t i = 0; i <= K; ++i)
-      if (!signs[i]) signs[i] = sign(*x[i], i);
     for (std::size_t i = 0; i < K; ++i)
-      if (!values[i] && signs[K] && signs[K] != 0) values[i] = signs[i] == 0 ? 0 : value(*x[i], *x[K], i);
-    return all();
+      if (signs[K] == 0 ? !signs[i] : !values[i]) return false;
+    return signs[K].has_value();
   }
 };
+
+/// The K numerators and the denominator of a text, in W.
+template <std::size_t K, class W>
+using Terms = std::array<const W*, K + 1>;
+
+/// Learns what is known of K quotients from their terms in one arithmetic after the other. Each call keeps what those
+/// before it found, and returns whether all is known. The text is not among its types, so that several share the code.
+template <class S, std::size_t K>
+class QuotientStages {
+ public:
+  QuotientStages(const Terms<K, Bounded<double>>& quick, const KnownQuotients<K>& known)
+      : quick_(quick), known_(known) {}
+
+  const KnownQuotients<K>& known() const { return known_; }
+  /// Whether doubles found 0 for a number whose sign is not known.
+  bool seems_zero() const {
+    bool any = false;
+    for (std::size_t i = 0; i <= K; ++i) any |= !known_.signs[i] && quick_[i]->value() == 0;
+    return any;
+  }
+  /// Whether the steps of the grids are known, and nothing underflows.
+  bool on_grid() const {
+    bool all = true;
+    for (const double step : steps_) all &= step > 0;
+    return all;
+  }
+
+  [[gnu::noinline]] bool learn() {
+    return learn([&](std::size_t i) { return quick_[i]->sign(); },
+                 [&](std::size_t i) -> Value {
+                   if (!quick_[i]->within(tolerance) || !quick_[K]->within(tolerance)) return {};
+                   return quick_[i]->value() / quick_[K]->value();
+                 });
+  }
+  /// Values alone, where little cancels.
+  [[gnu::noinline]] bool learn_ordinary(const std::array<Compensated, K + 1>& x) {
+    return learn([](std::size_t) { return std::optional<int>(); },
+                 [&](std::size_t i) -> Value {
+                   if (!ordinary(*quick_[i], x[i]) || !ordinary(*quick_[K], x[K])) return {};
+                   return in_reach(quotient(x[i], x[K]));
+                 });
+  }
+  [[gnu::noinline]] bool learn(const std::array<double, K + 1>& steps) {
+    steps_ = steps;
+    return learn([&](std::size_t i) { return sign_on_grid(*quick_[i], steps_[i]); },
+                 [&](std::size_t i) -> Value {
+                   if (!(quick_[i]->error() < steps_[i] && quick_[K]->error() < steps_[K])) return {};
+                   const double q = quick_[i]->value() / quick_[K]->value();
+                   return std::isfinite(q) ? Value(q) : std::nullopt;
+                 });
+  }
+  /// T is Compensated or TripleDouble.
+  template <class T>
+  [[gnu::noinline]] bool learn(const std::array<T, K + 1>& x) {
+    const auto bounded = [&](std::size_t i) { return Bounded<T>(x[i], quick_[i]->size(), quick_[i]->roundings()); };
+    return learn(
+        [&](std::size_t i) { return in_range(*quick_[i]) ? sign_on_grid(bounded(i), steps_[i]) : std::nullopt; },
+        [&](std::size_t i) -> Value {
+          if (!in_range(*quick_[i]) || !in_range(*quick_[K])) return {};
+          if (!bounded(i).within(tolerance) || !bounded(K).within(tolerance)) return {};
+          return in_reach(quotient(in_two(x[i]), in_two(x[K])));
+        });
+  }
+  [[gnu::noinline]] bool learn(const Terms<K, MediumExact>& x) {
+    return learn([&](std::size_t i) { return x[i]->sign(); },
+                 [&](std::size_t i) -> Value {
+                   const double q = quotient(*x[i], *x[K]);
+                   return std::isnan(q) ? std::nullopt : Value(q);
+                 });
+  }
+  [[gnu::noinline]] bool learn(const Terms<K, Exact>& x) {
+    return learn([&](std::size_t i) { return x[i]->sign(); },
+                 [&](std::size_t i) { return Value(near_quotient(*x[i], *x[K])); });
+  }
+
+ private:
+  using Value = std::optional<double>;
+  static constexpr double tolerance = std::numeric_limits<S>::epsilon() / 3;
+
+  static Value in_reach(double q) { return std::abs(q) < most_quotient ? Value(q) : std::nullopt; }
+
+  /// Looks for what is not known yet: sign(i) of number i, and value(i), its quotient, may find nothing.
+  template <class Sign, class Find>
+  bool learn(const Sign& sign, const Find& value) {
+    auto& [signs, values] = known_;
+    for (std::size_t i = 0; i <= K; ++i)
+      if (!signs[i]) signs[i] = sign(i);
+    for (std::size_t i = 0; i < K; ++i)
+      if (!values[i] && signs[K] && signs[K] != 0) values[i] = signs[i] == 0 ? 0 : value(i);
+    return known_.all();
+  }
+
+  Terms<K, Bounded<double>> quick_;
+  KnownQuotients<K> known_;
+  std::array<double, K + 1> steps_ = {};  // of the grids: 0 until they are asked
+};
+
+/// What `make` makes of the K + 1 terms of a text in W.
+template <class W, std::size_t K, class Text, class Make>
+ISECT_INLINE auto made_of_terms(const Text& text, const Make& make) {
+  const auto ratios = text.template operator()<W>();
+  const Terms<K, W> x = terms(ratios);
+  std::array<decltype(make(*x[0])), K + 1> made;
+  for (std::size_t i = 0; i <= K; ++i) made[i] = make(*x[i]);
+  return made;
+}
 
 /// Finds all of it. Each stage keeps what those before it found: doubles; two of them, about 100 bits, where what is
 /// known to be a whole multiple of a step is 0 or not; three of them, about 150; then whole numbers. The steps are
 /// asked for first where doubles found 0, as for shapes that touch on integers, and after two doubles otherwise.
 template <class S, std::size_t K, class Text>
-[[gnu::noinline]] KnownQuotients<K> quotients_by_stages(const Text& text, KnownQuotients<K> known = {}) {
-  using Value = std::optional<double>;
-  constexpr double tolerance = std::numeric_limits<S>::epsilon() / 3;
-  const auto finite_only = [](double q) { return std::isfinite(q) ? Value(q) : std::nullopt; };
-  const auto in_reach = [](double q) { return std::abs(q) < most_quotient ? Value(q) : std::nullopt; };
+[[gnu::noinline]] KnownQuotients<K> quotients_by_stages(const Text& text, const KnownQuotients<K>& known = {}) {
   const auto by_doubles = text.template operator()<Bounded<double>>();
-  const auto quick = terms(by_doubles);
-  if (known.learn(
-          by_doubles, [](const auto& x, std::size_t) { return x.sign(); },
-          [&](const auto& num, const auto& den, std::size_t) -> Value {
-            if (!num.within(tolerance) || !den.within(tolerance)) return {};
-            return num.value() / den.value();
-          }))
-    return known;
+  QuotientStages<S, K> stages(terms(by_doubles), known);
+  if (stages.learn()) return stages.known();
 
-  const auto by = [&]<class W>() -> bool {
-    const auto fine = text.template operator()<W>();
-    if (std::is_same_v<S, double> && known.learn(
-                                         fine, [](const W&, std::size_t) { return std::optional<int>(); },
-                                         [&](const W& num, const W& den, std::size_t i) -> Value {
-                                           if (!ordinary(*quick[i], num) || !ordinary(*quick[K], den)) return {};
-                                           return in_reach(quotient(num, den));
-                                         }))
-      return true;
+  const auto fine = compensated(
+      [&]<class W>() { return made_of_terms<W, K>(text, [](const W& x) { return Compensated(x.hi, x.lo); }); });
+  if (std::is_same_v<S, double> && stages.learn_ordinary(fine)) return stages.known();
+  const bool grid_first = stages.seems_zero();
+  if (!grid_first && stages.learn(fine)) return stages.known();
+  if (stages.learn(made_of_terms<Grid, K>(text, [](const Grid& x) { return x.step(); })) || stages.learn(fine))
+    return stages.known();
 
-    std::array<double, K + 1> steps = {};  // of the grids: 0 until they are asked
-    const auto ask_grids = [&]() -> bool {
-      const auto grids = text.template operator()<Grid>();
-      const auto grid = terms(grids);
-      for (std::size_t i = 0; i <= K; ++i) steps[i] = grid[i]->step();
-      return known.learn(
-          by_doubles, [&](const auto& x, std::size_t i) { return sign_on_grid(x, steps[i]); },
-          [&](const auto& num, const auto& den, std::size_t i) -> Value {
-            if (num.error() < steps[i] && den.error() < steps[K]) return finite_only(num.value() / den.value());
-            return {};
-          });
-    };
-    const auto learn_from = [&]<class T>(const auto& ratios, const T&) -> bool {
-      const auto bounded = [&](const T& x, std::size_t i) {
-        return Bounded<T>(x, quick[i]->size(), quick[i]->roundings());
-      };
-      return known.learn(
-          ratios,
-          [&](const T& x, std::size_t i) {
-            return in_range(*quick[i]) ? sign_on_grid(bounded(x, i), steps[i]) : std::nullopt;
-          },
-          [&](const T& num, const T& den, std::size_t i) -> Value {
-            if (!in_range(*quick[i]) || !in_range(*quick[K])) return {};
-            if (!bounded(num, i).within(tolerance) || !bounded(den, K).within(tolerance)) return {};
-            return in_reach(quotient(in_two(num), in_two(den)));
-          });
-    };
-    bool seems_zero = false;
-    for (std::size_t i = 0; i <= K; ++i) seems_zero |= !known.signs[i] && quick[i]->value() == 0;
-    if (seems_zero && ask_grids()) return true;
-    if (learn_from(fine, W())) return true;
-    if (!seems_zero && (ask_grids() || learn_from(fine, W()))) return true;
-    for (const double step : steps)
-      if (!(step > 0)) return false;  // something may underflow
-    using Finer = finer_than_t<W>;
-    return learn_from(text.template operator()<Finer>(), Finer());
-  };
-  if (compensated(by)) return known;
-
-  const auto sign = [](const auto& x, std::size_t) { return x.sign(); };
-  if (known.learn(text.template operator()<MediumExact>(), sign,
-                  [](const MediumExact& num, const MediumExact& den, std::size_t) -> Value {
-                    const double q = quotient(num, den);
-                    return std::isnan(q) ? std::nullopt : Value(q);
-                  }))
-    return known;
-  known.learn(text.template operator()<Exact>(), sign,
-              [](const Exact& num, const Exact& den, std::size_t) { return Value(near_quotient(num, den)); });
-  return known;
+  if (stages.on_grid() && stages.learn(made_of_terms<TripleDouble, K>(text, [](const TripleDouble& x) { return x; })))
+    return stages.known();
+  const auto in_bits = text.template operator()<MediumExact>();
+  if (!stages.learn(terms(in_bits))) stages.learn(terms(text.template operator()<Exact>()));
+  return stages.known();
 }
 }  // namespace detail
 

@@ -86,36 +86,26 @@ inline DoubleDouble to_double_double(const Whole256& x) {
 }
 }  // namespace detail
 
-/// Whole is Whole128 or Whole256: 127 or 255 bits and a sign.
+/// Whole is Whole128 or Whole256: 127 or 255 bits and a sign. With Whole256 operations stay calls, so that a text of
+/// them is compiled soon.
 template <class Whole>
 class FixedExact {
  public:
   FixedExact() = default;
   /// x itself; unknown if x is infinite or NaN.
-  ISECT_INLINE FixedExact(double x) {
-    const std::uint64_t digits = std::bit_cast<std::uint64_t>(x), hidden = std::uint64_t{1} << 52;
-    const int field = static_cast<int>(digits >> 52 & 0x7ff);
-    const int subnormal = field == 0;
-    const std::uint64_t mantissa = (digits & (hidden - 1)) | static_cast<std::uint64_t>(1 - subnormal) << 52;
-    const int zeros = std::countr_zero(mantissa | hidden);
-    const std::int64_t size = static_cast<std::int64_t>(mantissa >> zeros),
-                       sign = static_cast<std::int64_t>(digits) >> 63, zero = -static_cast<std::int64_t>(size == 0);
-    whole_ = detail::whole((size ^ sign) - sign, Whole{});
-    exponent_ = detail::either(zero, zero_exponent, field + subnormal - 1075 + zeros);
-    bits_ = detail::either(zero, zero_bits, 53 - zeros + (static_cast<int>(field == 0x7ff) << 10));
+  ISECT_INLINE FixedExact(double x) : FixedExact(calls ? called_from(x) : from(x)) {}
+  ISECT_INLINE static FixedExact difference(double x, double y) {
+    return calls ? called_difference(x, y) : sum(from(x), -from(y));
   }
 
   ISECT_INLINE friend FixedExact operator+(const FixedExact& a, const FixedExact& b) {
-    const int ahead = a.exponent_ - b.exponent_, behind = ahead & ahead >> 31, up = ahead - behind;
-    const int bits_a = a.bits_ + up, bits_b = b.bits_ - behind, more = bits_a - bits_b;
-    const int bits = bits_a - (more & more >> 31) + 1, exponent = b.exponent_ + behind;
-    const Whole whole = detail::sum(detail::shifted(a.whole_, up & most), detail::shifted(b.whole_, -behind & most));
-    const std::int64_t zero = -static_cast<std::int64_t>((whole == Whole{}) & (bits <= most));
-    return {whole, detail::either(zero, zero_exponent, exponent), detail::either(zero, zero_bits, bits)};
+    return calls ? called_sum(a, b) : sum(a, b);
   }
-  ISECT_INLINE friend FixedExact operator-(const FixedExact& a, const FixedExact& b) { return a + -b; }
+  ISECT_INLINE friend FixedExact operator-(const FixedExact& a, const FixedExact& b) {
+    return calls ? called_difference(a, b) : sum(a, -b);
+  }
   ISECT_INLINE friend FixedExact operator*(const FixedExact& a, const FixedExact& b) {
-    return {detail::product(a.whole_, b.whole_), a.exponent_ + b.exponent_, a.bits_ + b.bits_};
+    return calls ? called_product(a, b) : product(a, b);
   }
   ISECT_INLINE friend FixedExact operator-(const FixedExact& a) {
     return {detail::negative(a.whole_), a.exponent_, a.bits_};
@@ -134,13 +124,13 @@ class FixedExact {
     return whole_ == Whole{} ? 0 : std::ldexp(mantissa().hi, exponent_);
   }
   /// The double nearest to x / y, y != 0, up to a relative 2^-100; NaN where one is unknown.
-  friend double quotient(const FixedExact& x, const FixedExact& y) {
+  [[gnu::noinline]] friend double quotient(const FixedExact& x, const FixedExact& y) {
     if (!x.known() || !y.known()) return std::numeric_limits<double>::quiet_NaN();
     if (x.whole_ == Whole{}) return 0;
     return std::ldexp(quotient(x.mantissa(), y.mantissa()), x.exponent_ - y.exponent_);
   }
   /// The square root of x >= 0, within a relative 2^-103; unknown where x is.
-  friend FixedExact sqrt(const FixedExact& x) {
+  [[gnu::noinline]] friend FixedExact sqrt(const FixedExact& x) {
     if (!x.known() || x.whole_ == Whole{}) return x;
     const int odd = x.exponent_ & 1;
     const DoubleDouble root = sqrt(x.mantissa() * (1.0 + odd));
@@ -150,6 +140,37 @@ class FixedExact {
   }
 
  private:
+  static constexpr bool calls = sizeof(Whole) > 16;
+
+  ISECT_INLINE static FixedExact from(double x) {
+    const std::uint64_t digits = std::bit_cast<std::uint64_t>(x), hidden = std::uint64_t{1} << 52;
+    const int field = static_cast<int>(digits >> 52 & 0x7ff);
+    const int subnormal = field == 0;
+    const std::uint64_t mantissa = (digits & (hidden - 1)) | static_cast<std::uint64_t>(1 - subnormal) << 52;
+    const int zeros = std::countr_zero(mantissa | hidden);
+    const std::int64_t size = static_cast<std::int64_t>(mantissa >> zeros),
+                       sign = static_cast<std::int64_t>(digits) >> 63, zero = -static_cast<std::int64_t>(size == 0);
+    return {detail::whole((size ^ sign) - sign, Whole{}),
+            detail::either(zero, zero_exponent, field + subnormal - 1075 + zeros),
+            detail::either(zero, zero_bits, 53 - zeros + (static_cast<int>(field == 0x7ff) << 10))};
+  }
+  ISECT_INLINE static FixedExact sum(const FixedExact& a, const FixedExact& b) {
+    const int ahead = a.exponent_ - b.exponent_, behind = ahead & ahead >> 31, up = ahead - behind;
+    const int bits_a = a.bits_ + up, bits_b = b.bits_ - behind, more = bits_a - bits_b;
+    const int bits = bits_a - (more & more >> 31) + 1, exponent = b.exponent_ + behind;
+    const Whole whole = detail::sum(detail::shifted(a.whole_, up & most), detail::shifted(b.whole_, -behind & most));
+    const std::int64_t zero = -static_cast<std::int64_t>((whole == Whole{}) & (bits <= most));
+    return {whole, detail::either(zero, zero_exponent, exponent), detail::either(zero, zero_bits, bits)};
+  }
+  ISECT_INLINE static FixedExact product(const FixedExact& a, const FixedExact& b) {
+    return {detail::product(a.whole_, b.whole_), a.exponent_ + b.exponent_, a.bits_ + b.bits_};
+  }
+  [[gnu::noinline]] static FixedExact called_from(double x) { return from(x); }
+  [[gnu::noinline]] static FixedExact called_sum(const FixedExact& a, const FixedExact& b) { return sum(a, b); }
+  [[gnu::noinline]] static FixedExact called_product(const FixedExact& a, const FixedExact& b) { return product(a, b); }
+  [[gnu::noinline]] static FixedExact called_difference(const FixedExact& a, const FixedExact& b) { return sum(a, -b); }
+  [[gnu::noinline]] static FixedExact called_difference(double x, double y) { return sum(from(x), -from(y)); }
+
   bool known() const { return bits_ <= most; }
   /// The number divided by 2^exponent, within a relative 2^-105.
   DoubleDouble mantissa() const {

@@ -73,9 +73,8 @@ class Memo {
   }
 
  private:
-  mutable detail::MemoSlots<Value, Bounded<double>, Grid, CompensatedBy<false>, CompensatedBy<true>,
-                            TripleDouble<false>, TripleDouble<true>, Bounded<DoubleDouble>, ShortExact, MediumExact,
-                            Exact>
+  mutable detail::MemoSlots<Value, Bounded<double>, Grid, CompensatedBy<false>, CompensatedBy<true>, TripleDouble,
+                            Bounded<DoubleDouble>, ShortExact, MediumExact, Exact>
       found_;
 };
 

@@ -23,8 +23,8 @@ template <class S, int N, class Trace>
   const auto certain = [&](const std::optional<Verdict>& verdict) { return meets(ray.range, *verdict); };
   if (const auto verdict = decide<double>(ray, sphere, trace)) return certain(verdict);
   trace(Fallback{});
-  if (!bounded(ray, sphere, ray.range)) return false;
-  if ((ray.direction.array() == 0).all()) return settle_point(ray, sphere, ray.range).solid.has_value();
+  if (!finite(ray) || !finite(sphere)) return false;
+  if (is_zero(ray.direction)) return settle_point(ray, sphere, ray.range).solid.has_value();
   if (const auto verdict = decide<ShortExact>(ray, sphere, trace)) return certain(verdict);
   if (const std::optional<Scaled<N>> s = scaled(ray, sphere)) {
     if (const auto verdict = decide<double>(s->ray, s->sphere, trace)) return certain(verdict);

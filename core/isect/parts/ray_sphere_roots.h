@@ -82,6 +82,25 @@ ISECT_INLINE W cross_squared(const Offset<W, N>& f, const Vector<double, N>& d) 
   return sum;
 }
 
+/// f, A, B, f.f and r^2.
+template <Arithmetic W, int N>
+struct Numbers {
+  Offset<W, N> f;
+  W a, b, ff, rr;
+
+  ISECT_INLINE Numbers(const Ray<double, N>& ray, const Sphere<double, N>& sphere)
+      : f(from_center<W>(ray, sphere)),
+        a(dot<W, N>(ray.direction, ray.direction)),
+        b(dot<W, N>(f, ray.direction)),
+        ff(dot<W, N>(f, f)),
+        rr(product<W>(sphere.radius, sphere.radius)) {}
+};
+/// The same by a call, for the texts that run once doubles have failed: its code serves all of them.
+template <Arithmetic W, int N>
+[[gnu::noinline]] Numbers<W, N> numbers(const Ray<double, N>& ray, const Sphere<double, N>& sphere) {
+  return {ray, sphere};
+}
+
 /// Where t = e lies among the roots, for a line that has some; nothing where W can't tell.
 ///
 /// Bounds. Let G_i = |f_i| + |e d_i|. Then g = f + e d has an error of at most g(2) G_i, and with squares,
@@ -125,31 +144,26 @@ inline Location location(AmongRoots origin) {
 /// <= computed T < 1000 u^2 H never exceeds that bound.
 template <Arithmetic W, int N, class Trace>
 std::optional<Verdict> decide(const Ray<double, N>& ray, const Sphere<double, N>& sphere, Trace&& trace) {
-  const Vector<double, N>& d = ray.direction;
-  const Offset<W, N> f = from_center<W>(ray, sphere);
+  const Numbers<W, N> n = numbers<W>(ray, sphere);
+  const double reach = leading(n.ff) + leading(n.rr);
+  if (!in_range<W>(leading(n.a)) || !in_range<W>(reach)) return {};
 
-  const W a = dot<W, N>(d, d);
-  const W rr = product<W>(sphere.radius, sphere.radius);
-  const W ff = dot<W, N>(f, f);
-  const double reach = leading(ff) + leading(rr);
-  if (!in_range<W>(leading(a)) || !in_range<W>(reach)) return {};
-
-  const W arr = a * rr, cross = cross_squared<W, N>(f, d);
+  const W arr = n.a * n.rr, cross = cross_squared<W, N>(n.f, ray.direction);
   const W discriminant = arr - cross;
-  const double bound2 = 1024 * unit<W> * unit<W> * (leading(arr) + leading(cross)) * (leading(a) * reach);
+  const double bound2 = 1024 * unit<W> * unit<W> * (leading(arr) + leading(cross)) * (leading(n.a) * reach);
   const std::optional<int> roots = certain_sign<W>(discriminant, bound2);
   if (!roots) return {};
 
   Verdict verdict = {*roots + 1, Location::out, AmongRoots::before, AmongRoots::before};
   if (verdict.line_roots > 0) {
-    const auto of = [&](double e) { return among_roots<W, N>(e, f, d, a, rr); };
+    const auto of = [&](double e) { return among_roots<W, N>(e, n.f, ray.direction, n.a, n.rr); };
     const std::optional<AmongRoots> origin = of(0);
     const std::optional<AmongRoots> lo = ray.range.lo == 0 ? origin : of(ray.range.lo);
     const std::optional<AmongRoots> hi = of(ray.range.hi);
     if (!origin || !lo || !hi) return {};
     verdict = {verdict.line_roots, location(*origin), *lo, *hi};
   }
-  if constexpr (heard<Trace>) trace(Decision{rounded(a), rounded(discriminant), rounded(ff - rr), verdict});
+  if constexpr (heard<Trace>) trace(Decision{rounded(n.a), rounded(discriminant), rounded(n.ff - n.rr), verdict});
   return verdict;
 }
 
@@ -162,50 +176,41 @@ std::optional<Verdict> decide(const Ray<double, N>& ray, const Sphere<double, N>
 /// u H; B's error is smaller still. C errs by at most 8 u (f.f + r^2).
 template <Arithmetic W, int N>
 std::optional<Interval<double>> roots(const Ray<double, N>& ray, const Sphere<double, N>& sphere, double tolerance) {
-  const Vector<double, N>& d = ray.direction;
-  const Offset<W, N> f = from_center<W>(ray, sphere);
+  const Numbers<W, N> n = numbers<W>(ray, sphere);
+  const W c = n.ff - n.rr;
+  const W discriminant = n.b * n.b - n.a * c;
 
-  const W a = dot<W, N>(d, d), b = dot<W, N>(f, d);
-  const W ff = dot<W, N>(f, f), rr = product<W>(sphere.radius, sphere.radius);
-  const W c = ff - rr;
-  const W discriminant = b * b - a * c;
-
-  const double reach = leading(ff) + leading(rr), size = leading(a) * reach;
-  if (!in_range<W>(leading(a)) || !in_range<W>(reach)) return {};
+  const double reach = leading(n.ff) + leading(n.rr), size = leading(n.a) * reach;
+  if (!in_range<W>(leading(n.a)) || !in_range<W>(reach)) return {};
   if (!(leading(discriminant) >= 2048 * unit<W> * size)) return {};
 
   using std::sqrt;
-  const bool ahead = certain_sign(b, 0) == -1;
+  const bool ahead = certain_sign(n.b, 0) == -1;
   const W s = sqrt(discriminant);
-  const W q = ahead ? s - b : s + b;
+  const W q = ahead ? s - n.b : s + n.b;
   if (!(leading(s) * leading(q) * tolerance >= 33 * unit<W> * size)) return {};
   if (!(std::abs(leading(c)) * tolerance >= 8 * unit<W> * reach)) return {};
 
-  const double far = quotient(q, a), near = quotient(c, q);
+  const double far = quotient(q, n.a), near = quotient(c, q);
   if (Unrounded<W> && (std::isnan(far) || std::isnan(near))) return {};  // more digits than W has
   return ahead ? Interval<double>{near, far} : Interval<double>{-far, -near};
 }
 
-/// What doubles find of a ray and a sphere: f, A, B, r^2, and by Lagrange's identity D.
+/// What doubles find of a ray and a sphere, and by Lagrange's identity D.
 template <int N>
-struct Plain {
-  Offset<double, N> f;
-  double a, b, ff, rr, reach, arr, cross;  ///< reach: f.f + r^2
+struct Plain : Numbers<double, N> {
+  double reach, arr, cross;  ///< reach: f.f + r^2; D is arr - cross
 
   ISECT_INLINE Plain(const Ray<double, N>& ray, const Sphere<double, N>& sphere)
-      : f(from_center<double>(ray, sphere)),
-        a(dot<double, N>(ray.direction, ray.direction)),
-        b(dot<double, N>(f, ray.direction)),
-        ff(dot<double, N>(f, f)),
-        rr(sphere.radius * sphere.radius),
-        reach(ff + rr),
-        arr(a * rr),
-        cross(cross_squared<double, N>(f, ray.direction)) {}
+      : Numbers<double, N>(ray, sphere),
+        reach(this->ff + this->rr),
+        arr(this->a * this->rr),
+        cross(cross_squared<double, N>(this->f, ray.direction)) {}
 
   /// Whether the line misses the sphere, -1, or meets it twice, 1; or 0 where rounding may decide: see decide.
   int meets() const {
-    const double d = arr - cross, bound2 = 1024 * unit<double> * unit<double> * (arr + cross) * (a * reach);
-    const bool certain = in_range<double>(a) & in_range<double>(reach) & (d * d > bound2);
+    const double d = arr - cross, bound2 = 1024 * unit<double> * unit<double> * (arr + cross) * (this->a * reach);
+    const bool certain = in_range<double>(this->a) & in_range<double>(reach) & (d * d > bound2);
     return certain ? d > 0 ? 1 : -1 : 0;
   }
 };
@@ -263,14 +268,13 @@ ISECT_INLINE std::optional<Interval<double>> ordinary_roots(const Ray<double, N>
 /// |f| |d|; A's error is far smaller.
 template <Arithmetic W, int N>
 std::optional<double> double_root(const Ray<double, N>& ray, const Sphere<double, N>& sphere, double tolerance) {
-  const Offset<W, N> f = from_center<W>(ray, sphere);
-  const W a = dot<W, N>(ray.direction, ray.direction), b = dot<W, N>(f, ray.direction), ff = dot<W, N>(f, f);
-  if (!in_range<W>(leading(a)) || !in_range<W>(leading(ff))) return {};
-  if (!(std::abs(leading(b)) * tolerance >= 11 * unit<W> * std::sqrt(leading(ff) * leading(a)))) {
-    const bool at_origin = dot<ShortExact, N>(from_center<ShortExact>(ray, sphere), ray.direction).sign() == 0;
+  const Numbers<W, N> n = numbers<W>(ray, sphere);
+  if (!in_range<W>(leading(n.a)) || !in_range<W>(leading(n.ff))) return {};
+  if (!(std::abs(leading(n.b)) * tolerance >= 11 * unit<W> * std::sqrt(leading(n.ff) * leading(n.a)))) {
+    const bool at_origin = numbers<ShortExact>(ray, sphere).b.sign() == 0;
     return at_origin ? std::optional(0.0) : std::nullopt;
   }
-  const double t = -quotient(b, a);
+  const double t = -quotient(n.b, n.a);
   return std::isnan(t) ? std::nullopt : std::optional(t);
 }
 

@@ -24,9 +24,8 @@ struct Scaled {
 template <int N>
 std::optional<Scaled<N>> scaled(const Ray<double, N>& ray, const Sphere<double, N>& sphere) {
   const auto exponent = [](double size) { return size > 0 ? std::ilogb(size) : 0; };
-  const int along = exponent(ray.direction.cwiseAbs().maxCoeff());
-  const int across =
-      exponent(std::max({ray.origin.cwiseAbs().maxCoeff(), sphere.center.cwiseAbs().maxCoeff(), sphere.radius}));
+  const int along = exponent(largest_length(ray.direction)),
+            across = exponent(std::max(largest_length(ray), largest_length(sphere)));
   if (std::abs(along) < 40 && std::abs(across) < 40) return {};
 
   UnitOfLength lengths(across), directions(along), parameters(across - along);
@@ -49,27 +48,29 @@ std::optional<Interval<double>> roots_by(const Ray<double, N>& ray, const Sphere
   }
 }
 
+/// A verdict, and the roots of a line that has some.
+struct Settled {
+  Verdict verdict;
+  Interval<double> roots;
+};
+
 /// Finds the verdict in W, unless it is known, and the values in V; or nothing.
 template <Arithmetic W, class V, class S, int N, class Trace>
-std::optional<RaySphere<S>> attempt(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
-                                    const Interval<S>& range, int exponent, const std::optional<Verdict>& known,
-                                    Trace&& trace) {
+std::optional<Settled> attempt(const Ray<double, N>& ray, const Sphere<double, N>& sphere, int exponent,
+                               const std::optional<Verdict>& known, Trace&& trace) {
   const std::optional<Verdict> verdict = known ? known : decide<W>(ray, sphere, trace);
   if (!verdict) return {};
-  if (verdict->line_roots == 0) return RaySphere<S>{};
-
+  if (verdict->line_roots == 0) return Settled{*verdict, {}};
   const std::optional<Interval<double>> t = roots_by<V, S>(ray, sphere, verdict->line_roots);
   if (!t) return {};
-  const Interval<double> values = {std::ldexp(t->lo, exponent), std::ldexp(t->hi, exponent)};
-  trace(Values{values});
-  return report(range, *verdict, values);
+  return Settled{*verdict, {std::ldexp(t->lo, exponent), std::ldexp(t->hi, exponent)}};
 }
 
 /// Settles a ray of direction 0: it is the point `origin` at every real t of its range.
 template <class S, int N>
 RaySphere<S> settle_point(const Ray<double, N>& ray, const Sphere<double, N>& sphere, const Interval<S>& range) {
-  const Offset<Exact, N> f = from_center<Exact>(ray, sphere);
-  const int c = (dot<Exact, N>(f, f) - product<Exact>(sphere.radius, sphere.radius)).sign();
+  const Numbers<Exact, N> n = numbers<Exact>(ray, sphere);
+  const int c = (n.ff - n.rr).sign();
   RaySphere<S> result;
   result.origin = c < 0 ? Location::in : c > 0 ? Location::out : Location::on;
   const S end = std::numeric_limits<S>::infinity();
@@ -79,10 +80,27 @@ RaySphere<S> settle_point(const Ray<double, N>& ray, const Sphere<double, N>& sp
   return result;
 }
 
-template <class S, int N>
-bool bounded(const Ray<double, N>& ray, const Sphere<double, N>& sphere, const Interval<S>& range) {
-  return ray.origin.allFinite() && ray.direction.allFinite() && sphere.center.allFinite() &&
-         std::isfinite(sphere.radius) && !std::isnan(range.lo) && !std::isnan(range.hi);
+/// What doubles leave open, by the stages that follow. `known`: the verdict, where only the values are missing.
+template <class S, int N, class Trace>
+Settled by_stages(const Ray<double, N>& ray, const Sphere<double, N>& sphere, const std::optional<Verdict>& known,
+                  Trace&& trace) {
+  // What touches on integers or on a grid is settled in 127 bits; its values are then as easy as any others.
+  const std::optional<Verdict> verdict = known ? known : decide<ShortExact>(ray, sphere, trace);
+  if (verdict && verdict->origin == Location::on) {  // a root at 0, which no rounded number can promise
+    if (const auto t = roots_from_surface<DoubleDouble>(ray, sphere, tolerance<S>)) return {*verdict, *t};
+    if (const auto found = attempt<MediumExact, MediumExact, S>(ray, sphere, 0, verdict, trace)) return *found;
+  }
+  const std::optional<Scaled<N>> s = scaled(ray, sphere);
+  const Ray<double, N>& own_ray = s ? s->ray : ray;
+  const Sphere<double, N>& own_sphere = s ? s->sphere : sphere;
+  const int exponent = s ? s->exponent : 0;
+  if (s || (!known && verdict))
+    if (const auto found = attempt<double, Compensated, S>(own_ray, own_sphere, exponent, verdict, trace))
+      return *found;
+  if (const auto found = attempt<DoubleDouble, DoubleDouble, S>(own_ray, own_sphere, exponent, verdict, trace))
+    return *found;
+  if (const auto found = attempt<MediumExact, MediumExact, S>(ray, sphere, 0, verdict, trace)) return *found;
+  return *attempt<Exact, Exact, S>(ray, sphere, 0, verdict, trace);
 }
 
 /// Settles what doubles leave open. `known`: the verdict, where only the values are missing.
@@ -90,30 +108,12 @@ template <class S, int N, class Trace>
 [[gnu::noinline, gnu::cold]] RaySphere<S> settle(const Ray<double, N>& ray, const Sphere<double, N>& sphere,
                                                  const Interval<S>& range, const std::optional<Verdict>& known,
                                                  Trace&& trace) {
-  if (!bounded(ray, sphere, range)) return {};
-  if ((ray.direction.array() == 0).all()) return settle_point(ray, sphere, range);
-
-  // What touches on integers or on a grid is settled in 127 bits; its values are then as easy as any others.
-  const std::optional<Verdict> verdict = known ? known : decide<ShortExact>(ray, sphere, trace);
-  if (verdict && verdict->origin == Location::on) {  // a root at 0, which no rounded number can promise
-    if (const auto t = roots_from_surface<DoubleDouble>(ray, sphere, tolerance<S>)) {
-      trace(Values{*t});
-      return report(range, *verdict, *t);
-    }
-    if (const auto answer = attempt<MediumExact, MediumExact>(ray, sphere, range, 0, verdict, trace)) return *answer;
-  }
-  if (const std::optional<Scaled<N>> s = scaled(ray, sphere)) {
-    if (const auto answer = attempt<double, Compensated>(s->ray, s->sphere, range, s->exponent, verdict, trace))
-      return *answer;
-    if (const auto answer = attempt<DoubleDouble, DoubleDouble>(s->ray, s->sphere, range, s->exponent, verdict, trace))
-      return *answer;
-  } else {
-    if (!known && verdict)
-      if (const auto answer = attempt<double, Compensated>(ray, sphere, range, 0, verdict, trace)) return *answer;
-    if (const auto answer = attempt<DoubleDouble, DoubleDouble>(ray, sphere, range, 0, verdict, trace)) return *answer;
-  }
-  if (const auto answer = attempt<MediumExact, MediumExact>(ray, sphere, range, 0, verdict, trace)) return *answer;
-  return *attempt<Exact, Exact>(ray, sphere, range, 0, verdict, trace);
+  if (!finite(ray) || !finite(sphere)) return {};
+  if (is_zero(ray.direction)) return settle_point(ray, sphere, range);
+  const Settled found = by_stages<S>(ray, sphere, known, trace);
+  if (found.verdict.line_roots == 0) return {};
+  trace(Values{found.roots});
+  return report(range, found.verdict, found.roots);
 }
 
 /// The verdict and the values in doubles, each settled where doubles can't tell.

@@ -26,7 +26,7 @@ struct Straight {
     if constexpr (between_ends)
       return heading == origin;
     else
-      return (heading.array() == 0).all();
+      return is_zero(heading);
   }
 };
 

@@ -22,7 +22,9 @@ class UnitOfLength {
   }
   template <int N>
   Vector<double, N> operator()(const Vector<double, N>& x) {
-    return x.unaryExpr([this](double c) { return (*this)(c); });
+    Vector<double, N> y;
+    for (int i = 0; i < N; ++i) y[i] = (*this)(x[i]);
+    return y;
   }
   template <int N>
   Sphere<double, N> operator()(const Sphere<double, N>& x) {
@@ -61,30 +63,36 @@ class UnitOfLength {
 // The largest length of a shape, without sign.
 
 template <int N>
+double largest_length(const Vector<double, N>& x) {
+  double most = 0;
+  for (int i = 0; i < N; ++i) most = std::max(most, std::abs(x[i]));
+  return most;
+}
+template <int N>
 double largest_length(const Sphere<double, N>& x) {
-  return std::max(x.center.cwiseAbs().maxCoeff(), x.radius);
+  return std::max(largest_length(x.center), x.radius);
 }
 template <int N>
 double largest_length(const Capsule<double, N>& x) {
-  return std::max({x.p.cwiseAbs().maxCoeff(), x.q.cwiseAbs().maxCoeff(), x.radius});
+  return std::max({largest_length(x.p), largest_length(x.q), x.radius});
 }
 template <int N>
 double largest_length(const Triangle<double, N>& x) {
   double most = 0;
-  for (const Point<double, N>& v : x.vertices) most = std::max(most, v.cwiseAbs().maxCoeff());
+  for (const Point<double, N>& v : x.vertices) most = std::max(most, largest_length(v));
   return most;
 }
 template <int N>
 double largest_length(const Aabb<double, N>& x) {
-  return std::max(x.lo.cwiseAbs().maxCoeff(), x.hi.cwiseAbs().maxCoeff());
+  return std::max(largest_length(x.lo), largest_length(x.hi));
 }
 template <int N>
 double largest_length(const Obb<double, N>& x) {
-  return std::max(x.center.cwiseAbs().maxCoeff(), x.half.maxCoeff());
+  return std::max(largest_length(x.center), largest_length(x.half));
 }
 template <int N>
 double largest_length(const Ray<double, N>& x) {
-  return x.origin.cwiseAbs().maxCoeff();
+  return largest_length(x.origin);
 }
 
 /// answer(a, b); shapes that are very large or very small are first given a unit in which they are neither, unless that
