@@ -268,7 +268,7 @@ class LessonWriter {
     const bool again = !offered.empty() && question_ && offered_by(*question_) == offered;
     const bool same_reason = again && question_->because == q.because;
     question_ = q;
-    const std::string head = viz::tr("Question {n}: ", {{"n", std::to_string(q.number)}});
+    const std::string head = viz::tr("Question {n}:", {{"n", std::to_string(q.number)}}) + " ";
     std::string out = paragraph(head + plain(known ? q.prompt : q.whole_prompt) +
                                 (again ? " " + viz::tr("(The same choices.)") : ""));
     for (std::size_t i = 0; i < offered.size() && !again; ++i)

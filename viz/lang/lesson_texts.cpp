@@ -1,10 +1,13 @@
 #include "viz/lang/lesson_texts.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -87,22 +90,95 @@ class EachText {
   std::function<void(std::string&)> each_;
 };
 
+/// A text with "{1}", "{2}" ... in the place of its numbers.
+struct Numbered {
+  std::string key;
+  std::vector<std::string> numbers;
+};
+
+bool is_figure(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// Returns where a number ends that begins at `at`; `at` if none does. One beside a letter is a part of a name.
+std::size_t number_end(const std::string& text, std::size_t at) {
+  constexpr std::string_view minus = "−";
+  std::size_t end = at + (text.compare(at, minus.size(), minus) == 0 ? minus.size() : 0);
+  const std::size_t figures = end;
+  while (end < text.size() && is_figure(text[end])) ++end;
+  if (end == figures) return at;
+  if (end + 1 < text.size() && text[end] == '.' && is_figure(text[end + 1]))
+    for (++end; end < text.size() && is_figure(text[end]);) ++end;
+  const bool named = (at > 0 && is_letter(text[at - 1])) || (end < text.size() && is_letter(text[end]));
+  return named ? at : end;
+}
+
+/// Returns where a script ends that begins at `at`: "^2", "_{10}"; `at` if none does.
+std::size_t script_end(const std::string& text, std::size_t at) {
+  if ((text[at] != '^' && text[at] != '_') || at + 1 >= text.size()) return at;
+  if (text[at + 1] != '{') return at + 2;
+  const std::size_t close = text.find('}', at);
+  return close == text.npos ? at : close + 1;
+}
+
+Numbered numbered(const std::string& text) {
+  Numbered made;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t script = script_end(text, at), end = script > at ? at : number_end(text, at);
+    const std::size_t next = std::max({at + 1, script, end});
+    if (end > at) {
+      made.numbers.push_back(text.substr(at, end - at));
+      made.key += '{' + std::to_string(made.numbers.size()) + '}';
+    } else {
+      made.key += text.substr(at, next - at);
+    }
+    at = next;
+  }
+  return made;
+}
+
+/// Returns the translation of a text: with its numbers as they are, else with any numbers.
+std::optional<std::string> told_in(const std::string& subject, const std::string& language, const std::string& text) {
+  if (const std::string* const whole = translation_in(subject, language, text)) return *whole;
+  const Numbered any = numbered(text);
+  if (any.numbers.empty()) return {};
+  const std::string* const found = translation_in(subject, language, any.key);
+  if (!found) return {};
+  std::string told;
+  for (std::size_t at = 0; at < found->size();) {
+    std::size_t script = script_end(*found, at);
+    const std::size_t close = (*found)[at] == '{' ? found->find('}', at) : found->npos;
+    if (script == at && close != found->npos) {
+      const std::size_t i = std::stoul(found->substr(at + 1, close - at - 1));
+      told += any.numbers.at(i - 1), at = close + 1;
+    } else {
+      script = std::max(script, at + 1);
+      told += found->substr(at, script - at), at = script;
+    }
+  }
+  return told;
+}
+
+/// Returns the lines of a text.
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    lines.push_back(text.substr(from, end - from));
+    from = end + 1;
+  }
+  return lines;
+}
+
 /// Replaces a text by its translation: the whole, or line by line.
 void translate(std::string& text, const std::string& subject, const std::string& language) {
   if (text.empty()) return;
-  if (const std::string* const whole = translation_in(subject, language, text)) {
-    text = *whole;
+  if (std::optional<std::string> whole = told_in(subject, language, text)) {
+    text = std::move(*whole);
     return;
   }
-  if (text.find('\n') == text.npos) return;
   std::string all;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t end = std::min(text.find('\n', from), text.size());
-    const std::string line = text.substr(from, end - from);
-    const std::string* const told = translation_in(subject, language, line);
-    all += (from == 0 ? "" : "\n") + (told ? *told : line);
-    from = end + 1;
-  }
+  for (const std::string& line : lines_of(text))
+    all += (all.empty() ? "" : "\n") + told_in(subject, language, line).value_or(line);
   text = std::move(all);
 }
 
@@ -139,18 +215,50 @@ bool has_words(const std::string& markup) {
   return false;
 }
 
-/// Returns all texts of a lesson, in an order that is the same in every language.
-std::vector<std::string> texts_of(const Lesson& lesson) {
-  std::vector<std::string> all;
-  const EachText each([&](std::string& text) { all.push_back(text); });
+/// Texts with words, in order, each once.
+struct TextSet {
+  std::vector<std::string> texts;
+  std::set<std::string> known = {};
+  void add(const std::string& text) {
+    if (has_words(text) && known.insert(text).second) texts.push_back(text);
+  }
+};
+
+/// Whether a language has all words of a text.
+bool is_told(const std::string& subject, const std::string& language, const std::string& text) {
+  if (!has_words(text) || told_in(subject, language, text)) return true;
+  const std::vector<std::string> lines = lines_of(text);
+  return lines.size() > 1 && std::ranges::all_of(lines, [&](const std::string& line) {
+           return !has_words(line) || told_in(subject, language, line);
+         });
+}
+
+/// Returns the texts with words that a lesson has in every setting, each once.
+std::vector<std::string> own_texts(const Lesson& lesson) {
+  TextSet all;
+  const EachText each([&](std::string& text) { all.add(text); });
   Lesson own = lesson;
   each.of(own);
   if (Closing closing; lesson.closing) closing = *lesson.closing, each.of(closing);
   if (CaseMap map; lesson.map) map = *lesson.map, each.of(map);
-  for (const Preset& preset : lesson.presets) {
-    Walk walk = lesson.steps(preset.parameters);
+  return std::move(all.texts);
+}
+
+/// Returns those of its walks with these settings, in English.
+std::vector<std::string> texts_of_walks(const Lesson& lesson, const std::vector<Parameters>& settings) {
+  const Speaking english("en");
+  TextSet all;
+  const EachText each([&](std::string& text) { all.add(text); });
+  for (const Parameters& here : settings) {
+    Walk walk = lesson.steps(here);
     each.of(walk);
   }
+  return std::move(all.texts);
+}
+
+std::vector<Parameters> presets_of(const Lesson& lesson) {
+  std::vector<Parameters> all;
+  for (const Preset& preset : lesson.presets) all.push_back(preset.parameters);
   return all;
 }
 
@@ -177,23 +285,26 @@ Walk spoken_walk(const std::string& lesson, const std::function<Walk()>& steps) 
   return walk;
 }
 
+std::vector<std::string> untranslated(const Lesson& lesson, const std::string& language,
+                                      const std::vector<Parameters>& settings) {
+  std::vector<std::string> left;
+  for (const std::vector<std::string>& some : {own_texts(lesson), texts_of_walks(lesson, settings)})
+    std::ranges::copy_if(some, std::back_inserter(left),
+                         [&](const std::string& text) { return !is_told(subject_of(lesson.id), language, text); });
+  return left;
+}
+
 Coverage coverage(const Lesson& lesson, const std::string& language) {
-  const std::vector<std::string> english = texts_of(lesson);
-  std::set<std::string> all, left;
-  const Lesson& other = lesson_in(lesson, language);
-  const bool same = &other == &lesson;
-  std::vector<std::string> told = english;
-  if (!same) {
-    const Speaking speaking(language);
-    told = texts_of(other);
-  }
-  for (std::size_t i = 0; i < english.size(); ++i) {
-    if (!has_words(english[i])) continue;
-    all.insert(english[i]);
-    if (language != "en" && told[i] == english[i] && !translation_in(subject_of(lesson.id), language, english[i]))
-      left.insert(english[i]);
-  }
-  return {all.size() - left.size(), all.size()};
+  const std::vector<Parameters> settings = presets_of(lesson);
+  const std::size_t all = own_texts(lesson).size() + texts_of_walks(lesson, settings).size();
+  return {language == "en" ? all : all - untranslated(lesson, language, settings).size(), all};
+}
+
+std::vector<std::string> text_keys(const Lesson& lesson) {
+  TextSet keys;
+  for (const std::string& text : own_texts(lesson)) keys.add(text);
+  for (const std::string& text : texts_of_walks(lesson, presets_of(lesson))) keys.add(numbered(text).key);
+  return std::move(keys.texts);
 }
 
 }  // namespace isect::viz

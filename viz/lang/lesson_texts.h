@@ -1,10 +1,11 @@
 #pragma once
-// What lessons say, in other languages. A text without numbers is looked up as a whole in
-// lessons/<subject>/<language>.po when a walk has been made; one with numbers is a message (viz/lang/message.h) where
-// the lesson writes it.
+// What lessons say, in other languages. Lessons write English. When a walk has been made, each of its texts is looked
+// up in lessons/<subject>/<language>.po: the whole, or line by line; with its numbers as they are, or with "{1}", "{2}"
+// in their place. So no lesson needs another line of code.
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "viz/lang/catalogue.h"
 #include "viz/lesson.h"
@@ -18,8 +19,13 @@ const Lesson& lesson_in(const Lesson&, const std::string& language);
 /// the lesson, so that a walk never mixes both.
 Walk spoken_walk(const std::string& lesson, const std::function<Walk()>& steps);
 
-/// Returns how many of a lesson's texts a language has: of those of all presets, each text counted once. Texts without
-/// words, such as formulas, don't count. Walks through all presets if the lesson has a file for the language.
+/// Returns the texts of a lesson that a language lacks: its own, and those of its walks with these settings. Texts
+/// without words, such as formulas, need none; pseudocode stays as it is.
+std::vector<std::string> untranslated(const Lesson&, const std::string& language,
+                                      const std::vector<Parameters>& settings);
+/// Returns how many a language has, of its own and of all presets.
 Coverage coverage(const Lesson&, const std::string& language);
+/// Returns the keys of these texts, as a file of translations has them.
+std::vector<std::string> text_keys(const Lesson&);
 
 }  // namespace isect::viz
