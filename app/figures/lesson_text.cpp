@@ -13,6 +13,7 @@
 #include "viz/chart/case_map.h"
 #include "viz/chart/chart.h"
 #include "viz/lang/language.h"
+#include "viz/lang/lesson_texts.h"
 #include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/utf8.h"
@@ -243,7 +244,9 @@ class LessonWriter {
   /// Returns what the methods say that should agree.
   std::string side_by_side() const {
     if (!e_.lesson->opinions) return {};
-    const std::vector<viz::Opinion> opinions = e_.lesson->opinions(e_.parameters);
+    std::vector<viz::Opinion> opinions = e_.lesson->opinions(e_.parameters);
+    for (viz::Opinion& o : opinions)
+      o.method = viz::spoken_text(*e_.lesson, o.method), o.says = viz::spoken_text(*e_.lesson, o.says);
     if (opinions.empty()) return {};
     std::size_t widest = 0;
     for (const viz::Opinion& o : opinions) widest = std::max(widest, count_characters(plain(o.method)));

@@ -99,15 +99,37 @@ struct Numbered {
 bool is_figure(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// Returns where a number ends that begins at `at`; `at` if none does. One beside a letter is a part of a name.
+/// Whether these bytes stand at this place.
+bool stands_at(const std::string& text, std::size_t at, std::string_view bytes) {
+  return text.compare(at, bytes.size(), bytes) == 0;
+}
+
+/// Returns where the power of ten ends that may follow a number, as `shown` writes it: "1.5 · 10⁻⁶".
+std::size_t power_end(const std::string& text, std::size_t at) {
+  constexpr std::string_view times = "\u2009·\u200910";
+  if (!stands_at(text, at, times)) return at;
+  for (at += times.size();;) {
+    static constexpr std::string_view raised[] = {"⁻", "⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    const auto* const found =
+        std::ranges::find_if(raised, [&](std::string_view digit) { return stands_at(text, at, digit); });
+    if (found == std::end(raised)) return at;
+    at += found->size();
+  }
+}
+
+/// Returns where a number ends that begins at `at`, as `shown` writes it; `at` if none does. One beside a letter is a
+/// part of a name.
 std::size_t number_end(const std::string& text, std::size_t at) {
-  constexpr std::string_view minus = "−";
-  std::size_t end = at + (text.compare(at, minus.size(), minus) == 0 ? minus.size() : 0);
-  const std::size_t figures = end;
-  while (end < text.size() && is_figure(text[end])) ++end;
-  if (end == figures) return at;
-  if (end + 1 < text.size() && text[end] == '.' && is_figure(text[end + 1]))
-    for (++end; end < text.size() && is_figure(text[end]);) ++end;
+  constexpr std::string_view minus = "−", infinite = "∞", thin_space = "\u2009";
+  std::size_t end = at + (stands_at(text, at, minus) ? minus.size() : 0);
+  if (stands_at(text, end, infinite)) return end + infinite.size();
+  const auto figure_at = [&](std::size_t i) { return i < text.size() && is_figure(text[i]); };
+  if (!figure_at(end)) return at;
+  while (figure_at(end) || (stands_at(text, end, thin_space) && figure_at(end + thin_space.size())))
+    end += is_figure(text[end]) ? 1 : thin_space.size();
+  if (stands_at(text, end, ".") && figure_at(end + 1))
+    for (++end; figure_at(end);) ++end;
+  end = power_end(text, end);
   const bool named = (at > 0 && is_letter(text[at - 1])) || (end < text.size() && is_letter(text[end]));
   return named ? at : end;
 }
@@ -272,6 +294,12 @@ const Lesson& lesson_in(const Lesson& lesson, const std::string& language) {
   std::unique_ptr<TranslatedLesson>& made = kept[{&lesson, language}];
   if (!made) made = translated(lesson, language);
   return made->lesson;
+}
+
+std::string spoken_text(const Lesson& lesson, const std::string& text) {
+  std::string told = text;
+  if (!lesson.language.empty() && lesson.made_from.empty()) translate(told, subject_of(lesson.id), lesson.language);
+  return told;
 }
 
 Walk spoken_walk(const std::string& lesson, const std::function<Walk()>& steps) {

@@ -19,6 +19,9 @@ const Lesson& lesson_in(const Lesson&, const std::string& language);
 /// the lesson, so that a walk never mixes both.
 Walk spoken_walk(const std::string& lesson, const std::function<Walk()>& steps);
 
+/// Returns a text of a lesson that stands in none of its walks, in the lesson's language.
+std::string spoken_text(const Lesson&, const std::string& text);
+
 /// Returns the texts of a lesson that a language lacks: its own, and those of its walks with these settings. Texts
 /// without words, such as formulas, need none; pseudocode stays as it is.
 std::vector<std::string> untranslated(const Lesson&, const std::string& language,

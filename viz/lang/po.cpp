@@ -158,4 +158,29 @@ std::size_t plural_forms(Plural rule) { return rule == Plural::one_form ? 1 : 2;
 
 PoFile read_po(const std::string& text) { return PoReader(text).read(); }
 
+std::string po_text(const PoFile& file) {
+  const auto in_quotes = [](const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+      if (c == '"' || c == '\\') out += '\\';
+      out += c == '\n' ? "\\n" : c == '\t' ? "\\t" : std::string(1, c);
+    }
+    return out + "\"\n";
+  };
+  const auto* const rule = std::ranges::find(plural_rules, file.plural, &std::pair<std::string_view, Plural>::second);
+  std::string out = "msgid \"\"\nmsgstr \"\"\n";
+  if (!file.language.empty()) out += in_quotes("Language: " + file.language + "\n");
+  out += in_quotes("Content-Type: text/plain; charset=UTF-8\n");
+  out += in_quotes(fmt::format("Plural-Forms: {}\n", rule->first));
+  for (const PoEntry& entry : file.entries) {
+    out += entry.fuzzy ? "\n#, fuzzy\n" : "\n";
+    if (!entry.context.empty()) out += "msgctxt " + in_quotes(entry.context);
+    out += "msgid " + in_quotes(entry.english);
+    if (!entry.other.empty()) out += "msgid_plural " + in_quotes(entry.other);
+    for (std::size_t i = 0; i < entry.texts.size(); ++i)
+      out += (entry.other.empty() ? "msgstr " : fmt::format("msgstr[{}] ", i)) + in_quotes(entry.texts[i]);
+  }
+  return out;
+}
+
 }  // namespace isect::viz

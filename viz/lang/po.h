@@ -33,4 +33,7 @@ struct PoFile {
 /// for a wrong number of plural forms, and for a rule of plurals that is not known here.
 PoFile read_po(const std::string& text);
 
+/// Returns the file as read_po reads it.
+std::string po_text(const PoFile&);
+
 }  // namespace isect::viz

@@ -5,6 +5,7 @@
 
 #include "viz/chart/case_map.h"
 #include "viz/lang/language.h"
+#include "viz/lang/lesson_texts.h"
 #include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/question_scene.h"
@@ -42,12 +43,14 @@ std::vector<Card::Row> card_rows(const Lesson& lesson, std::size_t most_named) {
   std::vector<Card::Row> rows = card_rows(*lesson.closing);
   std::string text;
   for (const SharedIdea& shared : shared_ideas(lesson)) {
-    text += (text.empty() ? "" : ". ") + heading(shared) + ": ";
+    const SharedIdea told = {spoken_text(lesson, shared.idea), {}};
+    text += (text.empty() ? "" : ". ") + heading(told) + ": ";
     const std::size_t all = shared.others.size(), named = all <= most_named ? all : most_named - 1;
-    for (std::size_t i = 0; i < named; ++i) text += (i == 0 ? "" : ", ") + short_title(*shared.others[i]);
+    for (std::size_t i = 0; i < named; ++i)
+      text += (i == 0 ? "" : ", ") + short_title(lesson_in(*shared.others[i], spoken()));
     if (named < all) text += " " + tr_count(all - named, "and {n} more", "and {n} more");
   }
-  if (!text.empty()) rows.push_back({shared_head, text + "."});
+  if (!text.empty()) rows.push_back({tr(shared_head), text + "."});
   return rows;
 }
 
