@@ -35,9 +35,12 @@ std::string refused(const std::string& text) {
 
 /// The places to fill in, "{a}" and "{1}", but no markup such as "_{in}".
 std::set<std::string> places(const std::string& text) {
-  static const std::regex place("(^|[^_^])(\\{[a-z]+\\}|\\{[0-9]+\\})");
+  static const std::regex place("\\{([a-z]+|[0-9]+)\\}");
   std::set<std::string> all;
-  for (std::sregex_iterator i(text.begin(), text.end(), place), end; i != end; ++i) all.insert((*i)[2]);
+  for (std::sregex_iterator i(text.begin(), text.end(), place), end; i != end; ++i) {
+    const auto at = static_cast<std::size_t>(i->position());
+    if (at == 0 || (text[at - 1] != '_' && text[at - 1] != '^')) all.insert(i->str());
+  }
   return all;
 }
 
