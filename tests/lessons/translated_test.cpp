@@ -5,6 +5,7 @@
 #include "tests/lessons/random_settings.h"
 #include "viz/lang/language.h"
 #include "viz/lang/lesson_texts.h"
+#include "viz/player/reader_state.h"
 #include "viz/text/rich_text.h"
 
 namespace translated_test {

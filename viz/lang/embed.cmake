@@ -1,5 +1,5 @@
-# Puts the translations into a source of their own, ${lang_texts}, without comments: for the native build and for the one
-# in web/.
+# Puts the translations into a source of their own, ${lang_texts}, without comments: for the native build and those of
+# web/ and tests/fuzz/.
 get_filename_component(lang_root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 file(GLOB lang_files CONFIGURE_DEPENDS RELATIVE ${lang_root}
   ${lang_root}/lang/*.po ${lang_root}/lang/isect.pot ${lang_root}/lessons/*/*.po)
