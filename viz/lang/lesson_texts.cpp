@@ -7,11 +7,11 @@
 #include <mutex>
 #include <optional>
 #include <set>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "viz/lang/language.h"
+#include "viz/lang/numbered.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::viz {
@@ -90,74 +90,6 @@ class EachText {
   std::function<void(std::string&)> each_;
 };
 
-/// A text with "{1}", "{2}" ... in the place of its numbers.
-struct Numbered {
-  std::string key;
-  std::vector<std::string> numbers;
-};
-
-bool is_figure(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-/// Whether these bytes stand at this place.
-bool stands_at(const std::string& text, std::size_t at, std::string_view bytes) {
-  return text.compare(at, bytes.size(), bytes) == 0;
-}
-
-/// Returns where the power of ten ends that may follow a number, as `shown` writes it: "1.5 · 10⁻⁶".
-std::size_t power_end(const std::string& text, std::size_t at) {
-  constexpr std::string_view times = "\u2009·\u200910";
-  if (!stands_at(text, at, times)) return at;
-  for (at += times.size();;) {
-    static constexpr std::string_view raised[] = {"⁻", "⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    const auto* const found =
-        std::ranges::find_if(raised, [&](std::string_view digit) { return stands_at(text, at, digit); });
-    if (found == std::end(raised)) return at;
-    at += found->size();
-  }
-}
-
-/// Returns where a number ends that begins at `at`, as `shown` writes it; `at` if none does. One beside a letter is a
-/// part of a name.
-std::size_t number_end(const std::string& text, std::size_t at) {
-  constexpr std::string_view minus = "−", infinite = "∞", thin_space = "\u2009";
-  std::size_t end = at + (stands_at(text, at, minus) ? minus.size() : 0);
-  if (stands_at(text, end, infinite)) return end + infinite.size();
-  const auto figure_at = [&](std::size_t i) { return i < text.size() && is_figure(text[i]); };
-  if (!figure_at(end)) return at;
-  while (figure_at(end) || (stands_at(text, end, thin_space) && figure_at(end + thin_space.size())))
-    end += is_figure(text[end]) ? 1 : thin_space.size();
-  if (stands_at(text, end, ".") && figure_at(end + 1))
-    for (++end; figure_at(end);) ++end;
-  end = power_end(text, end);
-  const bool named = (at > 0 && is_letter(text[at - 1])) || (end < text.size() && is_letter(text[end]));
-  return named ? at : end;
-}
-
-/// Returns where a script ends that begins at `at`: "^2", "_{10}"; `at` if none does.
-std::size_t script_end(const std::string& text, std::size_t at) {
-  if ((text[at] != '^' && text[at] != '_') || at + 1 >= text.size()) return at;
-  if (text[at + 1] != '{') return at + 2;
-  const std::size_t close = text.find('}', at);
-  return close == text.npos ? at : close + 1;
-}
-
-Numbered numbered(const std::string& text) {
-  Numbered made;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t script = script_end(text, at), end = script > at ? at : number_end(text, at);
-    const std::size_t next = std::max({at + 1, script, end});
-    if (end > at) {
-      made.numbers.push_back(text.substr(at, end - at));
-      made.key += '{' + std::to_string(made.numbers.size()) + '}';
-    } else {
-      made.key += text.substr(at, next - at);
-    }
-    at = next;
-  }
-  return made;
-}
-
 /// Returns the translation of a text: with its numbers as they are, else with any numbers.
 std::optional<std::string> told_in(const std::string& subject, const std::string& language, const std::string& text) {
   if (const std::string* const whole = translation_in(subject, language, text)) return *whole;
@@ -165,19 +97,7 @@ std::optional<std::string> told_in(const std::string& subject, const std::string
   if (any.numbers.empty()) return {};
   const std::string* const found = translation_in(subject, language, any.key);
   if (!found) return {};
-  std::string told;
-  for (std::size_t at = 0; at < found->size();) {
-    std::size_t script = script_end(*found, at);
-    const std::size_t close = (*found)[at] == '{' ? found->find('}', at) : found->npos;
-    if (script == at && close != found->npos) {
-      const std::size_t i = std::stoul(found->substr(at + 1, close - at - 1));
-      told += any.numbers.at(i - 1), at = close + 1;
-    } else {
-      script = std::max(script, at + 1);
-      told += found->substr(at, script - at), at = script;
-    }
-  }
-  return told;
+  return with_numbers(*found, any.numbers);
 }
 
 /// Returns the lines of a text.
