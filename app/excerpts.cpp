@@ -16,7 +16,10 @@
 #include "app/shell/options.h"
 #include "app/shell/terminal.h"
 #include "viz/chart/case_map.h"
+#include "viz/font/file.h"
 #include "viz/formats/formats.h"
+#include "viz/lang/language.h"
+#include "viz/lang/lesson_texts.h"
 #include "viz/player/reader_state.h"
 #include "viz/player/scene_time.h"
 #include "viz/text/spelling.h"
@@ -52,6 +55,29 @@ void hide_answers(Excerpt& to, const std::string& how) {
                     to.lesson->id));
   const viz::Lesson* const before = std::exchange(to.lesson, &scene::with_answers(*to.lesson, how == "hidden"));
   if (to.lesson != before) to.folder += "+answers=" + how;
+}
+
+/// Has a scene told in a language; and a lesson, if somebody has translated it. Figures go to a folder of their own
+/// unless the file says the same.
+void tell_in(Excerpt& to, const std::string& code) {
+  if (code.empty()) return;
+  const viz::Language& language = viz::language_named(code);
+  const viz::Lesson* const before = to.lesson;
+  to.lesson = before->made_from.empty() ? &viz::lesson_in(*before, code) : &scene::with_language(*before, code);
+  if (to.lesson != before)
+    to.folder += "+lang=" + code;
+  else if (before->made_from.empty() && code != "en")
+    say(fmt::format(
+        "lang: nobody has translated {} to {} yet, so it is told in English; isect lang lists what is there",
+        before->id, language.name));
+}
+
+/// Prints one sentence if a text has letters that no font of this system has.
+void say_missing_letters(const std::vector<Excerpt>& found) {
+  if (std::ranges::any_of(found, [](const Excerpt& e) { return e.lesson->language == "zh"; }) &&
+      !viz::has_font_for("zh-cn"))
+    say("lang: no font here has Chinese letters, so figures show boxes in their place; on Debian: apt install "
+        "fonts-noto-cjk");
 }
 
 std::vector<std::string> ids_of(const Program& program) {
@@ -363,6 +389,7 @@ std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
       asked.files.empty() ? NamedSettings(program, asked).settings() : from_folder(program, asked);
   for (Excerpt& e : found) {
     hide_answers(e, asked.answers);
+    tell_in(e, asked.lang);
     change(e, asked.changes);
     walk(e, asked, found.size() > 1);
     join_others(e, !asked.changes.empty());
@@ -370,6 +397,7 @@ std::vector<Excerpt> excerpts(const Program& program, const Selection& asked) {
   if (std::ranges::all_of(found, [](const Excerpt& e) { return e.steps.empty(); }))
     throw no_such_step(found, asked.step);
   say_skipped(found, asked.step);
+  say_missing_letters(found);
   require_own_places(found);
   return found;
 }

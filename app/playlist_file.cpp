@@ -227,7 +227,7 @@ std::string playlist_asked(const Selection& asked) {
   for (const auto& [option, given] :
        {std::pair("preset", !asked.preset.empty()), std::pair("step", !asked.step.empty()),
         std::pair("scene", !asked.scene.empty()), std::pair("set", !asked.changes.empty()),
-        std::pair("answers", !asked.answers.empty())})
+        std::pair("answers", !asked.answers.empty()), std::pair("lang", !asked.lang.empty())})
     if (given)
       throw viz::BadInput(fmt::format("{}: not allowed with a playlist; each stop in {} names its own", option, path));
   return path;

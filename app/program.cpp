@@ -70,6 +70,7 @@ void describe(CLI::App& app, Program& program) {
   add_deck(app, program);
   add_book(app, program);
   if (!program.only) add_scene(app, program);
+  if (!program.only) add_lang(app, program);
   if (!program.only) add_theme(app, program);
   add_check(app, program);
   if (!program.only) add_query(app, program);

@@ -44,6 +44,7 @@ void add_quiz(CLI::App&, Program&);
 void add_deck(CLI::App&, Program&);
 void add_book(CLI::App&, Program&);
 void add_scene(CLI::App&, Program&);
+void add_lang(CLI::App&, Program&);
 void add_theme(CLI::App&, Program&);
 void add_check(CLI::App&, Program&);
 void add_query(CLI::App&, Program&);

@@ -273,6 +273,7 @@ struct Lesson {
   /// viz/walk/closing.h. Empty: none.
   std::string query = {};
   std::string made_from = {};  ///< the text of the scene file that it was made from; empty: it is built in
+  std::string language = {};   ///< of its texts, as a code: "de" (viz/lang/language.h); empty: English
 
   /// Returns all steps for a setting: the lesson's own, its map of cases, its closing card. The map lacks its regions,
   /// as walks are made far more often than maps are shown: see viz/chart/case_map.h. Throws as `steps` does.

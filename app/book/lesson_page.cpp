@@ -85,7 +85,7 @@ std::string same_ideas(const viz::Lesson& lesson, bool alone) {
     for (const viz::Lesson* other : shared.others) others.push_back(link(*other, alone));
     out += fmt::format("<dd>{}: {}.</dd>\n", html_text(viz::heading(shared)), fmt::join(others, ", "));
   }
-  return out.empty() ? out : fmt::format("<dt>{}</dt>\n{}", viz::shared_head, out);
+  return out.empty() ? out : fmt::format("<dt>{}</dt>\n{}", viz::tr(viz::shared_head), out);
 }
 
 std::string closing(const viz::Lesson& lesson, bool alone) {

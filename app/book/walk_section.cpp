@@ -9,6 +9,7 @@
 #include "app/book/lit_text.h"
 #include "app/pages/html.h"
 #include "viz/formats/svg_path.h"
+#include "viz/lang/language.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/branch.h"
 #include "viz/walk/closing.h"
@@ -67,6 +68,11 @@ std::string WalkSection::text(const std::string& markup) const {
   return names_.empty() ? html_text(markup) : lit_text(markup, names_);
 }
 
+std::string WalkSection::in_its_language(const viz::Message& words, int n) const {
+  const viz::Speaking speaking(lesson_.language);
+  return viz::tr(words, {{"n", std::to_string(n)}});
+}
+
 std::string WalkSection::prose(const std::string& markup) const {
   std::string out;
   for (const std::string& paragraph : paragraphs(markup)) out += fmt::format("<p>{}</p>\n", text(paragraph));
@@ -74,7 +80,7 @@ std::string WalkSection::prose(const std::string& markup) const {
 }
 
 std::string WalkSection::given() const {
-  return fmt::format("<p class=\"given\"><b class=\"head\">Given</b> {}</p>\n",
+  return fmt::format("<p class=\"given\"><b class=\"head\">{}</b> {}</p>\n", in_its_language(viz::message("Given")),
                      text(program::given(lesson_, parameters_, walk_)));
 }
 
@@ -141,7 +147,7 @@ std::string WalkSection::below(const Station& at) const {
 
 /// Returns the question and all that is known before it is answered.
 std::string WalkSection::question(const viz::QuestionText& q, int step) const {
-  return fmt::format("<h3>Question {}</h3>\n", q.number) + asked(q, step);
+  return fmt::format("<h3>{}</h3>\n", in_its_language(viz::message("Question {n}"), q.number)) + asked(q, step);
 }
 
 std::string WalkSection::asked(const viz::QuestionText& q, int step) const {
@@ -192,7 +198,8 @@ std::string WalkSection::asked_for(const viz::Question& q, int step) const {
 
 std::string WalkSection::words(const viz::StepText& told, int step) const {
   const bool opens = walk_.steps[step].slug == viz::opening_slug;  // the opening stands above all walks
-  std::string out = "<div class=\"words\">\n" + prose(opens ? "This is what is given." : told.own_caption);
+  std::string out = "<div class=\"words\">\n" +
+                    prose(opens ? in_its_language(viz::message("This is what is given.")) : told.own_caption);
   if (!told.formula.empty()) out += fmt::format("<p class=\"formula\">{}</p>\n", text(told.formula));
   return out + verdict(told.verdict) + source(step) + "</div>\n";
 }
@@ -200,8 +207,13 @@ std::string WalkSection::words(const viz::StepText& told, int step) const {
 std::string WalkSection::numbers(const viz::StepText& told) const {
   std::string out;
   if (const auto& line = told.line)
-    out += fmt::format("<p class=\"line\">Line {} <code>{}</code>{}</p>\n", line->number, code(line->code),
-                       line->said.empty() ? "" : fmt::format(" <b class=\"said {0}\">{0}</b>", line->said));
+    out +=
+        fmt::format("<p class=\"line\">{} <code>{}</code>{}</p>\n",
+                    in_its_language(viz::message("Line {n}"), line->number), code(line->code),
+                    line->said.empty()
+                        ? ""
+                        : fmt::format(" <b class=\"said {}\">{}</b>",
+                                      line->said == in_its_language(viz::message("yes")) ? "yes" : "no", line->said));
   out += values(told.values);
   if (const auto& c = told.comparison)
     out += fmt::format("<p class=\"comparison {}\">{} <b>{}</b> {}</p>\n", c->holds ? "yes" : "no", text(c->question),
@@ -229,7 +241,8 @@ std::string WalkSection::source(int step) const {
 std::string WalkSection::values(const std::vector<viz::ValueText>& all) const {
   if (all.empty()) return {};
   const bool fresh = std::ranges::any_of(all, &viz::ValueText::fresh);
-  std::string out = fmt::format("<table class=\"values{}\">\n<caption>Values</caption>\n", fresh ? "" : " known");
+  std::string out = fmt::format("<table class=\"values{}\">\n<caption>{}</caption>\n", fresh ? "" : " known",
+                                in_its_language(viz::message("Values")));
   for (const viz::ValueText& v : all)
     out += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td>{}</tr>\n", v.fresh ? " class=\"fresh\"" : "",
                        text(v.name), html_text(v.digits), v.fresh ? "<td>new</td>" : "<td></td>");
@@ -261,8 +274,10 @@ std::string WalkSection::answers() const {
   std::string out;
   for (int i = 0; i < static_cast<int>(walk_.steps.size()); ++i)
     if (const auto q = viz::question_text(walk_, i))
-      out += program::html({program::answer(*q, fmt::format("Question {}.", q->number))});
-  return out.empty() ? out : "<div class=\"answers\">\n<h3>Answers</h3>\n" + out + "</div>\n";
+      out += program::html({program::answer(*q, in_its_language(viz::message("Question {n}."), q->number))});
+  return out.empty() ? out
+                     : "<div class=\"answers\">\n<h3>" + in_its_language(viz::message("Answers")) + "</h3>\n" + out +
+                           "</div>\n";
 }
 
 }  // namespace isect::program::book

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viz/lang/message.h"
 #include "viz/walk/step_text.h"
 
 namespace isect::program::book {
@@ -64,6 +65,8 @@ class WalkSection {
  private:
   std::string text(const std::string& markup) const;
   std::string prose(const std::string& markup) const;
+  /// Returns the words in the lesson's language; "{n}" is the number.
+  std::string in_its_language(const viz::Message& words, int n = 0) const;
   std::string id(const Station&) const;
   std::string article(const Station&, bool shown) const;
   std::string words(const viz::StepText&, int step) const;

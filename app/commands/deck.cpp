@@ -11,6 +11,8 @@
 #include "app/figures/question_figure.h"
 #include "app/pages/pages.h"
 #include "app/pages/slides.h"
+#include "viz/lang/language.h"
+#include "viz/lang/message.h"
 #include "viz/walk/closing.h"
 #include "viz/walk/exercise_text.h"
 
@@ -72,7 +74,7 @@ class Slides {
       Slide slide = {part.head, {}, {}, {}};
       slide.note = part.note;
       if (part.new_lesson) slide.left.push_back(Prose{lesson.summary});
-      slide.left.push_back(Prose{numbers.text, "Given"});
+      slide.left.push_back(Prose{numbers.text, viz::tr("Given")});
       all_.push_back(std::move(slide));
     } else {
       all_.push_back({lesson.title, {Prose{lesson.summary}}, {}, {}, true});
@@ -80,14 +82,15 @@ class Slides {
     const bool is_step = e.walk.steps.front().slug == viz::opening_slug;
     if (part.new_lesson && !lesson.opening.empty() && !is_step)
       all_.push_back({lesson.title, {Prose{lesson.opening}}, {}, {}});
-    if (part.stop == 0) all_.push_back({"What is given", {numbers}, {}, {}});
+    if (part.stop == 0) all_.push_back({viz::tr("What is given"), {numbers}, {}, {}});
     if (const Blocks code = algorithm(e); part.code_of == 0 && !code.empty())
-      all_.push_back({"Algorithm", code, {}, {}});
+      all_.push_back({viz::tr("Algorithm"), code, {}, {}});
   }
 
   /// Adds the question beside the picture for it, then the answer.
   void ask(const Excerpt& e, const viz::QuestionText& q, int index) {
-    Slide slide = {fmt::format("Question {}", paper_.is_playlist() ? ++questions_ : q.number), {}, {}, {}};
+    Slide slide = {
+        viz::tr("Question {n}", {{"n", std::to_string(paper_.is_playlist() ? ++questions_ : q.number)}}), {}, {}, {}};
     const bool picture = has_picture(e.walk, index);
     if (picture) slide.left.push_back(picture_(e, index, true));
     Blocks& text = picture ? slide.right : slide.left;
@@ -116,10 +119,13 @@ class Slides {
     if (!part.new_card) return;
     int solutions = exercises_;
     for (const viz::Exercise& x : lesson.closing->exercises)
-      all_.push_back({fmt::format("Exercise {}", ++exercises_), exercise(lesson, x), {}, {}});
+      all_.push_back({viz::tr("Exercise {n}", {{"n", std::to_string(++exercises_)}}), exercise(lesson, x), {}, {}});
     for (const viz::Exercise& x : lesson.closing->exercises)
-      all_.push_back(
-          {fmt::format("{} of exercise {}", viz::solution_head(x), ++solutions), {Prose{x.solution}}, {}, {}});
+      all_.push_back({viz::tr("{solution} of exercise {n}",
+                              {{"solution", viz::solution_head(x)}, {"n", std::to_string(++solutions)}}),
+                      {Prose{x.solution}},
+                      {},
+                      {}});
   }
 
   const Paper& paper_;
@@ -139,6 +145,7 @@ int deck(const Program& program, const PageOptions& options) {
   const Style beside = style_for(options, false), alone = style_for(options, true);
   const Paper paper = paper_of(program, options.asked);
   PageFolder pages(program, options, paper, "deck", {&viz::format_named("tikz")});
+  const viz::Speaking speaking(paper.language());
   FigureMaker small(beside, "auto"), large(alone, "auto");
   const Picture picture = [&](const Excerpt& e, int step, bool asks) {
     const viz::Step& s = e.walk.steps[step];

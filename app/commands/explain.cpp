@@ -20,6 +20,7 @@ void add_explain(CLI::App& app, Program& program) {
            "card. If\nnot given, that of the preset's file, or all");
   add_scene_file(sub, program, *asked);
   add_set(sub, *asked);
+  add_language(sub, *asked);
   const auto how = std::make_shared<TextOptions>();
   const auto exercises = std::make_shared<bool>(false);
   sub.add_flag("--brief", how->brief, "one line a step: what it decides");

@@ -10,6 +10,8 @@
 
 #include "app/figures/question_figure.h"
 #include "app/pages/printed.h"
+#include "viz/lang/language.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
 
@@ -34,14 +36,15 @@ class Handout {
   }
 
   Blocks made() && {
-    if (!answers_.empty()) all_.push_back(Heading{"Answers"});
+    if (!answers_.empty()) all_.push_back(Heading{viz::tr("Answers")});
     append(all_, answers_);
     return std::move(all_);
   }
 
  private:
   void ask(const Excerpt& e, const viz::QuestionText& q, int index, const std::set<int>& drawn) {
-    const std::string head = fmt::format("Question {}.", paper_.is_playlist() ? ++questions_ : q.number);
+    const std::string head =
+        viz::tr("Question {n}.", {{"n", std::to_string(paper_.is_playlist() ? ++questions_ : q.number)}});
     if (drawn.contains(index)) all_.push_back(image_of(info_of_question(e, index), paper_));
     append(all_, question(q, head));
     answers_.push_back(answer(q, head));
@@ -58,7 +61,7 @@ class Handout {
 
   void close(const viz::Lesson& lesson) {
     for (const viz::Exercise& x : lesson.closing->exercises) {
-      const std::string head = fmt::format("Exercise {}.", ++exercises_);
+      const std::string head = viz::tr("Exercise {n}.", {{"n", std::to_string(++exercises_)}});
       append(all_, exercise(lesson, x, head));
       answers_.push_back(Prose{x.solution, head});
     }
@@ -103,6 +106,7 @@ std::set<int> draw_handout(const Excerpt& e, FigureMaker& maker, PageFolder& pag
 int handout(const Program& program, const PageOptions& options) {
   const Style style = printed_style(options);
   const Paper paper = paper_of(program, options.asked);
+  const viz::Speaking speaking(paper.language());
   PageFolder pages(program, options, paper, "handout", style.formats);
   FigureMaker maker(style, "auto");
   Handout made(paper);

@@ -13,6 +13,8 @@
 #include "app/platforms/quiz_sheet.h"
 #include "app/shell/environment.h"
 #include "app/shell/terminal.h"
+#include "viz/lang/language.h"
+#include "viz/lang/message.h"
 #include "viz/walk/given_answer.h"
 #include "viz/walk/given_order.h"
 
@@ -27,7 +29,8 @@ std::string replies_on_paper(const viz::Walk& walk, int step, const viz::Questio
     if (!reply.empty()) all += fmt::format("\n{}: {}", given, reply);
   };
   if (q.asked->line) {
-    for (const viz::WrongLine& wrong : q.asked->line->wrong) add(fmt::format("Line {}", wrong.line + 1), wrong.reply);
+    for (const viz::WrongLine& wrong : q.asked->line->wrong)
+      add(viz::tr("Line {n}", {{"n", std::to_string(wrong.line + 1)}}), wrong.reply);
   } else if (q.asked->order) {
     for (const viz::WrongOrder& wrong : q.asked->order->wrong) {
       std::string letters;
@@ -57,7 +60,7 @@ class Quiz {
 
   Blocks made() && {
     all_.push_back(NewPage{});
-    all_.push_back(Heading{"Answers"});
+    all_.push_back(Heading{viz::tr("Answers")});
     append(all_, answers_);
     return std::move(all_);
   }
@@ -65,7 +68,8 @@ class Quiz {
  private:
   void ask(const Excerpt& e, int step) {
     const viz::QuestionText q = *viz::question_text(e.walk, step);
-    const std::string head = fmt::format("Question {}.", paper_.is_playlist() ? ++questions_ : q.number);
+    const std::string head =
+        viz::tr("Question {n}.", {{"n", std::to_string(paper_.is_playlist() ? ++questions_ : q.number)}});
     if (has_picture(e.walk, step)) {
       const FigureInfo info = info_of_question(e, step);
       pages_.add(e, info, draw_question(maker_, e, step), maker_);
@@ -119,6 +123,7 @@ int quiz(const Program& program, const QuizOptions& options) {
     throw viz::BadInput("preset: \"all\" is not for paper; name one, or give --format moodle, gift, qti or h5p");
   const Paper paper =
       every ? paper_of_presets(program, options.asked) : paper_of(program, options.asked, PaperSteps::asking);
+  const viz::Speaking speaking(paper.language());
   std::vector<PageFile> files;
   for (const platforms::QuizFormat* format : formats.platforms)
     files.push_back({format->file, format->mark, format->packed});

@@ -245,6 +245,7 @@ void add_render(CLI::App& app, Program& program) {
   add_scene_file(sub, program, options->asked, Takes::many);
   add_set(sub, options->asked);
   add_answers(sub, options->asked);
+  add_language(sub, options->asked);
   sub.add_option(
          "--camera", options->camera,
          "where space is seen from, in degrees: azimuth, 0 from +z and 90\nfrom +x, and elevation, 90 from above")

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/program.h"
+#include "app/scene/edit.h"
 #include "app/scene/file.h"
 #include "app/scene/lesson.h"
 #include "app/scene/save.h"
@@ -15,6 +16,7 @@
 #include "app/shell/options.h"
 #include "app/shell/terminal.h"
 #include "viz/formats/files.h"
+#include "viz/lang/language.h"
 
 namespace isect::program {
 
@@ -56,7 +58,9 @@ std::string as_json(const scene::File& file) {
 int tell(const SceneOptions& options) {
   try {
     const std::string text = read_named_file(options.path), folder = fs::path(options.path).parent_path().string();
-    const scene::File file = scene::naming_scene(options.path, [&] { return scene::read_scene(text, folder); });
+    scene::File file = scene::naming_scene(options.path, [&] { return scene::read_scene(text, folder); });
+    if (const std::string& code = options.asked.lang; !code.empty())
+      file = scene::read_scene(scene::with_language(text, viz::language_named(code).code), folder);
     const viz::Parameters to = changed(scene::without_steps(file), file.parameters, options.asked.changes);
     scene::File asked = file;
     asked.parameters = to;
@@ -86,6 +90,7 @@ void add_scene(CLI::App& app, Program& program) {
       ->check(not_empty());
   sub.add_flag("--json", options->json, "the answers with the queries behind them, as JSON");
   add_set(sub, options->asked);
+  add_language(sub, options->asked);
   sub.add_option("--save", options->save,
                  "write the scene with these numbers, all else as it is: the scene's own file, or\na new one")
       ->type_name("FILE")

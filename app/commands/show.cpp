@@ -46,7 +46,10 @@ viz::ReaderState state_of(const Program& program, Selection asked, Lessons& less
   const Excerpt e = excerpt(program, asked);
   if (!asked.step.empty() && e.steps.size() != 1)
     throw viz::BadInput(fmt::format("step: \"{}\" is not allowed here; give one", asked.step));
-  if (!e.lesson->made_from.empty()) {
+  if (e.lesson->made_from.empty()) {  // it may be told in another language
+    std::ranges::replace_if(
+        lessons, [&](const viz::Lesson* lesson) { return lesson->id == e.lesson->id; }, e.lesson);
+  } else {
     lessons.push_back(e.lesson);
     if (std::error_code absent; std::filesystem::is_regular_file(e.path, absent)) file.emplace(e.path);
   }
@@ -173,6 +176,7 @@ void add_show(CLI::App& app, Program& program) {
       "counted from 1, -1 is the last; or by name: intersect, verdict;\nif not given, that of the preset's file, or 1");
   add_scene_file(sub, program, *asked);
   add_set(sub, *asked);
+  add_language(sub, *asked);
   sub.footer(program.only ? "Example: " + program.name + " show --step 3"
                           : "Examples: isect show ray-sphere --step 3\n          isect show "
                             "figures/ray-sphere/tangent/03-distance.svg\n          isect show "

@@ -147,6 +147,7 @@ void add_strip(CLI::App& app, Program& program) {
   add_scene_file(sub, program, options->asked, Takes::many);
   add_set(sub, options->asked);
   add_answers(sub, options->asked);
+  add_language(sub, options->asked);
   sub.add_option("--columns", options->style.columns, "a row; 3 if not given, fewer where texts need more room")
       ->type_name("N");
   sub.add_flag("--captions", options->style.captions, "each step's caption below it, after its title");

@@ -8,6 +8,8 @@
 #include <set>
 
 #include "app/figures/value_words.h"
+#include "viz/lang/language.h"
+#include "viz/lang/message.h"
 #include "viz/text/names.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/scene_in_words.h"
@@ -25,6 +27,7 @@ std::vector<std::string> paragraphs(const std::string& markup) {
 }
 
 std::string given(const viz::Lesson& lesson, const viz::Parameters& parameters, const viz::Walk& walk) {
+  const viz::Speaking speaking(lesson.language);
   std::vector<std::string> all;
   bool rounded = false;
   for (const viz::Parameter& p : lesson.parameters) {
@@ -41,7 +44,7 @@ std::string given(const viz::Lesson& lesson, const viz::Parameters& parameters, 
         fmt::format("{}\u00a0=\u00a0{}", p.label.empty() ? viz::as_markup(p.name) : p.label, viz::as_markup(value)));
   }
   std::string out = fmt::format("{}.", fmt::join(all, ", "));
-  if (rounded) out += " Some numbers are rounded.";
+  if (rounded) out += " " + viz::tr("Some numbers are rounded.");
   const viz::Scene& scene = walk.steps.front().scene;
   if (!scene.chart)
     for (const std::string& object : viz::scene_in_words(scene, parameters, lesson.flat))
@@ -50,14 +53,14 @@ std::string given(const viz::Lesson& lesson, const viz::Parameters& parameters, 
 }
 
 std::string prompt(const viz::Exercise& e) {
-  return e.preset.empty() ? e.prompt : fmt::format("{} (Preset {}.)", e.prompt, e.preset);
+  return e.preset.empty() ? e.prompt : e.prompt + " " + viz::tr("(Preset {preset}.)", {{"preset", e.preset}});
 }
 
 Blocks question(const viz::QuestionText& q, const std::string& head) {
   const Prose asks = {q.whole_prompt, head};
-  if (q.asked->line) return {asks, Blanks{"Line", 1}};
+  if (q.asked->line) return {asks, Blanks{viz::tr("Line"), 1}};
   if (const auto& order = q.asked->order)
-    return {asks, Choices{order->tiles}, Blanks{"Order", static_cast<int>(order->tiles.size())}};
+    return {asks, Choices{order->tiles}, Blanks{viz::tr("Order"), static_cast<int>(order->tiles.size())}};
   return {asks, Choices{q.choices}};
 }
 

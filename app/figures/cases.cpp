@@ -10,6 +10,8 @@
 #include "app/figures/ownership.h"
 #include "app/figures/setting_name.h"
 #include "app/scene/file.h"
+#include "viz/lang/language.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
 #include "viz/walk/step_text.h"
@@ -42,11 +44,17 @@ std::string changed_title(const Excerpt& e) {
   return viz::as_markup(e.folder);
 }
 
+/// Whether a scene has the title of those that have none of their own.
+bool is_untitled(const viz::Lesson& lesson) {
+  const viz::Speaking speaking(lesson.language);
+  return lesson.title == viz::tr(scene::untitled);
+}
+
 std::string title_of(const Excerpt& e) {
   if (const viz::Preset* preset = preset_of(e)) return preset->title;
   if (!is_scene(e)) return changed_title(e);
   const bool as_in_file = e.parameters == e.lesson->presets.front().parameters;
-  return as_in_file && e.lesson->title != scene::untitled ? e.lesson->title : viz::as_markup(e.folder);
+  return as_in_file && !is_untitled(*e.lesson) ? e.lesson->title : viz::as_markup(e.folder);
 }
 
 /// Returns how many characters all titles begin with, up to the end of a ": ".

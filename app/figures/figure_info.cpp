@@ -7,6 +7,8 @@
 #include "app/figures/cases.h"
 #include "app/figures/ownership.h"
 #include "app/shell/option_values.h"
+#include "viz/lang/language.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/alt_text.h"
 
@@ -46,6 +48,7 @@ FigureInfo info_of(const Excerpt& e, int step) {
 FigureInfo info_of(Excerpts cases, const std::string& kind) {
   const bool one = cases.size() == 1;
   const Excerpt& first = cases[0];
+  const viz::Speaking speaking(first.lesson->language);
   FigureInfo info = {stem_of(cases, kind), {}, {}, {}, {}, {}, {}};
   info.title = lessons_of(cases);
   const std::vector<std::string> titles = part_captions(cases, false);
@@ -62,7 +65,8 @@ FigureInfo info_of(Excerpts cases, const std::string& kind) {
   std::vector<std::string> called = case_titles(cases);
   for (std::string& title : called) title = viz::plain(title);
   info.imprint = viz::plain(info.title) + ": " +
-                 (one ? "steps " + numbers_of(first.steps) : fmt::format("{}", fmt::join(called, ", ")));
+                 (one ? viz::tr("steps {steps}", {{"steps", numbers_of(first.steps)}})
+                      : fmt::format("{}", fmt::join(called, ", ")));
   const bool timed = first.time && std::ranges::find(first.steps, *first.step) != first.steps.end();
   info.metadata = metadata_of(first, timed ? *first.step : first.steps.front());
   info.metadata["file"] = info.stem;

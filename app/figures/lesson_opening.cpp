@@ -6,6 +6,7 @@
 
 #include "app/figures/value_words.h"
 #include "app/shell/terminal.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/utf8.h"
 #include "viz/walk/scene_in_words.h"
@@ -17,7 +18,7 @@ namespace {
 using viz::plain;
 
 std::string settings(const Excerpt& e, std::size_t columns) {
-  std::string out = "Setting:\n";
+  std::string out = viz::tr("Setting:") + "\n";
   for (const viz::Parameter& p : e.lesson->parameters) {
     if (!e.parameters.contains(p.name)) continue;  // the choices decide it
     const std::string name = plain(p.label.empty() ? p.name : p.label);
@@ -34,12 +35,12 @@ std::string objects(const Excerpt& e, std::size_t columns) {
   std::string out;
   for (const std::string& object : viz::scene_in_words(scene, e.parameters, e.lesson->flat))
     out += wrapped(object, columns, 2);
-  return out.empty() ? out : "Objects:\n" + out + "\n";
+  return out.empty() ? out : viz::tr("Objects:") + "\n" + out + "\n";
 }
 
 std::string pseudocode(const Excerpt& e, std::size_t columns) {
   if (e.walk.pseudocode.empty()) return {};
-  std::string out = "Algorithm:\n" + numbered(e.walk.pseudocode, columns);
+  std::string out = viz::tr("Algorithm:") + "\n" + numbered(e.walk.pseudocode, columns);
   for (const viz::ErratumText& erratum : viz::errata_text(*e.lesson, e.walk))
     out += wrapped(plain(viz::with_preset(erratum, &viz::Preset::id)), columns, 2);
   return out + "\n";

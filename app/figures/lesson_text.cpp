@@ -12,6 +12,9 @@
 #include "app/shell/terminal.h"
 #include "viz/chart/case_map.h"
 #include "viz/chart/chart.h"
+#include "viz/lang/language.h"
+#include "viz/lang/lesson_texts.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/utf8.h"
 #include "viz/walk/alt_text.h"
@@ -53,7 +56,7 @@ class LessonWriter {
   std::string all() {
     std::string out = opening();
     for (const int step : e_.steps) out += how_.brief ? line_of(step) : whole(step);
-    if (!answers_.empty()) out += heading("Answers", '-', how_.columns) + answers_ + "\n";
+    if (!answers_.empty()) out += heading(viz::tr("Answers"), '-', how_.columns) + answers_ + "\n";
     if (out.ends_with("\n\n")) out.pop_back();
     return out;
   }
@@ -67,14 +70,16 @@ class LessonWriter {
     const viz::Lesson& lesson = *e_.lesson;
     std::string out =
         heading(fmt::format("{}: {}", plain(lesson.title), e_.folder), '=', how_.columns) + paragraph(lesson.summary);
-    if (!e_.walk.method.empty()) out += paragraph("Method: " + plain(e_.walk.method));
+    if (!e_.walk.method.empty()) out += paragraph(viz::tr("Method: {method}", {{"method", plain(e_.walk.method)}}));
     return out + "\n" + lesson_opening(e_, how_);
   }
 
   viz::StepText text_of(int index) const { return viz::step_text(*e_.lesson, e_.walk, index); }
 
   std::string title(int index) const {
-    return fmt::format("Step {} of {}: {}", index + 1, e_.walk.steps.size(), plain(e_.walk.steps[index].title));
+    return viz::tr("Step {n} of {all}: {title}", {{"n", std::to_string(index + 1)},
+                                                  {"all", std::to_string(e_.walk.steps.size())},
+                                                  {"title", plain(e_.walk.steps[index].title)}});
   }
 
   static std::string first_sentence(const std::string& text) {
@@ -88,13 +93,14 @@ class LessonWriter {
     const viz::StepText told = text_of(index);
     std::string out = viz::as_sentence(title(index)) + " ";
     if (step.slug == viz::closing_slug) return paragraph(out + plain(e_.lesson->closing->result));
-    if (step.slug == viz::case_map_slug) return paragraph(out + "This setting: " + branch() + ".");
+    if (step.slug == viz::case_map_slug) return paragraph(out + viz::tr("This setting: {case}.", {{"case", branch()}}));
     const std::string formula = plain(step.formula);
     const bool decided = !step.verdict.text.empty();
     if (!formula.empty() && formula != plain(step.title)) out += viz::as_sentence(formula) + " ";
     if (told.comparison) out += in_words(*told.comparison);
     if (formula.empty() && !step.comparison && !decided) out += first_sentence(plain(step.caption));
-    if (decided) out += " Verdict: " + plain(viz::verdict_text(step.verdict)) + ".";
+    if (decided)
+      out += " " + viz::tr("Verdict: {verdict}", {{"verdict", plain(viz::verdict_text(step.verdict))}}) + ".";
     return paragraph(out);
   }
 
@@ -112,8 +118,11 @@ class LessonWriter {
     out += values(told.values, index == e_.steps.front()) + points(step) + rows(step);
     if (told.comparison) out += paragraph(in_words(*told.comparison)) + "\n";
     if (!told.verdict.text.empty())
-      out += inked(Ink::bold, paragraph("Verdict: " + plain(viz::verdict_text(told.verdict)))) + "\n";
-    if (index == viz::outcome(e_.walk)) out += paragraph("Picture: " + plain(e_.walk.alt)) + "\n" + side_by_side();
+      out += inked(Ink::bold,
+                   paragraph(viz::tr("Verdict: {verdict}", {{"verdict", plain(viz::verdict_text(told.verdict))}}))) +
+             "\n";
+    if (index == viz::outcome(e_.walk))
+      out += paragraph(viz::tr("Picture: {alt}", {{"alt", plain(e_.walk.alt)}})) + "\n" + side_by_side();
     return out + source(told);
   }
 
@@ -121,7 +130,7 @@ class LessonWriter {
   std::string source(const viz::StepText& told) {
     if (told.source.empty() || told.source == source_) return {};
     source_ = told.source;
-    return paragraph("Source: " + source_) + "\n";
+    return paragraph(viz::tr("Source: {source}", {{"source", source_}})) + "\n";
   }
 
   /// Whether a step does the same at the same line as the one before, with other numbers.
@@ -147,14 +156,16 @@ class LessonWriter {
     if (told.comparison)
       out += " " + in_words(*told.comparison);
     else if (told.line && !told.line->said.empty())
-      out += fmt::format(" Line {}: {}.", told.line->number, told.line->said);
+      out += " " + viz::tr("Line {n}: {line}.", {{"n", std::to_string(told.line->number)}, {"line", told.line->said}});
     std::ranges::replace(out, '\n', ' ');
     return paragraph(out) + "\n" + points(step);
   }
 
   static std::string line(const viz::LineText& line) {
     const std::string said = line.said.empty() ? "" : fmt::format("   ({})", line.said);
-    return inked(Ink::mark, fmt::format("  ▸ line {}:  {}{}", line.number, line.code, said)) + "\n\n";
+    return inked(Ink::mark, fmt::format("  ▸ {}:  {}{}", viz::tr("line {n}", {{"n", std::to_string(line.number)}}),
+                                        line.code, said)) +
+           "\n\n";
   }
 
   /// Returns the values that a step computes, or `all`: known ones were told before, so only the first step told has
@@ -186,7 +197,7 @@ class LessonWriter {
       if (is_parameter(label->at) || !placed_.insert(told).second) continue;
       list += (list.empty() ? "" : ", ") + told;
     }
-    return list.empty() ? list : paragraph("In the picture: " + list + ".") + "\n";
+    return list.empty() ? list : paragraph(viz::tr("In the picture: {list}.", {{"list", list}})) + "\n";
   }
 
   /// Returns the rows of a card.
@@ -219,8 +230,10 @@ class LessonWriter {
     const viz::CaseMap& map = *e_.lesson->map;
     std::string regions;
     for (const std::string& branch : map.branches) regions += (regions.empty() ? "" : "; ") + plain(branch);
-    return fmt::format("A map of all cases. Across: {}. Up: {}.\n{}\nThe lesson's cases: {}.\nThis setting: {}.",
-                       plain(map.x_title), plain(map.y_title), plain(map.told), regions, branch());
+    return viz::tr("A map of all cases. Across: {x}. Up: {y}.",
+                   {{"x", plain(map.x_title)}, {"y", plain(map.y_title)}}) +
+           "\n" + plain(map.told) + "\n" + viz::tr("The lesson's cases: {cases}.", {{"cases", regions}}) + "\n" +
+           viz::tr("This setting: {case}.", {{"case", branch()}});
   }
   /// Returns where this setting lies on the lesson's map.
   std::string branch() const {
@@ -231,11 +244,13 @@ class LessonWriter {
   /// Returns what the methods say that should agree.
   std::string side_by_side() const {
     if (!e_.lesson->opinions) return {};
-    const std::vector<viz::Opinion> opinions = e_.lesson->opinions(e_.parameters);
+    std::vector<viz::Opinion> opinions = e_.lesson->opinions(e_.parameters);
+    for (viz::Opinion& o : opinions)
+      o.method = viz::spoken_text(*e_.lesson, o.method), o.says = viz::spoken_text(*e_.lesson, o.says);
     if (opinions.empty()) return {};
     std::size_t widest = 0;
     for (const viz::Opinion& o : opinions) widest = std::max(widest, count_characters(plain(o.method)));
-    std::string out = "Methods side by side:\n";
+    std::string out = viz::tr("Methods side by side:") + "\n";
     for (const viz::Opinion& o : opinions) {
       const std::string method = plain(o.method);
       std::string row = fmt::format(" {} {}{}  {}", o.agrees ? "✓" : "✗", method,
@@ -256,15 +271,15 @@ class LessonWriter {
     const bool again = !offered.empty() && question_ && offered_by(*question_) == offered;
     const bool same_reason = again && question_->because == q.because;
     question_ = q;
-    const std::string head = fmt::format("Question {}: ", q.number);
-    std::string out =
-        paragraph(head + plain(known ? q.prompt : q.whole_prompt) + (again ? " (The same choices.)" : ""));
+    const std::string head = viz::tr("Question {n}:", {{"n", std::to_string(q.number)}}) + " ";
+    std::string out = paragraph(head + plain(known ? q.prompt : q.whole_prompt) +
+                                (again ? " " + viz::tr("(The same choices.)") : ""));
     for (std::size_t i = 0; i < offered.size() && !again; ++i)
       out += paragraph(fmt::format("({}) {}", viz::choice_letter(i), plain(offered[i])), 4);
-    if (q.asked->line) out += paragraph("Name a line of the algorithm.", 4);
-    if (q.asked->order) out += paragraph("Put them in order.", 4);
+    if (q.asked->line) out += paragraph(viz::tr("Name a line of the algorithm."), 4);
+    if (q.asked->order) out += paragraph(viz::tr("Put them in order."), 4);
     const std::string answer = plain(q.answer + (same_reason ? "" : " " + q.because));
-    if (how_.answers) return out + paragraph("Answer: " + answer) + "\n";
+    if (how_.answers) return out + paragraph(viz::tr("Answer: {answer}", {{"answer", answer}})) + "\n";
     answers_ += paragraph(head + answer);
     return out + "\n";
   }
@@ -273,17 +288,19 @@ class LessonWriter {
     const viz::Closing& c = *e_.lesson->closing;
     std::string out;
     for (const auto& [head, text] : viz::card_rows(*e_.lesson)) out += paragraph(head + ": " + plain(text));
-    out += paragraph(fmt::format("See it: --preset {}", c.bug_preset), 2) + "\nTo read:\n";
+    out += paragraph(viz::tr("See it: {option}", {{"option", "--preset " + c.bug_preset}}), 2) + "\n" +
+           viz::tr("To read:") + "\n";
     for (const std::string& source : c.reading) out += paragraph(plain(source), 2);
     out += "\n";
     for (std::size_t i = 0; i < c.exercises.size(); ++i) {
       const viz::Exercise& e = c.exercises[i];
-      out += paragraph(fmt::format("Exercise {}: {}", i + 1, plain(prompt(e)))) + numbered(e.program, how_.columns);
+      out += paragraph(viz::tr("Exercise {n}: {text}", {{"n", std::to_string(i + 1)}, {"text", plain(prompt(e))}})) +
+             numbered(e.program, how_.columns);
       const std::string solution = plain(e.solution);
       if (how_.answers)
         out += paragraph(viz::solution_head(e) + ": " + solution) + "\n";
       else
-        answers_ += paragraph(fmt::format("Exercise {}: {}", i + 1, solution));
+        answers_ += paragraph(viz::tr("Exercise {n}: {text}", {{"n", std::to_string(i + 1)}, {"text", solution}}));
     }
     out += judge_text(*e_.lesson, how_.columns);
     return out + (how_.answers ? "" : "\n");
@@ -300,18 +317,23 @@ class LessonWriter {
 
 }  // namespace
 
-std::string lesson_text(const Excerpt& e, const TextOptions& how) { return LessonWriter(e, how).all(); }
+std::string lesson_text(const Excerpt& e, const TextOptions& how) {
+  const viz::Speaking speaking(e.lesson->language);
+  return LessonWriter(e, how).all();
+}
 
 std::string exercises_text(const viz::Lesson& lesson, const TextOptions& how) {
-  std::string out = heading(plain(lesson.title) + ": exercises", '=', how.columns);
+  const viz::Speaking speaking(lesson.language);
+  std::string out = heading(viz::tr("{lesson}: exercises", {{"lesson", plain(lesson.title)}}), '=', how.columns);
   if (!lesson.closing) return out;
   int number = 0;
   for (const viz::Exercise& e : lesson.closing->exercises) {
     out += wrapped(fmt::format("{}. {}", ++number, plain(e.prompt)), how.columns, 0) + numbered(e.program, how.columns);
-    if (!e.preset.empty()) out += wrapped(fmt::format("Start: --preset {}", e.preset), how.columns, 3);
+    if (!e.preset.empty())
+      out += wrapped(viz::tr("Start: {option}", {{"option", "--preset " + e.preset}}), how.columns, 3);
     std::string way;  // the whole way
     for (const auto& [name, value] : e.by) way += fmt::format(" --set {}={}", name, value);
-    if (!way.empty()) out += wrapped("One way:" + way, how.columns, 3);
+    if (!way.empty()) out += wrapped(viz::tr("One way:") + way, how.columns, 3);
     out += wrapped(viz::solution_head(e) + ": " + plain(e.solution), how.columns, 3) + "\n";
   }
   const std::string judge = judge_text(lesson, how.columns);

@@ -1,8 +1,8 @@
 #include "app/figures/question_figure.h"
 
-#include <fmt/format.h>
-
 #include "app/figures/ownership.h"
+#include "viz/lang/language.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/alt_text.h"
 #include "viz/walk/question_scene.h"
@@ -18,12 +18,14 @@ bool has_picture(const viz::Walk& walk, int step) {
 std::string file_of_question(const Excerpt& e, int step) { return file_of(e, step) + "-question"; }
 
 FigureInfo info_of_question(const Excerpt& e, int step) {
+  const viz::Speaking speaking(e.lesson->language);
   const viz::QuestionText question = *viz::question_text(e.walk, step);
+  const std::string number = std::to_string(question.number);
   FigureInfo info = info_of(e, step);
   info.stem = info.metadata["file"] = file_of_question(e, step);
-  info.title = fmt::format("Question {}", question.number);
+  info.title = viz::tr("Question {n}", {{"n", number}});
   info.caption = question.whole_prompt;
-  info.imprint = fmt::format("{}: question {}", viz::plain(e.lesson->title), question.number);
+  info.imprint = viz::tr("{lesson}: question {n}", {{"lesson", viz::plain(e.lesson->title)}, {"n", number}});
   info.alt = viz::drawn_text(e.walk, viz::question_scene(e.walk, step), false);
   return info;
 }

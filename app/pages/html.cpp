@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "viz/formats/svg_path.h"
+#include "viz/lang/language.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::program {
@@ -90,10 +91,10 @@ std::string html(const Blocks& blocks) {
 std::string html_page(const std::string& title, const std::string& head, const std::string& body,
                       const std::string& attributes) {
   return fmt::format(
-      "\n<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "\n<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n{}</head>\n"
       "<body{}>\n{}</body>\n</html>\n",
-      viz::xml_escaped(title), head, attributes, body);
+      viz::spoken(), viz::xml_escaped(title), head, attributes, body);
 }
 
 }  // namespace isect::program

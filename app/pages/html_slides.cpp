@@ -2,6 +2,7 @@
 
 #include "app/pages/html.h"
 #include "app/pages/slides.h"
+#include "viz/lang/message.h"
 
 namespace isect::program {
 
@@ -13,7 +14,7 @@ std::string section(const Slide& s) {
   if (!s.right.empty())
     body = "<div class=\"columns\"><div>\n" + body + "</div><div>\n" + html(s.right) + "</div></div>\n";
   const std::string note =
-      s.note.empty() ? "" : "<aside class=\"note\">\n" + html({Prose{s.note, "Note"}}) + "</aside>\n";
+      s.note.empty() ? "" : "<aside class=\"note\">\n" + html({Prose{s.note, viz::tr("Note")}}) + "</aside>\n";
   return fmt::format("<section>\n<{0}>{1}</{0}>\n", tag, html_text(s.title)) + body + html(s.below) + note +
          "</section>\n";
 }

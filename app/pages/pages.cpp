@@ -84,6 +84,7 @@ void add_page_options(CLI::App& sub, const Program& program, PageOptions& option
   add_scene_file(sub, program, options.asked);
   add_set(sub, options.asked);
   if (what != "quiz") add_answers(sub, options.asked);  // a scene has no question for it
+  add_language(sub, options.asked);
   sub.add_option("--theme", options.theme,
                  "print (if not given), grey, screen, or the file of one of your own:\nsee isect theme --help")
       ->type_name("THEME");

@@ -8,6 +8,7 @@
 #include "app/figures/ownership.h"
 #include "app/playlist_file.h"
 #include "app/preset_folder.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
 #include "viz/walk/step_text.h"
@@ -36,7 +37,8 @@ Paper paper_of_playlist(const Program& program, const std::string& path) {
     PaperPart part;
     part.e = std::move(e);
     part.stop = stop;
-    part.head = fmt::format("{} of {}: {}", stop, list.stops.size(), called);
+    part.head = viz::tr("{n} of {all}: {stop}",
+                        {{"n", std::to_string(stop)}, {"all", std::to_string(list.stops.size())}, {"stop", called}});
     part.entry = steps.empty() ? called : fmt::format("{}, {}", called, steps);
     part.note = said.note;
     paper.parts.push_back(std::move(part));
@@ -114,7 +116,7 @@ Paper paper_of_presets(const Program& program, Selection asked) {
 std::string caption_on_paper(const PaperPart& part, int step) {
   const viz::Step& s = part.e.walk.steps[static_cast<std::size_t>(step)];
   if (part.new_lesson) return s.caption;
-  return s.slug == viz::opening_slug ? "This is what is given." : viz::own_caption(*part.e.lesson, s);
+  return s.slug == viz::opening_slug ? viz::tr("This is what is given.") : viz::own_caption(*part.e.lesson, s);
 }
 
 Stops list_of_stops(const Paper& paper) {

@@ -26,6 +26,8 @@ struct Paper {
   std::string folder;  ///< of its pages, below that of all figures: "ray-sphere/two-roots", "hour"
   std::vector<PaperPart> parts;
   bool is_playlist() const { return parts.front().stop > 0; }
+  /// The language of its own words, as a code: that of its first part.
+  const std::string& language() const { return parts.front().e.lesson->language; }
 };
 
 /// Which steps of an excerpt count.

@@ -4,6 +4,7 @@
 
 #include "app/pages/html.h"
 #include "app/pages/latex.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/tex.h"
 
@@ -47,9 +48,9 @@ Blocks printed_head(const PaperPart& part) {
   if (part.stop > 0) all.push_back(Heading{part.head, 2, fmt::format("stop-{}", part.stop)});
   if (!part.note.empty()) all.push_back(Prose{part.note});
   if (part.new_lesson) all.push_back(Prose{e.lesson->summary});
-  all.push_back(Prose{given(*e.lesson, e.parameters, e.walk), "Given"});
+  all.push_back(Prose{given(*e.lesson, e.parameters, e.walk), viz::tr("Given")});
   if (part.code_of > 0)
-    all.push_back(Prose{fmt::format("The algorithm is that of stop {}.", part.code_of)});
+    all.push_back(Prose{viz::tr("The algorithm is that of stop {n}.", {{"n", std::to_string(part.code_of)}})});
   else
     append(all, algorithm(e));
   return all;

@@ -5,6 +5,7 @@
 
 #include "app/pages/html.h"
 #include "viz/formats/svg_path.h"
+#include "viz/lang/message.h"
 #include "viz/walk/given_order.h"
 #include "viz/walk/typed_answer.h"
 
@@ -34,7 +35,8 @@ std::string paragraphs_html(const std::string& markup) {
 }
 
 std::string task_html(const QuizItem& item) {
-  const std::string given = item.given.empty() ? "" : fmt::format("<p><b>Given</b> {}</p>", html_text(item.given));
+  const std::string given =
+      item.given.empty() ? "" : fmt::format("<p><b>{}</b> {}</p>", viz::tr("Given"), html_text(item.given));
   return given + lines_html(item.code) + paragraphs_html(item.prompt);
 }
 
@@ -48,10 +50,12 @@ std::string tiles_html(const QuizItem& item) {
 
 std::string what_to_answer(const QuizItem& item) {
   if (item.order)
-    return std::string("Answer with the letters in their order, without spaces.") +
-           (viz::has_ties(*item.order) ? " Of equal ones, any may come first." : "");
+    return viz::tr("Answer with the letters in their order, without spaces.") +
+           (viz::has_ties(*item.order) ? " " + viz::tr("Of equal ones, any may come first.") : "");
   if (!item.number) return {};
-  return fmt::format("Answer with {}{}.", item.number->digits == 0 ? "" : "a number ", viz::exactness(*item.number));
+  const std::string exactness = viz::exactness(*item.number);
+  return item.number->digits == 0 ? viz::tr("Answer with a whole number.")
+                                  : viz::tr("Answer with a number {exactness}.", {{"exactness", exactness}});
 }
 
 }  // namespace isect::program::platforms

@@ -1,12 +1,11 @@
 #include "app/platforms/quiz_sheet.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <utility>
 
 #include "app/figures/question_figure.h"
 #include "app/shell/terminal.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/step_text.h"
 
@@ -44,7 +43,8 @@ QuizSheet sheet_of(const Paper& paper, FigureMaker& maker) {
     for (const int step : part.e.steps) {
       const int own = viz::question_text(part.e.walk, step)->number;
       const int number = counted_on ? static_cast<int>(sheet.items.size()) + 1 : own;
-      QuizItem item = item_of(part.e, step, fmt::format("{}: question {}", sheet.title, number));
+      QuizItem item = item_of(
+          part.e, step, viz::tr("{lesson}: question {n}", {{"lesson", sheet.title}, {"n", std::to_string(number)}}));
       item.picture = picture_of(part.e, step, item.title, maker);
       progress.done(item.title);
       sheet.items.push_back(std::move(item));

@@ -5,8 +5,6 @@
 #include "app/scene/contact.h"
 #include "app/scene/first_place.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,9 +15,14 @@
 #include "app/scene/questions.h"
 #include "app/scene/shapes.h"
 #include "app/scene/walks.h"
+#include "viz/lang/lesson_texts.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
+
+using viz::tr;
+using viz::tr_count;
 
 namespace {
 
@@ -90,7 +93,7 @@ Hits hits_of(const Context& c, std::size_t ray) {
   return hits_of(c, ray, objects);
 }
 
-std::string shown_t(double t) { return std::isinf(t) ? "a number too large for a double" : viz::shown(t); }
+std::string shown_t(double t) { return std::isinf(t) ? tr("a number too large for a double") : viz::shown(t); }
 
 viz::Verdict first_of(const Context& c, std::size_t ray, const Hits& found) {
   const auto names_of = [&](const std::vector<std::size_t>& objects) {
@@ -100,13 +103,13 @@ viz::Verdict first_of(const Context& c, std::size_t ray, const Hits& found) {
   };
   if (!found.open.empty())
     return {viz::Verdict::Kind::open,
-            fmt::format("what {} meets first is not decided, as no test decides whether and where it meets {}",
-                        c.name(ray), names_of(found.open))};
+            tr("what {a} meets first is not decided, as no test decides whether and where it meets {names}",
+               {{"a", c.name(ray)}, {"names", names_of(found.open)}})};
   if (!found.endless.empty())
-    return {viz::Verdict::Kind::on,
-            fmt::format("{} meets nothing first, as all of it lies in {}", c.name(ray), names_of(found.endless))};
+    return {viz::Verdict::Kind::on, tr("{a} meets nothing first, as all of it lies in {names}",
+                                       {{"a", c.name(ray)}, {"names", names_of(found.endless)}})};
   const std::vector<Hit>& hits = found.in_order;
-  if (hits.empty()) return {viz::Verdict::Kind::no, c.name(ray) + " meets none of them"};
+  if (hits.empty()) return {viz::Verdict::Kind::no, tr("{a} meets none of them", {{"a", c.name(ray)}})};
   const std::string first = c.name(hits[0].object);
   std::string names = first, last;
   for (std::size_t i = 1; i < hits.size() && order(c, ray, hits[0], hits[i]) == 0; ++i) {
@@ -114,9 +117,10 @@ viz::Verdict first_of(const Context& c, std::size_t ray, const Hits& found) {
     last = c.name(hits[i].object);
   }
   if (!last.empty())
-    return {viz::Verdict::Kind::on, fmt::format("{} meets {} and {} at the same *t*", c.name(ray), names, last)};
+    return {viz::Verdict::Kind::on,
+            tr("{a} meets {names} and {last} at the same *t*", {{"a", c.name(ray)}, {"names", names}, {"last", last}})};
   return {viz::Verdict::Kind::yes,
-          fmt::format("{} meets {} first, at *t* = {}", c.name(ray), first, shown_t(hits[0].t))};
+          tr("{a} meets {b} first, at *t* = {t}", {{"a", c.name(ray)}, {"b", first}, {"t", shown_t(hits[0].t)}})};
 }
 
 }  // namespace
@@ -134,12 +138,14 @@ std::string slug_of(std::string text) {
 Answered answered(const Context& c, const PairAsked& asked) {
   const Object &a = c.object(asked.a), &b = c.object(asked.b);
   Told told = ask(c.shaped(asked.a), c.shaped(asked.b));
-  Answered out = {slug_of(a.name + "-" + b.name), fmt::format("{} and {}", c.name(asked.a), c.name(asked.b)),
-                  (told.open ? "" : "Decided exactly for these numbers: ") + told.verdict.text + ".", told.verdict};
+  Answered out = {slug_of(a.name + "-" + b.name), tr("{a} and {b}", {{"a", c.name(asked.a)}, {"b", c.name(asked.b)}}),
+                  told.open ? told.verdict.text + "."
+                            : tr("Decided exactly for these numbers: {verdict}.", {{"verdict", told.verdict.text}}),
+                  told.verdict};
   if (!told.note.empty()) out.caption += "\n" + told.note;
   for (const std::size_t i : {asked.a, asked.b})
     if (c.object(i).type == Type::frustum)
-      out.caption += "\nThe planes of " + c.name(i) + " are those of its angle, rounded.";
+      out.caption += "\n" + tr("The planes of {a} are those of its angle, rounded.", {{"a", c.name(i)}});
   out.formula = told.formula, out.values = told.values, out.items = std::move(told.marks);
   if (out.items.empty()) out.items = contact(c.numbers, a, b, told.answer);
   out.lit = {asked.a, asked.b};
@@ -153,21 +159,23 @@ Answered answered(const Context& c, const FirstHitAsked& asked) {
   const Hits found = hits_of(c, asked.ray);
   const std::vector<Hit>& hits = found.in_order;
   Answered out = {"first-hit-" + slug_of(c.object(asked.ray).name),
-                  fmt::format("What {} meets first", c.name(asked.ray)), "", first_of(c, asked.ray, found)};
+                  tr("What {a} meets first", {{"a", c.name(asked.ray)}}), "", first_of(c, asked.ray, found)};
   out.lit = {asked.ray};
   out.json = {
       {"first hit", c.object(asked.ray).name}, {"verdict", viz::plain(out.verdict.text)}, {"hits", Json::array()}};
   std::string order;
   for (const Hit& hit : hits) {
-    order += fmt::format("{}{} at {}", order.empty() ? "" : ", ", c.name(hit.object), shown_t(hit.t));
-    if (std::isfinite(hit.t)) out.values.push_back({"*t* of " + c.name(hit.object), hit.t, "t", viz::Role::hit, true});
+    order += order.empty() ? "" : ", ";
+    order += tr("{a} at {t}", {{"a", c.name(hit.object)}, {"t", shown_t(hit.t)}});
+    if (std::isfinite(hit.t))
+      out.values.push_back({tr("*t* of {a}", {{"a", c.name(hit.object)}}), hit.t, "t", viz::Role::hit, true});
     out.lit.push_back(hit.object);
     out.json["hits"].push_back({{"object", c.object(hit.object).name}, {"t", query::number(hit.t)}});
     if (hit.mark) out.items.push_back(*hit.mark);
   }
-  out.caption = hits.empty() && found.endless.empty() ? "Each object was asked; none is met."
-                : hits.empty()                        ? "Each object was asked."
-                               : fmt::format("Each object was asked; by rising *t* these are met: {}.", order);
+  out.caption = hits.empty() && found.endless.empty() ? tr("Each object was asked; none is met.")
+                : hits.empty()                        ? tr("Each object was asked.")
+                               : tr("Each object was asked; by rising *t* these are met: {order}.", {{"order", order}});
   return out;
 }
 
@@ -184,13 +192,14 @@ Answered all_that_meet(const Context& c, const WalkAsked& asked) {
   std::string told;
   all_pairs::brute_force(boxes, [&](int i, int j) {
     const std::size_t a = asked.many[static_cast<std::size_t>(i)], b = asked.many[static_cast<std::size_t>(j)];
-    told += fmt::format("{}{} and {}", told.empty() ? "" : ", ", c.name(a), c.name(b));
+    told += told.empty() ? "" : ", ";
+    told += tr("{a} and {b}", {{"a", c.name(a)}, {"b", c.name(b)}});
     found.push_back({c.object(a).name, c.object(b).name});
   });
   Answered out;
-  out.verdict = found.empty()
-                    ? viz::Verdict{viz::Verdict::Kind::no, fmt::format("no two of {} boxes meet", boxes.size())}
-                    : viz::Verdict{viz::Verdict::Kind::yes, "these meet: " + told};
+  out.verdict = found.empty() ? viz::Verdict{viz::Verdict::Kind::no, tr_count(boxes.size(), "no two of {n} boxes meet",
+                                                                              "no two of {n} boxes meet")}
+                              : viz::Verdict{viz::Verdict::Kind::yes, tr("these meet: {pairs}", {{"pairs", told}})};
   out.json = {{"walk", names},
               {"lesson", asked.lesson},
               {"verdict", viz::plain(out.verdict.text)},
@@ -215,7 +224,10 @@ Answered of_hierarchy(const Context& c, const WalkAsked& asked) {
   } else {
     std::vector<const Object*> all;
     for (const std::size_t i : asked.many) all.push_back(&c.object(i));
-    out.verdict = walk(*walk_of_many(asked.lesson, asked.method), c.numbers, all).steps.back().verdict;
+    out.verdict =
+        viz::spoken_walk(asked.lesson, [&] { return walk(*walk_of_many(asked.lesson, asked.method), c.numbers, all); })
+            .steps.back()
+            .verdict;
     result["hierarchy"] = viz::plain(out.verdict.text);
   }
   out.json = {{"walk", names}, {"lesson", asked.lesson}};
@@ -233,8 +245,8 @@ Answered answered(const Context& c, const WalkAsked& asked) {
   if (asked.a == asked.b) {
     const Ring<double, 2> hull = convex_hull(points_of<2>(c.numbers.points(a)));
     Answered out;
-    out.verdict = {viz::Verdict::Kind::yes, fmt::format("the hull of {} has {} corner{}", c.name(asked.a), hull.size(),
-                                                        hull.size() == 1 ? "" : "s")};
+    out.verdict = {viz::Verdict::Kind::yes, tr_count(hull.size(), "the hull of {a} has {n} corner",
+                                                     "the hull of {a} has {n} corners", {{"a", c.name(asked.a)}})};
     Json corners = Json::array();
     for (const Point<double, 2>& v : hull) corners.push_back({v.x(), v.y()});
     out.json = {{"walk", a.name}, {"verdict", viz::plain(out.verdict.text)}, {"result", {{"hull", corners}}}};

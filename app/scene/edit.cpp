@@ -264,6 +264,17 @@ std::string with_answers(const std::string& text, bool hidden) {
   return now;
 }
 
+std::string with_language(const std::string& text, const std::string& code) {
+  const Source source = source_of(text);
+  const std::string word = '"' + code + '"';
+  std::string now = text;
+  if (const Spans spans(text); const Spans::Span* was = spans.at("/lang"))
+    now.replace(was->begin, was->end - was->begin, word);
+  else
+    add_field(now, "\"lang\": " + word);
+  return now;
+}
+
 std::string with_question(const std::string& text, const Json& asked) {
   const Source source = source_of(text);
   const Json& scene = source.json();

@@ -23,6 +23,8 @@ std::string with_name(const std::string& text, const std::string& name, const st
 std::string with_hidden(const std::string& text, const std::string& name, bool hidden);
 /// Hides the scene's answers, or shows them.
 std::string with_answers(const std::string& text, bool hidden);
+/// Has the scene told in a language, given as a code.
+std::string with_language(const std::string& text, const std::string& code);
 /// Adds a question, as an entry of "ask".
 std::string with_question(const std::string& text, const Json& asked);
 /// Removes the first entry of "ask" that is this question. "all pairs" is one, too: then nothing is asked.

@@ -9,6 +9,8 @@
 #include "app/scene/read_objects.h"
 #include "app/scene/read_questions.h"
 #include "app/scene/types.h"
+#include "viz/lang/language.h"
+#include "viz/text/spelling.h"
 
 namespace isect::program::scene {
 
@@ -25,9 +27,12 @@ class SceneReader {
                      "this is a preset’s file, which show, render and explain take; a scene has \"objects\"");
     if (json().is_object() && json().contains("stops") && !json().contains("objects"))
       source_.refuse({"stops"}, "this is a playlist, which show, handout, deck and quiz take; a scene has \"objects\"");
-    source_.only(json(), {}, {"title", "caption", "objects", "ask", "answers", "notes", "marks", "camera", "guard"},
+    source_.only(json(), {},
+                 {"title", "caption", "objects", "ask", "answers", "lang", "notes", "marks", "camera", "guard"},
                  beside_);  // the last for `check`
-    file_.title = json().contains("title") ? source_.text(json()["title"], {"title"}) : untitled;
+    if (json().contains("lang")) read_language();
+    const viz::Speaking speaking(file_.language);
+    file_.title = json().contains("title") ? source_.text(json()["title"], {"title"}) : viz::tr(untitled);
     if (json().contains("caption")) file_.caption = source_.text(json()["caption"], {"caption"});
     if (json().contains("answers")) read_answers();
     ReadObjects objects = read_objects(source_, folder_);
@@ -45,6 +50,15 @@ class SceneReader {
 
  private:
   const Json& json() const { return source_.json(); }
+
+  void read_language() {
+    file_.language = source_.text(json()["lang"], {"lang"});
+    std::vector<std::string> codes;
+    for (const viz::Language& language : viz::languages()) codes.push_back(language.code);
+    if (std::ranges::find(codes, file_.language) == codes.end())
+      source_.refuse({"lang"}, fmt::format("\"{}\" is no language that it can be told in; allowed: {}", file_.language,
+                                           spelling::listed(codes)));
+  }
 
   void read_answers() {
     const std::string word = source_.text(json()["answers"], {"answers"});

@@ -22,6 +22,7 @@
 //               "question": "..."} ],                                // while answers are hidden
 //     "caption": "...",                                              // of the step with all objects
 //     "answers": "hidden",                                           // questions only: "shown" if not given
+//     "lang": "de",                                                  // of what the program says; English if not given
 //     "notes": [ {"at": [0, 2, 0], "text": "the *y*-axis"} ],
 //     "marks": [ {"point": "q", "at": "r x A"},                     // or "foot of p on A"; computed
 //                {"dimension": ["q", "A.lo"]} ],                     // or arrow, line, brace, angle, right angle
@@ -43,6 +44,7 @@
 #include "app/scene/own_words.h"
 #include "app/scene/source.h"
 #include "viz/formats/files.h"
+#include "viz/lang/message.h"
 
 namespace isect::program::scene {
 
@@ -77,7 +79,7 @@ struct Note {
 };
 
 /// The title of a scene that has none of its own.
-inline constexpr const char* untitled = "A scene";
+inline constexpr viz::Message untitled = viz::message("A scene");
 
 struct File {
   std::string title;
@@ -91,7 +93,8 @@ struct File {
   std::vector<AuthorMark> marks;
   viz::Camera camera;
   bool flat = false;
-  std::string text;  ///< the file as it is, without comments, with the points of the short files that it names
+  std::string language = {};  ///< of what the program says, as a code; empty: English
+  std::string text;           ///< the file as it is, without comments, with the points of the short files that it names
 };
 
 /// Throws viz::BadInput if lists and objects nest too deep for our parsers.

@@ -12,6 +12,8 @@
 #include "app/query/reply.h"
 #include "app/scene/answered.h"
 #include "app/scene/shapes.h"
+#include "app/scene/type_words.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
@@ -52,7 +54,8 @@ viz::Region region(const std::vector<Vec3>& ring) {
 template <int N>
 Fitted sphere_around(const std::vector<Point<double, N>>& points) {
   const Sphere<double, N> ball = fit_sphere_smallest(points);
-  Fitted out = {volume(ball), fmt::format("centre {}, *r* = {}", told<N>(ball.center), viz::shown(ball.radius))};
+  Fitted out = {volume(ball),
+                viz::tr("centre {p}, *r* = {r}", {{"p", told<N>(ball.center)}, {"r", viz::shown(ball.radius)}})};
   Vec3 center = Vec3::Zero();
   center.head<N>() = ball.center;
   if constexpr (N == 2)
@@ -66,7 +69,7 @@ Fitted sphere_around(const std::vector<Point<double, N>>& points) {
 template <int N>
 Fitted box_around(const std::vector<Point<double, N>>& points) {
   const Aabb<double, N> box = fit_aabb(points);
-  Fitted out = {volume(box), fmt::format("from {} to {}", told<N>(box.lo), told<N>(box.hi))};
+  Fitted out = {volume(box), viz::tr("from {p} to {q}", {{"p", told<N>(box.lo)}, {"q", told<N>(box.hi)}})};
   if constexpr (N == 2)
     out.items = {region({{box.lo.x(), box.lo.y(), 0},
                          {box.hi.x(), box.lo.y(), 0},
@@ -81,7 +84,7 @@ Fitted box_around(const std::vector<Point<double, N>>& points) {
 template <int N>
 Fitted obb_around(const std::vector<Point<double, N>>& points) {
   const Obb<double, N> box = fit_obb_tight(points);
-  Fitted out = {volume(box), fmt::format("half-lengths {}", told<N>(box.half))};
+  Fitted out = {volume(box), viz::tr("half-lengths {p}", {{"p", told<N>(box.half)}})};
   if constexpr (N == 2) {
     const Point<double, 2> u = box.half.x() * box.axes.col(0), v = box.half.y() * box.axes.col(1), c = box.center;
     out.items = {region(in_space({c - u - v, c + u - v, c + u + v, c - u + v}))};
@@ -97,7 +100,7 @@ template <int N>
 Fitted kdop_around(const std::vector<Point<double, N>>& points) {
   constexpr int k = N == 2 ? 8 : 26;
   const Kdop<double, N> kdop = fit_kdop(points, directions<double, N>(k));
-  Fitted out = {volume(kdop), fmt::format("{} slabs", k / 2)};
+  Fitted out = {volume(kdop), viz::tr_count(k / 2, "{n} slabs", "{n} slabs")};
   if constexpr (N == 2)
     out.items = {region(in_space(polytope(kdop).vertices))};
   else
@@ -117,14 +120,16 @@ Fitted hull_around(const std::vector<Point<double, 2>>& points) {
     const Point<double, 2> a = hull[i - 1] - hull[0], b = hull[i] - hull[0];
     twice += a.x() * b.y() - a.y() * b.x();
   }
-  Fitted out = {twice / 2, fmt::format("{} vertices", hull.size()), {region(in_space(hull))}};
+  Fitted out = {twice / 2, viz::tr_count(hull.size(), "{n} vertices", "{n} vertices"), {region(in_space(hull))}};
   for (const Point<double, 2>& p : hull) out.json["vertices"].push_back(list<2>(p));
   return out;
 }
 
 Fitted hull_around(const std::vector<Point<double, 3>>& points) {
   const Hull3<double> hull = convex_hull(points);
-  Fitted out = {volume(hull), fmt::format("{} vertices, {} triangles", hull.vertices.size(), hull.triangles.size())};
+  Fitted out = {volume(hull),
+                viz::tr_count(hull.vertices.size(), "{n} vertices, {m} triangles", "{n} vertices, {m} triangles",
+                              {{"m", std::to_string(hull.triangles.size())}})};
   if (hull.dimension == 3) out.items = {viz::solid(hull, Role::second)};
   for (const Vec3& p : hull.vertices) out.json["vertices"].push_back(list<3>(p));
   out.json["triangles"] = hull.triangles;
@@ -139,14 +144,6 @@ Fitted fitted(const std::vector<Vec3>& all, const std::string& volume) {
   if (volume == "obb") return obb_around<N>(points);
   if (volume == "kdop") return kdop_around<N>(points);
   return hull_around(points);
-}
-
-std::string in_words(const std::string& volume, bool flat) {
-  if (volume == "sphere") return flat ? "smallest circle" : "smallest ball";
-  if (volume == "box") return "AABB";
-  if (volume == "obb") return "OBB";
-  if (volume == "kdop") return flat ? "8-DOP" : "26-DOP";
-  return "hull";
 }
 
 }  // namespace
@@ -173,29 +170,33 @@ Answered answered(const Context& c, const FitAsked& asked) {
   const std::vector<std::string> wanted = asked.volume.empty() ? volumes() : std::vector<std::string>{asked.volume};
   for (const std::string& volume : wanted) {
     Fitted one = flat ? fitted<2>(points, volume) : fitted<3>(points, volume);
-    const std::string words = in_words(volume, flat);
-    out.values.push_back({size + " of the " + words, one.size, flat ? "units^2" : "units^3", Role::second, true});
+    const VolumeWords& words = words_of(volume, flat);
+    out.values.push_back(
+        {tr(words.size), one.size, flat ? viz::tr("units^2") : viz::tr("units^3"), Role::second, true});
     out.json["volumes"].push_back({{"fitted", volume}, {size, query::number(one.size)}, {"result", one.json}});
     if (wanted.size() == 1) {
       out.slug += "-" + volume;
-      out.title = fmt::format("The {} of {}", words, c.name(asked.object));
+      out.title = tr(words.title, {{"a", c.name(asked.object)}});
       out.formula = one.told;
       out.verdict = {viz::Verdict::Kind::yes,
-                     fmt::format("the {} of {} has {} {}", words, c.name(asked.object), size, viz::shown(one.size))};
-      out.caption = fmt::format("Every point lies in it, exactly: {}.", one.told);
+                     tr(words.verdict, {{"a", c.name(asked.object)}, {"size", viz::shown(one.size)}})};
+      out.caption = viz::tr("Every point lies in it, exactly: {told}.", {{"told", one.told}});
     } else {
-      out.formula += fmt::format("{}{}: {}", out.formula.empty() ? "" : ", ", words, viz::shown(one.size));
+      out.formula += fmt::format("{}{}: {}", out.formula.empty() ? "" : ", ", tr(words.in_list), viz::shown(one.size));
     }
     if (wanted.size() == 1 || volume == "hull") out.items = std::move(one.items);
   }
   if (wanted.size() > 1) {
-    out.title = fmt::format("Volumes around {}", c.name(asked.object));
-    out.caption = fmt::format(
-        "The {} of each volume that holds every point. The hull, which is drawn, is the least "
-        "convex one.",
-        size);
-    out.verdict = {viz::Verdict::Kind::yes, fmt::format("the hull of {} has {} {}", c.name(asked.object), size,
-                                                        viz::shown(out.values.back().value))};
+    out.title = viz::tr("Volumes around {a}", {{"a", c.name(asked.object)}});
+    out.caption = flat ? viz::tr(
+                             "The area of each volume that holds every point. The hull, which is drawn, is the least "
+                             "convex one.")
+                       : viz::tr(
+                             "The volume of each volume that holds every point. The hull, which is drawn, is the least "
+                             "convex one.");
+    out.verdict = {viz::Verdict::Kind::yes,
+                   tr(words_of("hull", flat).verdict,
+                      {{"a", c.name(asked.object)}, {"size", viz::shown(out.values.back().value)}})};
   }
   out.json["verdict"] = viz::plain(out.verdict.text);
   return out;

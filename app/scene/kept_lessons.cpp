@@ -84,14 +84,32 @@ const viz::Lesson& edited(const viz::Lesson& kept, const viz::Parameters& parame
   return kept_lessons().emplace_back(kept_from(edit(*text), one.folder, known)).lesson;
 }
 
-const viz::Lesson& with_answers(const viz::Lesson& kept, bool hidden) {
-  const KeptLesson& one = kept_as(kept);
+namespace {
+
+/// Returns the lesson of the kept one's text after `edit` has changed that.
+const viz::Lesson& kept_again(const KeptLesson& one, const std::function<std::string(const std::string&)>& edit) {
   const bool own = !one.text.empty();
-  const std::string &was = own ? one.text : kept.made_from, now = with_answers(was, hidden);
-  if (read_scene(was, one.folder).answers_hidden == hidden) return kept;
-  const viz::Lesson& made = kept_lesson_of(now, one.folder);
+  const viz::Lesson& made = kept_lesson_of(edit(own ? one.text : one.lesson.made_from), one.folder);
   if (!own) kept_as(made).text.clear();
   return made;
+}
+
+/// Returns the kept lesson's file as its text has it.
+File file_of(const KeptLesson& one) {
+  return read_scene(one.text.empty() ? one.lesson.made_from : one.text, one.folder);
+}
+
+}  // namespace
+
+const viz::Lesson& with_answers(const viz::Lesson& kept, bool hidden) {
+  const KeptLesson& one = kept_as(kept);
+  if (file_of(one).answers_hidden == hidden) return kept;
+  return kept_again(one, [&](const std::string& text) { return with_answers(text, hidden); });
+}
+
+const viz::Lesson& with_language(const viz::Lesson& kept, const std::string& code) {
+  if (kept.language == code || (kept.language.empty() && code == "en")) return kept;
+  return kept_again(kept_as(kept), [&](const std::string& text) { return with_language(text, code); });
 }
 
 namespace {

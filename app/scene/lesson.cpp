@@ -8,6 +8,8 @@
 
 #include "app/scene/scene_steps.h"
 #include "app/scene/types.h"
+#include "viz/lang/language.h"
+#include "viz/lang/message.h"
 
 namespace isect::program::scene {
 
@@ -81,18 +83,20 @@ std::vector<viz::Condition> conditions_of(const File& file) {
 }  // namespace
 
 viz::Lesson without_steps(const File& file) {
+  const viz::Speaking speaking(file.language);
   viz::Lesson lesson;
   lesson.id = "scene";
   lesson.title = file.title;
-  lesson.summary = fmt::format("A scene of {} object{}, and {} question{} about {}.", file.objects.size(),
-                               file.objects.size() == 1 ? "" : "s", file.asked.size(),
-                               file.asked.size() == 1 ? "" : "s", file.objects.size() == 1 ? "it" : "them");
+  lesson.summary = viz::tr_count(file.objects.size(), "A scene of {n} object, and {questions} about it.",
+                                 "A scene of {n} objects, and {questions} about them.",
+                                 {{"questions", viz::tr_count(file.asked.size(), "{n} question", "{n} questions")}});
   lesson.parameters = parameters_of(file);
   lesson.conditions = conditions_of(file);
-  lesson.presets = {{"file", "As in the file", "", file.parameters}};
+  lesson.presets = {{"file", viz::tr("As in the file"), "", file.parameters}};
   lesson.camera = file.camera;
   lesson.flat = file.flat;
   lesson.made_from = file.text;
+  lesson.language = file.language;
   return lesson;
 }
 

@@ -42,6 +42,8 @@ const viz::Lesson& edited(const viz::Lesson& kept, const viz::Parameters&, bool 
 
 /// Returns the kept lesson with its answers hidden, or shown; itself if they are so already.
 const viz::Lesson& with_answers(const viz::Lesson& kept, bool hidden);
+/// Returns the kept lesson in a language, given as a code; itself if it is so already.
+const viz::Lesson& with_language(const viz::Lesson& kept, const std::string& code);
 
 /// Returns the lesson's own walks through all of the scene's objects that it takes, instead of the scene's own
 /// questions; kept, too. `method`: one of its methods for many objects; empty: the first. Throws viz::BadInput if it

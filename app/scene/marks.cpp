@@ -1,7 +1,5 @@
 #include "app/scene/marks.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -9,12 +7,14 @@
 
 #include "app/scene/answered.h"
 #include "viz/camera.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
 
 using viz::Pen;
 using viz::Role;
+using viz::tr;
 using viz::Vec3;
 
 namespace {
@@ -29,7 +29,7 @@ class MarkDrawer {
   MarkPicture draw() {
     for (const Spot& spot : mark_.spots) {
       FoundSpot place = find_spot(c_, spot);
-      if (!place.at) return {.missing = fmt::format("Not drawn is {}: {}.", called(), place.why)};
+      if (!place.at) return {.missing = not_drawn(place.why)};
       places_.push_back(std::move(place));
     }
     using enum AuthorMark::Kind;
@@ -58,7 +58,8 @@ class MarkDrawer {
     }
     if (!out_.missing.empty()) return {.missing = out_.missing};
     out_.said = called() + (told_.empty() ? "" : ": " + told_);
-    if (mark_.label && !mark_.label->empty() && mark_.kind != point) out_.said += ", labelled " + *mark_.label;
+    if (mark_.label && !mark_.label->empty() && mark_.kind != point)
+      out_.said += tr(", labelled {label}", {{"label", *mark_.label}});
     return std::move(out_);
   }
 
@@ -75,21 +76,25 @@ class MarkDrawer {
     using enum AuthorMark::Kind;
     switch (mark_.kind) {
       case point:
-        return fmt::format("the point {}, {}", shown_name(mark_.name), place(0));
+        return tr("the point {name}, {p}", {{"name", shown_name(mark_.name)}, {"p", place(0)}});
       case arrow:
-        return fmt::format("an arrow from {} to {}", place(0), place(1));
+        return tr("an arrow from {p} to {q}", {{"p", place(0)}, {"q", place(1)}});
       case line:
-        return fmt::format("a dashed line from {} to {}", place(0), place(1));
+        return tr("a dashed line from {p} to {q}", {{"p", place(0)}, {"q", place(1)}});
       case dimension:
-        return fmt::format("the length from {} to {}", place(0), place(1));
+        return tr("the length from {p} to {q}", {{"p", place(0)}, {"q", place(1)}});
       case brace:
-        return fmt::format("a brace from {} to {}", place(0), place(1));
+        return tr("a brace from {p} to {q}", {{"p", place(0)}, {"q", place(1)}});
       case angle:
-        return fmt::format("the angle at {} between {} and {}", place(1), place(0), place(2));
+        return tr("the angle at {p} between {q} and {r}", {{"p", place(1)}, {"q", place(0)}, {"r", place(2)}});
       case right_angle:
-        return fmt::format("the right angle at {} between {} and {}", place(1), place(0), place(2));
+        return tr("the right angle at {p} between {q} and {r}", {{"p", place(1)}, {"q", place(0)}, {"r", place(2)}});
     }
     return {};
+  }
+
+  std::string not_drawn(const std::string& why) const {
+    return tr("Not drawn is {mark}: {why}.", {{"mark", called()}, {"why", why}});
   }
 
   void name_at(const Vec3& p, const std::string& text) {
@@ -103,7 +108,8 @@ class MarkDrawer {
     out_.items.push_back(viz::Dot{at(0), viz::Mark::disc, mark_.role});
     name_at(at(0), mark_.label.value_or(shown_name(mark_.name)));
     for (int i = 0; i < (c_.file.flat ? 2 : 3); ++i) told_ += (i == 0 ? "(" : ", ") + viz::shown(at(0)[i]);
-    told_ = (is_exact() ? "" : "about ") + told_ + ")";
+    told_ += ")";
+    if (!is_exact()) told_ = tr("about {p}", {{"p", told_}});
   }
 
   /// Returns the direction, of length 1, in which a length stands beside its points: across the view, away from the
@@ -136,7 +142,7 @@ class MarkDrawer {
     const Vec3 way = at(1) - at(0);
     const double length = way.norm();
     if (!(length > 0)) {
-      out_.missing = fmt::format("Not drawn is {}: both are one point.", called());
+      out_.missing = not_drawn(tr("both are one point"));
       return;
     }
     const Vec3 along = way / length;
@@ -164,15 +170,16 @@ class MarkDrawer {
   void draw_angle() {
     const ExactVector u = from_to(exact(1), exact(0)), v = from_to(exact(1), exact(2));
     if (dot(u, u).sign() == 0 || dot(v, v).sign() == 0) {
-      out_.missing = fmt::format("Not drawn is {}: an arm of it has no length.", called());
+      out_.missing = not_drawn(tr("an arm of it has no length"));
       return;
     }
     const std::string text = angle_text(u, v);
     const bool about = text.starts_with("≈") || !is_exact();
     if (mark_.kind == AuthorMark::Kind::right_angle) {
       if (!is_right(u, v) || !is_exact()) {
-        out_.missing = fmt::format("Not drawn is {}: it is {}{}.", called(), viz::as_markup(text),
-                                   is_right(u, v) ? ", but from rounded places" : "");
+        const std::string angle = viz::as_markup(text);
+        out_.missing = not_drawn(is_right(u, v) ? tr("it is {angle}, but from rounded places", {{"angle", angle}})
+                                                : tr("it is {angle}", {{"angle", angle}}));
         return;
       }
       out_.items.push_back(viz::RightAngle{at(1), at(0), at(2)});

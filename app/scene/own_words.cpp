@@ -1,11 +1,10 @@
 #include "app/scene/own_words.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <utility>
 
 #include "app/scene/answered.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
@@ -60,7 +59,8 @@ void put_words(const OwnWords& own, const std::string& written_for, Answered& an
   if (own.verdict && (stands || own.verdict->empty())) answer.verdict.text = *own.verdict, answer.verdict.exact = exact;
   if (own.verdict && own.verdict->empty()) answer.formula.clear();
   if (own.caption && !stands)
-    answer.caption += fmt::format("\nThis was written for other numbers: {}. Now: {}.", written_for, exact);
+    answer.caption += "\n" + viz::tr("This was written for other numbers: {then}. Now: {now}.",
+                                     {{"then", written_for}, {"now", exact}});
 }
 
 Json json_of(const OwnWords& own) {

@@ -55,6 +55,8 @@ void tell_bent(const Shaped&, Told&);
 /// Throws NotDecided for an outline that has no area, crosses or touches itself.
 [[noreturn]] void refuse_outline(const Object&);
 
+/// Returns "A and B", by name.
+std::string both_names(const Shaped& a, const Shaped& b);
 /// Adds verdict, values and marks of an answer, and its formula.
 void tell(const Shaped& a, const Shaped& b, Told&);
 /// Returns the pair's query: the kind and its fields.

@@ -9,6 +9,7 @@
 #include <isect/ray_outline.h>
 
 #include "app/scene/pairs.h"
+#include "viz/lang/message.h"
 
 namespace isect::program::scene {
 
@@ -48,11 +49,12 @@ void plane_and_corners(const Shaped& a, const Shaped& b, Told& out) {
   out.answer = answer(count);
   out.result = {{"behind", count.behind}, {"on", count.on}, {"before", count.before}};
   if (b.type() == Type::mesh) return;  // its triangles share corners
-  const char* unit = b.type() == Type::cloud || b.type() == Type::hull ? "points" : "corners";
+  const std::string unit = b.type() == Type::cloud || b.type() == Type::hull ? viz::tr("points") : viz::tr("corners");
   using viz::Role;
-  out.values = {{"where the normal points", static_cast<double>(count.before), unit, Role::text, true},
-                {a.flat() ? "on the line" : "in the plane", static_cast<double>(count.on), unit, Role::hit, true},
-                {"on the other side", static_cast<double>(count.behind), unit, Role::text, true}};
+  out.values = {{viz::tr("where the normal points"), static_cast<double>(count.before), unit, Role::text, true},
+                {a.flat() ? viz::tr("on the line") : viz::tr("in the plane"), static_cast<double>(count.on), unit,
+                 Role::hit, true},
+                {viz::tr("on the other side"), static_cast<double>(count.behind), unit, Role::text, true}};
 }
 
 /// Asks whether a point is left of it, right of it, on it, or in line with it and beyond an end.

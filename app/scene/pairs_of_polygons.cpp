@@ -1,11 +1,10 @@
 // Polygons in space.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "app/query/reply.h"
 #include "app/scene/pairs.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
@@ -14,9 +13,11 @@ void tell_bent(const Shaped& o, Told& out) {
   const double off = o.off_plane();
   if (off == 0) return;
   out.result["off_plane"] = std::max(off, out.result.value("off_plane", 0.0));
-  out.note += fmt::format(
-      "{}The corners of {} lie up to {} off one plane: what is tested are the triangles that its outline is cut into.",
-      out.note.empty() ? "" : " ", shown_name(o.object.name), viz::shown(off));
+  out.note += out.note.empty() ? "" : " ";
+  out.note += viz::tr(
+      "The corners of {a} lie up to {off} off one plane: what is tested are the triangles that its outline is cut "
+      "into.",
+      {{"a", shown_name(o.object.name)}, {"off", viz::shown(off)}});
 }
 
 namespace {

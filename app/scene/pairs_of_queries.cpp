@@ -1,7 +1,5 @@
 // Pairs that a query can ask, too: the result is written as a query writes it.
 
-#include <fmt/format.h>
-
 #include <isect/ask.h>
 #include <isect/ray_polygon.h>
 #include <isect/segment_polygon.h>
@@ -9,6 +7,7 @@
 #include "app/query/results.h"
 #include "app/scene/pairs.h"
 #include "app/scene/types.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
@@ -51,14 +50,14 @@ void two_segments(const Shaped& a, const Shaped& b, Told& out) {
     const Point<double, 2>& at = *shared.point;
     const viz::Mark mark = shared.relation == Meeting::cross ? viz::Mark::disc : viz::Mark::diamond;
     out.marks.push_back(viz::Dot{viz::Vec3(at.x(), at.y(), 0), mark, Role::hit});
-    out.formula = fmt::format("at ({}, {})", viz::shown(at.x()), viz::shown(at.y()));
+    out.formula = viz::tr("at ({x}, {y})", {{"x", viz::shown(at.x())}, {"y", viz::shown(at.y())}});
   }
   static constexpr Verdict::Kind kinds[] = {Verdict::Kind::no, Verdict::Kind::on, Verdict::Kind::yes,
                                             Verdict::Kind::yes};
-  static constexpr const char* words[] = {"are disjoint", "touch", "cross", "share a stretch"};
+  static constexpr viz::Message words[] = {viz::message("{both} are disjoint"), viz::message("{both} touch"),
+                                           viz::message("{both} cross"), viz::message("{both} share a stretch")};
   const auto meeting = static_cast<std::size_t>(shared.relation);
-  out.verdict = {kinds[meeting],
-                 fmt::format("{} and {} {}", shown_name(a.object.name), shown_name(b.object.name), words[meeting])};
+  out.verdict = {kinds[meeting], viz::tr(words[meeting], {{"both", both_names(a, b)}})};
 }
 
 // Points.
@@ -72,7 +71,7 @@ void point_in_outline(const Shaped& a, const Shaped& b, Told& out) {
   const Winding w = winding(point_of<2>(a.numbers.point(a.object, "at")), b.outline());
   out.answer = answer(w.even_odd);
   out.result = query::wound(w);
-  if (w.even_odd != w.nonzero) out.formula = "by the even-odd rule";
+  if (w.even_odd != w.nonzero) out.formula = viz::tr("by the even-odd rule");
 }
 
 // Rays, lines and segments. A segment that is no ray is asked with both ends as given, and no query asks the same.
@@ -145,7 +144,8 @@ void line_and_outline(const Line& line, const Shaped& b, Told& out) {
     return;
   }
   if (ring.size() <= most_corners && !is_simple(ring))
-    out.note = shown_name(b.object.name) + " crosses or touches itself: what is inside is told by the even-odd rule.";
+    out.note = viz::tr("{a} crosses or touches itself: what is inside is told by the even-odd rule.",
+                       {{"a", shown_name(b.object.name)}});
   if (shared.coplanar) {
     out.answer = answer(first_hit(line, Polygon<double, 3>{{ring}}));
     out.answer.coplanar = true;

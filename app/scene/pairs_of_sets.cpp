@@ -1,7 +1,5 @@
 // Meshes and clouds of points with other objects; frusta and k-DOPs that report more than how they lie.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include <isect/aabb_frustum.h>
@@ -14,6 +12,7 @@
 
 #include "app/query/reply.h"
 #include "app/scene/pairs.h"
+#include "viz/lang/message.h"
 
 namespace isect::program::scene {
 
@@ -28,9 +27,9 @@ Location place(const Vec3& p, const Shaped& o) {
   if (o.type() == Type::hull && o.flat()) return isect::locate(point_of<2>(p), o.outline());
   return *by_core(p, o).location;
 }
-void require_inside(const Shaped& o, const char* more = "") {
+void require_inside(const Shaped& o) {
   if (o.type() == Type::mesh && !o.mesh().closed)
-    throw NotDecided(o.object.name + " is not closed, so that nothing is inside" + more);
+    throw NotDecided(viz::tr("{a} is not closed, so that nothing is inside", {{"a", o.object.name}}));
 }
 
 void point_in(const Shaped& a, const Shaped& b, Told& out) {
@@ -39,7 +38,8 @@ void point_in(const Shaped& a, const Shaped& b, Told& out) {
   if (b.type() != Type::mesh || b.mesh().closed)
     out.answer = answer(place(p, b));
   else if (!by_core(p, b).meet)
-    require_inside(b, "; the point is not on it");
+    throw NotDecided(
+        viz::tr("{a} is not closed, so that nothing is inside; the point is not on it", {{"a", b.object.name}}));
   out.result = {{"location", query::name(*out.answer.location)}};
 }
 
@@ -90,8 +90,8 @@ void frustum_and(const Shaped& a, const Shaped& b, Told& out) {
   const Culling culling = b.type() == Type::box ? cull(b.as<Aabb, 3>(), frustum) : cull(b.as<Sphere, 3>(), frustum);
   out.result["culling"] = culling == Culling::inside ? "inside" : culling == Culling::outside ? "outside" : "crossing";
   if (!out.answer.meet && culling == Culling::crossing)
-    out.note = fmt::format("No single plane of {} has {} beyond it, so the test by planes would draw it.",
-                           shown_name(a.object.name), shown_name(b.object.name));
+    out.note = viz::tr("No single plane of {a} has {b} beyond it, so the test by planes would draw it.",
+                       {{"a", shown_name(a.object.name)}, {"b", shown_name(b.object.name)}});
 }
 
 /// Asks how they lie; and their slabs, if their normals are equal.
@@ -101,8 +101,8 @@ void two_kdops(const Shaped& a, const Shaped& b, Told& out) {
   const bool overlap = may_intersect(kdop_of<3>(a.numbers, a.object), kdop_of<3>(b.numbers, b.object));
   out.result["slabs"] = overlap ? "overlap" : "disjoint";
   if (!out.answer.meet && overlap)
-    out.note = fmt::format("{} and {} overlap on every slab, so the test by slabs would not tell.",
-                           shown_name(a.object.name), shown_name(b.object.name));
+    out.note =
+        viz::tr("{both} overlap on every slab, so the test by slabs would not tell.", {{"both", both_names(a, b)}});
 }
 
 }  // namespace

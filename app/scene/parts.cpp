@@ -1,8 +1,5 @@
 // Parts of objects in a box or beside a plane, and hierarchies over objects and meshes.
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,6 +18,7 @@
 #include "app/scene/pairs.h"
 #include "app/scene/questions.h"
 #include "app/scene/shapes.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
@@ -108,18 +106,23 @@ std::vector<std::vector<Vec3>> part_of_outline(const NamedValues& s, const Objec
 /// Returns "in A", "where the normal of E points".
 std::string where(const Context& c, const ClipAsked& asked) {
   const std::string name = c.name(asked.to);
-  return c.object(asked.to).type == Type::plane ? fmt::format("where the normal of {} points", name) : "in " + name;
+  return c.object(asked.to).type == Type::plane ? viz::tr("where the normal of {a} points", {{"a", name}})
+                                                : viz::tr("in {a}", {{"a", name}});
+}
+
+std::string nothing_there(const Context& c, const ClipAsked& asked) {
+  return viz::tr("nothing of {a} lies {where}", {{"a", c.name(asked.what)}, {"where", where(c, asked)}});
 }
 
 /// Returns "the part from *t* = 1 to 2". Beside a plane it may have no end; in a box an infinite one is just too large.
 std::string part_in_words(const Interval<double>& part, const Object& to) {
   const bool bounded = to.type == Type::box;
   const bool begins = bounded || std::isfinite(part.lo), ends = bounded || std::isfinite(part.hi);
-  if (!begins && !ends) return "all";
-  if (!begins) return fmt::format("the part up to *t* = {}", viz::shown(part.hi));
-  if (!ends) return fmt::format("the part from *t* = {} on", viz::shown(part.lo));
+  if (!begins && !ends) return viz::tr("all");
+  if (!begins) return viz::tr("the part up to *t* = {t}", {{"t", viz::shown(part.hi)}});
+  if (!ends) return viz::tr("the part from *t* = {t} on", {{"t", viz::shown(part.lo)}});
   const auto [lo, hi] = viz::shown_apart(part.lo, part.hi);
-  return fmt::format("the part from *t* = {} to {}", lo, hi);
+  return viz::tr("the part from *t* = {t} to {u}", {{"t", lo}, {"u", hi}});
 }
 
 void tell_line(const Context& c, const ClipAsked& asked, Answered& out) {
@@ -129,7 +132,7 @@ void tell_line(const Context& c, const ClipAsked& asked, Answered& out) {
   const auto part = s.flat ? part_of_line<2>(line, other) : part_of_line<3>(line, other);
   out.json["range"] = part ? Json{query::number(part->lo), query::number(part->hi)} : Json(nullptr);
   if (!part) {
-    out.verdict = {Verdict::Kind::no, fmt::format("nothing of {} lies {}", c.name(asked.what), where(c, asked))};
+    out.verdict = {Verdict::Kind::no, nothing_there(c, asked)};
     return;
   }
   const Vec3 from = o.type == Type::segment ? s.point(o, "from") : s.point(o, "origin");
@@ -143,11 +146,14 @@ void tell_line(const Context& c, const ClipAsked& asked, Answered& out) {
     if (std::isfinite(t)) out.items.push_back(viz::Dot{end, viz::Mark::disc, Role::hit});
   for (const auto& [name, t] : {std::pair{"*t*_{in}", part->lo}, {"*t*_{out}", part->hi}})
     if (std::isfinite(t)) out.values.push_back({name, t, "t", Role::hit, true});
-  out.verdict = leaves_one_point(s, o, to)
-                    ? Verdict{Verdict::Kind::on, fmt::format("of {} one point lies {}: *t* = {}", c.name(asked.what),
-                                                             where(c, asked), viz::shown(part->lo))}
-                    : Verdict{Verdict::Kind::yes, fmt::format("of {} {} lies {}", c.name(asked.what),
-                                                              part_in_words(*part, to), where(c, asked))};
+  out.verdict =
+      leaves_one_point(s, o, to)
+          ? Verdict{Verdict::Kind::on,
+                    viz::tr("of {a} one point lies {where}: *t* = {t}",
+                            {{"a", c.name(asked.what)}, {"where", where(c, asked)}, {"t", viz::shown(part->lo)}})}
+          : Verdict{Verdict::Kind::yes, viz::tr("of {a} {part} lies {where}", {{"a", c.name(asked.what)},
+                                                                               {"part", part_in_words(*part, to)},
+                                                                               {"where", where(c, asked)}})};
 }
 
 void tell_outline(const Context& c, const ClipAsked& asked, Answered& out) {
@@ -164,20 +170,32 @@ void tell_outline(const Context& c, const ClipAsked& asked, Answered& out) {
   const bool holes = o.type == Type::polygon && c.numbers.rings(o).size() > 1;
   out.json[holes ? "rings" : "vertices"] = holes ? rings : kept.empty() ? Json::array() : rings[0];
   if (kept.empty()) {
-    out.verdict = {Verdict::Kind::no, fmt::format("nothing of {} lies {}", c.name(asked.what), where(c, asked))};
+    out.verdict = {Verdict::Kind::no, nothing_there(c, asked)};
     return;
   }
   viz::Region region;
   region.rings = kept, region.role = Role::hit, region.pen = viz::Pen::thick, region.corners = true;
   out.items.push_back(region);
-  out.verdict = {Verdict::Kind::yes,
-                 fmt::format("the part of {} {} has {}{} {}", c.name(asked.what), where(c, asked),
-                             kept.size() > 1 ? fmt::format("{} outlines, of ", kept.size()) : std::string(),
-                             fmt::join(corners, " and "), corners.back() == 1 ? "corner" : "corners")};
-  if (holes) out.caption += " Each outline is cut by itself; what lies within an odd number of them is kept.";
-  if (o.type == Type::polygon)
-    out.caption += fmt::format(" Of a polygon that is not convex, edges along the {} may join what is kept.",
-                               to.type == Type::plane ? "plane" : "box");
+  std::string counts = std::to_string(corners.front());
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    counts = viz::tr("{a} and {b}", {{"a", counts}, {"b", std::to_string(corners[i])}});
+  constexpr viz::Message one_outline =
+      viz::message_count("the part of {a} {where} has {counts} corner", "the part of {a} {where} has {counts} corners");
+  constexpr viz::Message several =
+      viz::message_count("the part of {a} {where} has {outlines} outlines, of {counts} corner",
+                         "the part of {a} {where} has {outlines} outlines, of {counts} corners");
+  out.verdict = {Verdict::Kind::yes, tr_count(corners.back(), kept.size() > 1 ? several : one_outline,
+                                              {{"a", c.name(asked.what)},
+                                               {"where", where(c, asked)},
+                                               {"outlines", std::to_string(kept.size())},
+                                               {"counts", counts}})};
+  if (holes)
+    out.caption += " " + viz::tr("Each outline is cut by itself; what lies within an odd number of them is kept.");
+  if (o.type != Type::polygon) return;
+  out.caption += " ";
+  out.caption += to.type == Type::plane
+                     ? viz::tr("Of a polygon that is not convex, edges along the plane may join what is kept.")
+                     : viz::tr("Of a polygon that is not convex, edges along the box may join what is kept.");
 }
 
 // Hierarchies.
@@ -221,10 +239,11 @@ bool has_box(Type t) {
 
 Answered answered(const Context& c, const ClipAsked& asked) {
   const Object &o = c.object(asked.what), &to = c.object(asked.to);
-  Answered out = {slug_of("clip-" + o.name + "-" + to.name),
-                  fmt::format("What of {} lies {}", c.name(asked.what), where(c, asked)),
-                  to.type == Type::plane ? "Cut at the plane." : "Cut at the box’s sides, one after the other.",
-                  {}};
+  Answered out = {
+      slug_of("clip-" + o.name + "-" + to.name),
+      viz::tr("What of {a} lies {where}", {{"a", c.name(asked.what)}, {"where", where(c, asked)}}),
+      to.type == Type::plane ? viz::tr("Cut at the plane.") : viz::tr("Cut at the box’s sides, one after the other."),
+      {}};
   out.lit = {asked.what, asked.to};
   out.json = {{"clip", o.name}, {"to", to.name}};
   if (runs_along_a_line(o.type))
@@ -248,25 +267,30 @@ Answered answered(const Context& c, const HierarchyAsked& asked) {
   const BvhStatistics n = statistics(bvh);
   Answered out = {
       "hierarchy-" + (of_mesh ? slug_of(names[0]) : "of-objects"),
-      of_mesh ? fmt::format("A hierarchy over the triangles of {}", c.name(asked.objects[0]))
-              : std::string("A hierarchy over the objects"),
-      fmt::format("Each node’s box holds those of its children. {} boxes are in {} leaves of at most {}; the "
-                  "uppermost nodes are drawn.",
-                  n.primitives, n.leaves, n.largest_leaf),
-      {Verdict::Kind::yes, fmt::format("{} node{}, depth {}", n.nodes, n.nodes == 1 ? "" : "s", n.depth)}};
+      of_mesh ? viz::tr("A hierarchy over the triangles of {a}", {{"a", c.name(asked.objects[0])}})
+              : viz::tr("A hierarchy over the objects"),
+      viz::tr(
+          "Each node’s box holds those of its children. {boxes} boxes are in {leaves} leaves of at most {most}; the "
+          "uppermost nodes are drawn.",
+          {{"boxes", std::to_string(n.primitives)},
+           {"leaves", std::to_string(n.leaves)},
+           {"most", std::to_string(n.largest_leaf)}}),
+      {Verdict::Kind::yes, viz::tr_count(static_cast<std::size_t>(n.nodes), "{n} node, depth {depth}",
+                                         "{n} nodes, depth {depth}", {{"depth", std::to_string(n.depth)}})}};
   std::string left_out;
   const auto boxed = std::ranges::count_if(c.file.objects, [](const Object& o) { return has_box(o.type); });
   const bool of_all = !of_mesh && static_cast<std::size_t>(boxed) == asked.objects.size();
   for (std::size_t i = 0; i < c.file.objects.size() && of_all; ++i)
     if (const Type type = c.object(i).type; type == Type::kdop || type == Type::frustum)
       left_out += (left_out.empty() ? "" : ", ") + c.name(i);
-  if (!left_out.empty()) out.caption += " Without " + left_out + ", whose corners would be rounded.";
+  if (!left_out.empty())
+    out.caption += " " + viz::tr("Without {names}, whose corners would be rounded.", {{"names", left_out}});
   out.lit = asked.objects;
   if (out.lit.size() == 2) out.lit.push_back(asked.objects[0]);  // a set of objects: no first and second role
-  out.values = {{"nodes", static_cast<double>(n.nodes), "", Role::text, true},
-                {"leaves", static_cast<double>(n.leaves), "", Role::text, true},
-                {"depth", static_cast<double>(n.depth), "", Role::text, true},
-                {"expected cost of a ray", n.cost, "tests", Role::text, true}};
+  out.values = {{viz::tr("nodes"), static_cast<double>(n.nodes), "", Role::text, true},
+                {viz::tr("leaves"), static_cast<double>(n.leaves), "", Role::text, true},
+                {viz::tr("depth"), static_cast<double>(n.depth), "", Role::text, true},
+                {viz::tr("expected cost of a ray"), n.cost, viz::tr("tests"), Role::text, true}};
   draw_nodes(bvh, c.file.flat, out);
   out.json = {{"hierarchy", names},
               {"verdict", viz::plain(out.verdict.text)},

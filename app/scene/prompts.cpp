@@ -1,23 +1,26 @@
 #include "app/scene/prompts.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
+#include "app/scene/type_words.h"
 #include "app/scene/types.h"
+#include "viz/lang/message.h"
 
 namespace isect::program::scene {
+
+using viz::tr;
+using viz::tr_count;
 
 namespace {
 
 std::string both_names(const Context& c, std::size_t a, std::size_t b) {
-  return fmt::format("{} and {}", c.name(a), c.name(b));
+  return tr("{a} and {b}", {{"a", c.name(a)}, {"b", c.name(b)}});
 }
 
 std::string names_of_all(const Context& c, const std::vector<std::size_t>& objects) {
   std::string all;
   for (std::size_t i = 0; i < objects.size(); ++i)
-    all += (i == 0 ? "" : i + 1 < objects.size() ? ", " : " and ") + c.name(objects[i]);
+    all = i == 0                   ? c.name(objects[i])
+          : i + 1 < objects.size() ? all + ", " + c.name(objects[i])
+                                   : tr("{a} and {b}", {{"a", all}, {"b", c.name(objects[i])}});
   return all;
 }
 
@@ -25,52 +28,48 @@ std::string names_of_all(const Context& c, const std::vector<std::size_t>& objec
 struct PromptWriter {
   const Context& c;
 
-  std::string volume_in_words(const std::string& name) const {
-    const auto type = std::ranges::find(types(), name, &TypeSpec::name);
-    return type == types().end() ? name : in_words(type->type, c.file.flat);
-  }
-
   Prompt operator()(const PairAsked& asked) const {
     const std::string names = both_names(c, asked.a, asked.b);
     return {slug_of(c.object(asked.a).name + "-" + c.object(asked.b).name),
             names,
-            fmt::format("How do {} lie: do they meet?", names),
+            tr("How do {both} lie: do they meet?", {{"both", names}}),
             {asked.a, asked.b}};
   }
   Prompt operator()(const FirstHitAsked& asked) const {
     return {"first-hit-" + slug_of(c.object(asked.ray).name),
-            fmt::format("What {} meets first", c.name(asked.ray)),
-            fmt::format("Which object does {} meet first, and at which *t*?", c.name(asked.ray)),
+            tr("What {a} meets first", {{"a", c.name(asked.ray)}}),
+            tr("Which object does {a} meet first, and at which *t*?", {{"a", c.name(asked.ray)}}),
             {}};
   }
   Prompt operator()(const FitAsked& asked) const {
-    const std::string title = fmt::format("Volumes around {}", c.name(asked.object));
+    const std::string title = tr("Volumes around {a}", {{"a", c.name(asked.object)}});
     if (asked.volume.empty())
       return {"fit-" + slug_of(c.object(asked.object).name),
               title,
-              fmt::format("Which volume fits {} most tightly?", c.name(asked.object)),
+              tr("Which volume fits {a} most tightly?", {{"a", c.name(asked.object)}}),
               {asked.object}};
     return {"fit-" + slug_of(c.object(asked.object).name),
             title,
-            fmt::format("Which {} fits {} tightly?", volume_in_words(asked.volume), c.name(asked.object)),
+            asked_volume(asked.volume, c.file.flat, c.name(asked.object)),
             {asked.object}};
   }
   Prompt operator()(const ClipAsked& asked) const {
     const bool by_plane = c.object(asked.to).type == Type::plane;
-    const std::string to = c.name(asked.to), where = by_plane ? "where the normal of " + to + " points" : "in " + to;
+    const std::string to = c.name(asked.to),
+                      where = by_plane ? tr("where the normal of {a} points", {{"a", to}}) : tr("in {a}", {{"a", to}});
     return {slug_of("clip-" + c.object(asked.what).name + "-" + c.object(asked.to).name),
-            fmt::format("What of {} lies {}", c.name(asked.what), where),
-            fmt::format("Which part of {} lies {}?", c.name(asked.what), where),
+            tr("What of {a} lies {where}", {{"a", c.name(asked.what)}, {"where", where}}),
+            tr("Which part of {a} lies {where}?", {{"a", c.name(asked.what)}, {"where", where}}),
             {asked.what, asked.to}};
   }
   Prompt operator()(const HierarchyAsked& asked) const {
     if (asked.objects.size() == 1)
       return {"hierarchy-" + slug_of(c.object(asked.objects[0]).name),
-              fmt::format("A hierarchy over the triangles of {}", c.name(asked.objects[0])),
-              "How would you divide the triangles, level by level?", asked.objects};
+              tr("A hierarchy over the triangles of {a}", {{"a", c.name(asked.objects[0])}}),
+              tr("How would you divide the triangles, level by level?"), asked.objects};
     return {"hierarchy-of-objects",
-            "A hierarchy over the objects",
-            fmt::format("How would you divide {}, level by level?", names_of_all(c, asked.objects)),
+            tr("A hierarchy over the objects"),
+            tr("How would you divide {names}, level by level?", {{"names", names_of_all(c, asked.objects)}}),
             {}};
   }
   Prompt operator()(const WalkAsked& asked) const {
@@ -82,12 +81,12 @@ struct PromptWriter {
     if (!asked.many.empty())
       return {slug_of("walk-" + asked.lesson),
               names_of_all(c, asked.many),
-              fmt::format("Which two of {} meet?", names_of_all(c, asked.many)),
+              tr("Which two of {names} meet?", {{"names", names_of_all(c, asked.many)}}),
               {}};
     if (asked.a == asked.b)
       return {slug_of("walk-" + c.object(asked.a).name),
-              fmt::format("The hull of {}", c.name(asked.a)),
-              fmt::format("Which points of {} are corners of its convex hull?", c.name(asked.a)),
+              tr("The hull of {a}", {{"a", c.name(asked.a)}}),
+              tr("Which points of {a} are corners of its convex hull?", {{"a", c.name(asked.a)}}),
               {asked.a}};
     Prompt pair = (*this)(PairAsked{asked.a, asked.b});
     pair.slug = "walk-" + pair.slug;
@@ -101,8 +100,9 @@ Prompt prompt(const Context& c, const Asked& asked) { return std::visit(PromptWr
 
 Prompt prompt_of_others(const Context& c, std::size_t object, std::size_t others) {
   return {slug_of(c.object(object).name + "-and-others"),
-          fmt::format("{} and {} others", c.name(object), others),
-          fmt::format("Which of {} others does {} meet?", others, c.name(object)),
+          tr_count(others, "{a} and {n} others", "{a} and {n} others", {{"a", c.name(object)}}),
+          tr_count(others, "Which of {n} others does {a} meet?", "Which of {n} others does {a} meet?",
+                   {{"a", c.name(object)}}),
           {object}};
 }
 

@@ -1,13 +1,13 @@
 #include "app/scene/questions.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 
 #include "app/query/relation_words.h"
 #include "app/scene/pairs.h"
+#include "app/scene/type_words.h"
 #include "app/scene/types.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
@@ -17,12 +17,14 @@ using viz::Verdict;
 
 Vec3 direction_of(const NamedValues& s, const Object& o) {
   if (const auto ray = ray_in_space(s, o)) return ray->direction;
-  throw NotDecided("from one end of " + o.name +
-                   " to the other is no vector of floating-point numbers, so the test would be of another segment");
+  throw NotDecided(
+      viz::tr("from one end of {a} to the other is no vector of floating-point numbers, so the test would be of "
+              "another segment",
+              {{"a", o.name}}));
 }
 
 void refuse_outline(const Object& o) {
-  throw NotDecided(fmt::format("the outline of {} has no area, crosses or touches itself", o.name));
+  throw NotDecided(viz::tr("the outline of {a} has no area, crosses or touches itself", {{"a", o.name}}));
 }
 
 namespace {
@@ -53,11 +55,8 @@ Told asked_in_order(const Shaped& a, const Shaped& b, const Pair& pair) {
 
 /// Turns the answer about b and a into one about a and b.
 Told turned_round(Told out, const Shaped& a, const Shaped& b) {
-  const auto names = [](const Shaped& x, const Shaped& y) {
-    return shown_name(x.object.name) + " and " + shown_name(y.object.name);
-  };
-  if (const std::string other = names(b, a); out.verdict.text.starts_with(other))
-    out.verdict.text.replace(0, other.size(), names(a, b));  // in the order of the question
+  if (const std::string other = both_names(b, a); out.verdict.text.starts_with(other))
+    out.verdict.text.replace(0, other.size(), both_names(a, b));  // in the order of the question
   const std::optional<Relation> was = out.answer.relation;
   out.answer = reversed(out.answer);
   if (out.query.is_null() && was != out.answer.relation)  // a query's result is about its own fields
@@ -69,8 +68,8 @@ Told not_decided(const Shaped& a, const Shaped& b, const std::string& why) {
   Told out;
   out.open = true;
   out.result = {{"not decided", why}};
-  out.verdict = {Verdict::Kind::open, fmt::format("{} and {}: not decided, as {}", shown_name(a.object.name),
-                                                  shown_name(b.object.name), viz::as_markup(why))};
+  out.verdict = {Verdict::Kind::open,
+                 viz::tr("{both}: not decided, as {why}", {{"both", both_names(a, b)}, {"why", viz::as_markup(why)}})};
   return out;
 }
 
@@ -83,7 +82,8 @@ Told ask(const Shaped& a, const Shaped& b) {
   if (!pair) {
     if (pair_of(b.type(), a.type(), a.flat())) return turned_round(ask(b, a), a, b);
     return not_decided(a, b,
-                       fmt::format("no test is made for {} and {}", with_article(a.type()), with_article(b.type())));
+                       viz::tr("no test is made for {a} and {b}",
+                               {{"a", article_and_type(a.type())}, {"b", article_and_type(b.type())}}));
   }
   try {
     return asked_in_order(a, b, *pair);

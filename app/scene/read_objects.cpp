@@ -13,6 +13,7 @@
 #include "app/scene/files/shape_file.h"
 #include "app/scene/types.h"
 #include "viz/formats/files.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/spelling.h"
 
@@ -204,8 +205,8 @@ class ObjectReader {
     const double off = off_plane(corners);
     constexpr double as_written = 1e-6;
     if (!(off > as_written * (hi - lo).norm())) return "";
-    return fmt::format("Its corners lie up to {} off one plane: what is asked are the triangles that it is cut into.",
-                       viz::shown(off));
+    return viz::tr("Its corners lie up to {off} off one plane: what is asked are the triangles that it is cut into.",
+                   {{"off", viz::shown(off)}});
   }
 
   void keep(const std::vector<std::vector<viz::Vec3>>& rings, Object& o) {

@@ -12,9 +12,13 @@
 #include "app/scene/marks.h"
 #include "app/scene/prompts.h"
 #include "app/scene/scene_picture.h"
+#include "app/scene/type_words.h"
 #include "app/scene/types.h"
 #include "app/scene/walks.h"
 #include "viz/chart/chart.h"
+#include "viz/lang/language.h"
+#include "viz/lang/lesson_texts.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::program::scene {
@@ -22,11 +26,16 @@ namespace isect::program::scene {
 namespace {
 
 using viz::Role;
+using viz::tr;
+using viz::tr_count;
 
-/// Returns what no parameter says: the number of triangles or points.
-std::string how_many(const Object& o) {
-  if (!o.fixed.triangles.empty()) return fmt::format(" of {} triangles", o.fixed.triangles.size());
-  return o.fixed.points.empty() ? "" : fmt::format(" of {} points", o.fixed.points.size());
+/// Returns its type and its name, and what no parameter says: the number of triangles or points.
+std::string listed(const Object& o, bool flat) {
+  const std::string what = type_in_list(o.type, flat) + " " + shown_name(o.name);
+  if (!o.fixed.triangles.empty())
+    return tr_count(o.fixed.triangles.size(), "{a} of {n} triangles", "{a} of {n} triangles", {{"a", what}});
+  if (o.fixed.points.empty()) return what;
+  return tr_count(o.fixed.points.size(), "{a} of {n} points", "{a} of {n} points", {{"a", what}});
 }
 
 /// Above this many pairs, those with the same first object share one step.
@@ -61,7 +70,7 @@ class Walker {
     viz::Walk walk;
     walk.steps.push_back(all_objects());
     walk.alt = held() + noted() + marked();
-    for (const Note& note : context_.file.notes) walk.alt += " Note: " + note.text + ".";
+    for (const Note& note : context_.file.notes) walk.alt += " " + tr("Note: {text}.", {{"text", note.text}});
     const std::vector<Asked>& all = context_.file.asked;
     const bool hidden = context_.file.answers_hidden;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -121,8 +130,8 @@ class Walker {
   Answered together(std::size_t object, const std::vector<PairAnswers::Answer>& answers) const {
     const std::string name = context_.name(object);
     Answered out = {slug_of(context_.object(object).name + "-and-others"),
-                    fmt::format("{} and {} others", name, answers.size()),
-                    "Decided exactly for these numbers.",
+                    tr_count(answers.size(), "{a} and {n} others", "{a} and {n} others", {{"a", name}}),
+                    tr("Decided exactly for these numbers."),
                     {viz::Verdict::Kind::no, ""}};
     out.lit = {object};
     std::size_t met = 0, open = 0;
@@ -135,12 +144,14 @@ class Walker {
       std::ranges::copy(answer->items, std::back_inserter(out.items));
     }
     out.caption += told;
-    if (met + open > most_told) out.caption += fmt::format(" And {} more.", met + open - most_told);
+    if (met + open > most_told) out.caption += " " + tr_count(met + open - most_told, "And {n} more.", "And {n} more.");
     out.verdict = {met > 0    ? viz::Verdict::Kind::yes
                    : open > 0 ? viz::Verdict::Kind::open
                               : viz::Verdict::Kind::no,
-                   fmt::format("{} meets {} of {} others", name, met, answers.size())};
-    if (open > 0) out.verdict.text += fmt::format(", and of {} it is not decided", open);
+                   tr_count(answers.size(), "{a} meets {met} of {n} others", "{a} meets {met} of {n} others",
+                            {{"a", name}, {"met", std::to_string(met)}})};
+    if (open > 0)
+      out.verdict.text += tr_count(open, ", and of {n} it is not decided", ", and of {n} it is not decided");
     return out;
   }
 
@@ -149,27 +160,22 @@ class Walker {
     const std::vector<Object>& all = context_.file.objects;
     std::string list;
     if (all.size() <= most_listed) {
-      for (const Object& o : all)
-        list += fmt::format("{}{} {}{}", list.empty() ? "" : ", ", in_words(o.type, context_.file.flat),
-                            shown_name(o.name), how_many(o));
+      for (const Object& o : all) list += (list.empty() ? "" : ", ") + listed(o, context_.file.flat);
       return list;
     }
     for (const TypeSpec& type : types()) {
-      const auto count = std::ranges::count(all, type.type, &Object::type);
-      const std::string words = in_words(type.type, context_.file.flat);
-      const bool hisses = words.ends_with("x") || words.ends_with("sh");
-      if (count > 0)
-        list += fmt::format("{}{} {}{}", list.empty() ? "" : ", ", count, words, count == 1 ? "" : hisses ? "es" : "s");
+      const auto count = static_cast<std::size_t>(std::ranges::count(all, type.type, &Object::type));
+      if (count > 0) list += (list.empty() ? "" : ", ") + counted_types(count, type.type, context_.file.flat);
     }
-    return fmt::format("{} objects: {}", all.size(), list);
+    return tr_count(all.size(), "{n} objects: {list}", "{n} objects: {list}", {{"list", list}});
   }
 
   /// Returns what the marks say, for readers who can't see them.
   std::string marked() const {
     std::string all;
     for (const Marked& mark : marks_)
-      if (!mark.picture.said.empty()) all += (all.empty() ? " Marked: " : "; ") + mark.picture.said;
-    return all.empty() ? all : all + ".";
+      if (!mark.picture.said.empty()) all += (all.empty() ? "" : "; ") + mark.picture.said;
+    return all.empty() ? all : " " + tr("Marked: {marks}.", {{"marks", all}});
   }
 
   /// Draws what the step shows, and adds to its caption which marks are missing and why. `number`: of the step, from 1.
@@ -184,7 +190,7 @@ class Walker {
     }
   }
 
-  std::string held() const { return fmt::format("The scene holds {}.", listed_objects()); }
+  std::string held() const { return tr("The scene holds {objects}.", {{"objects", listed_objects()}}); }
 
   /// Returns what was noted of objects when they were read.
   std::string noted() const {
@@ -231,13 +237,15 @@ class Walker {
   void add(const WalkAsked& asked, viz::Walk& to) {
     const Object &a = context_.object(asked.a), &b = context_.object(asked.b);
     const bool one = asked.a == asked.b;
-    rows_.push_back({!asked.many.empty() ? asked.lesson + ", step by step"
-                     : one               ? a.name + ", step by step"
-                                         : fmt::format("{} and {}, step by step", a.name, b.name),
-                     answered(context_, asked).verdict.text, false});
+    const std::string who = !asked.many.empty() ? asked.lesson
+                            : one               ? a.name
+                                                : tr("{a} and {b}", {{"a", a.name}, {"b", b.name}});
+    rows_.push_back({tr("{a}, step by step", {{"a", who}}), answered(context_, asked).verdict.text, false});
     if (!asked.many.empty()) return add_of_many(asked, to);
     const LessonWalk& pair = *walk_of(a.type, b.type, context_.file.flat, one, asked.lesson);
-    viz::Walk walk = naming_question(asked, [&] { return scene::walk(pair, context_.numbers, a, b); });
+    viz::Walk walk = naming_question(asked, [&] {
+      return viz::spoken_walk(pair.lesson, [&] { return scene::walk(pair, context_.numbers, a, b); });
+    });
     const bool first = to.pseudocode.empty();
     if (first) to.pseudocode = walk.pseudocode;
     for (viz::Step& s : walk.steps) {
@@ -245,9 +253,15 @@ class Walker {
       if (!first) s.line = -1;
       give_handles(s, handles_of(a, b));
       if (&s == &walk.steps.front()) {
-        const std::string second = one ? "" : fmt::format(", and {} is {}", shown_name(b.name), pair.name_b);
-        s.caption = fmt::format("Step by step: here {} {} {}{}. {}", shown_name(a.name), one ? "are" : "is",
-                                pair.name_a, second, s.caption);
+        const std::string first_name = name_in_lesson(pair.name_a);
+        s.caption =
+            one ? tr("Step by step: here {a} are {x}. {caption}",
+                     {{"a", shown_name(a.name)}, {"x", first_name}, {"caption", s.caption}})
+                : tr("Step by step: here {a} is {x}, and {b} is {y}. {caption}", {{"a", shown_name(a.name)},
+                                                                                  {"x", first_name},
+                                                                                  {"b", shown_name(b.name)},
+                                                                                  {"y", name_in_lesson(pair.name_b)},
+                                                                                  {"caption", s.caption}});
       }
       to.steps.push_back(std::move(s));
     }
@@ -274,15 +288,18 @@ class Walker {
     for (const std::size_t i : asked.many) {
       all.push_back(&context_.object(i));
       const bool ray = asked.with_ray && all.size() == asked.many.size();
-      who += fmt::format("{}{} is {}", all.size() == 1 ? "" : ", ", context_.name(i),
-                         ray ? "the ray" : std::to_string(all.size() - 1));
+      who += all.size() == 1 ? "" : ", ";
+      who += tr("{a} is {x}",
+                {{"a", context_.name(i)}, {"x", ray ? name_in_lesson("the ray") : std::to_string(all.size() - 1)}});
       std::ranges::move(scene::handles(context_.numbers, *all.back(), context_.room, Role::second, HandlesOf::points),
                         std::back_inserter(handles));
     }
-    viz::Walk walk = naming_question(asked, [&] { return scene::walk(way, context_.numbers, all); });
+    viz::Walk walk = naming_question(
+        asked, [&] { return viz::spoken_walk(way.lesson, [&] { return scene::walk(way, context_.numbers, all); }); });
     const bool first = to.pseudocode.empty();
     if (first) to.pseudocode = walk.pseudocode;
-    walk.steps.front().caption = fmt::format("Step by step: here {}. {}", who, walk.steps.front().caption);
+    walk.steps.front().caption =
+        tr("Step by step: here {who}. {caption}", {{"who", who}, {"caption", walk.steps.front().caption}});
     for (viz::Step& s : walk.steps) {
       s.slug = slug_of(fmt::format("{}-{}", way.lesson, s.slug));
       if (!first) s.line = -1;
@@ -309,15 +326,16 @@ class Walker {
   viz::Step summary() const {
     viz::Step step;
     step.slug = "answers";
-    step.title = "All answers";
-    step.caption = "Each was decided exactly for the numbers of the scene.";
+    step.title = tr("All answers");
+    step.caption = tr("Each was decided exactly for the numbers of the scene.");
     std::vector<Row> listed = rows_;
     if (listed.size() > most_rows) {
       std::erase_if(listed, [](const Row& row) { return row.says_no; });
       if (listed.empty()) listed = rows_;
       listed.resize(std::min(listed.size(), most_rows));
-      step.caption += fmt::format("\nListed are {} of {}, those that meet something before others. Each has its step.",
-                                  listed.size(), rows_.size());
+      step.caption +=
+          "\n" + tr("Listed are {some} of {all}, those that meet something before others. Each has its step.",
+                    {{"some", std::to_string(listed.size())}, {"all", std::to_string(rows_.size())}});
     }
     viz::Card card;
     for (const Row& row : listed) card.rows.push_back({row.head, row.text});
@@ -339,11 +357,13 @@ class Walker {
 }  // namespace
 
 viz::Walk steps_of_scene(const File& file, const viz::Parameters& parameters, Known& known) {
+  const viz::Speaking speaking(file.language);
   known.move_to(file, parameters);
   return Walker(file, parameters, known).made();
 }
 
 void each_answer(const File& file, const std::function<void(Json)>& take) {
+  const viz::Speaking speaking(file.language);
   Known nothing;
   Walker(file, file.parameters, nothing).each_answer(take);
 }

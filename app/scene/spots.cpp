@@ -14,6 +14,7 @@
 #include "app/scene/questions.h"
 #include "app/scene/read_objects.h"
 #include "app/scene/types.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/spelling.h"
 
@@ -139,12 +140,13 @@ FoundSpot found_meeting(const Context& c, const Spot& spot) {
     points = of_circles(c.numbers, a, b);
   if (points.empty() && told.answer.one_point)
     if (const std::optional<ExactPoint> exact = exact_meeting(c, a, b)) points = {nearest_doubles(*exact)};
-  if (points.empty()) return {.why = told.verdict.text + ", and no point of all that they share is told"};
+  if (points.empty())
+    return {.why = viz::tr("{verdict}, and no point of all that they share is told", {{"verdict", told.verdict.text}})};
   if (static_cast<std::size_t>(spot.nth) > points.size())
-    return {.why = fmt::format("{} and {} have {} such point{}", c.name(spot.a), c.name(spot.b), points.size(),
-                               points.size() == 1 ? "" : "s")};
+    return {.why = viz::tr_count(points.size(), "{a} and {b} have {n} such point", "{a} and {b} have {n} such points",
+                                 {{"a", c.name(spot.a)}, {"b", c.name(spot.b)}})};
   const Vec3& at = points[static_cast<std::size_t>(spot.nth) - 1];
-  if (!at.allFinite()) return {.why = "it lies beyond all numbers"};
+  if (!at.allFinite()) return {.why = viz::tr("it lies beyond all numbers")};
   if (points.size() > 1) return {.at = at};
   if (std::optional<ExactPoint> exact = exact_meeting(c, a, b)) {
     const Vec3 nearest = nearest_doubles(*exact);
@@ -168,11 +170,12 @@ FoundSpot found_foot(const Context& c, const Spot& spot) {
   }
   if (!foot) {
     const std::optional<Vec3> nearest = nearest_point(c.numbers, o, *from.at);
-    if (!nearest || !nearest->allFinite()) return {.why = c.name(spot.b) + " has no point that is nearest to it"};
+    if (!nearest || !nearest->allFinite())
+      return {.why = viz::tr("{a} has no point that is nearest to it", {{"a", c.name(spot.b)}})};
     return {.at = nearest};
   }
   const Vec3 nearest = nearest_doubles(*foot);
-  if (!nearest.allFinite()) return {.why = "it lies beyond all numbers"};
+  if (!nearest.allFinite()) return {.why = viz::tr("it lies beyond all numbers")};
   return {.at = nearest, .exact = from.exact ? std::move(foot) : std::nullopt};
 }
 
@@ -206,7 +209,7 @@ Spot read_spot(Source& source, const File& file, const Json& json, const Path& p
     const Object &a = file.objects[spot.a], &b = file.objects[spot.b];
     if (!is_decided(a.type, b.type, file.flat))
       source.refuse(path, fmt::format("no test is made for {} and {}", with_article(a.type), with_article(b.type)));
-    spot.text = fmt::format("where {} and {} meet", shown_name(a.name), shown_name(b.name));
+    spot.text = viz::tr("where {a} and {b} meet", {{"a", shown_name(a.name)}, {"b", shown_name(b.name)}});
     return spot;
   }
   spot.kind = Spot::Kind::foot;
@@ -216,7 +219,7 @@ Spot read_spot(Source& source, const File& file, const Json& json, const Path& p
     source.refuse(path, fmt::format("\"{}\" is {}; a foot is found on a point, a segment, a ray, a line, a plane, a "
                                     "ball, a capsule or a box",
                                     on.name, with_article(on.type)));
-  spot.text = fmt::format("the foot of {} on {}", spot.of.front().text, shown_name(on.name));
+  spot.text = viz::tr("the foot of {a} on {b}", {{"a", spot.of.front().text}, {"b", shown_name(on.name)}});
   return spot;
 }
 

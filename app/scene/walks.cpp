@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
 #include <isect/convex_hull.h>
 #include <isect/polygon.h>
@@ -22,6 +24,7 @@
 #include "lessons/lessons.h"
 #include "lessons/obb_obb/telling.h"
 #include "lessons/ray_polygon/telling.h"
+#include "viz/lang/message.h"
 #include "viz/player/reader_state.h"
 
 namespace isect::program::scene {
@@ -294,6 +297,18 @@ std::vector<std::string> walking_lessons() {
   for (const LessonWalk& w : walks())
     if (std::ranges::find(all, w.lesson) == all.end()) all.emplace_back(w.lesson);
   return all;
+}
+
+std::string name_in_lesson(const char* name) {
+  using viz::message_as;
+  static constexpr viz::Message words[] = {
+      message_as("here A is", "the ball"),         message_as("here A is", "the box"),
+      message_as("here A is", "the ray"),          message_as("here A is", "the segment"),
+      message_as("here A is", "the polygon"),      message_as("here A is", "the points"),
+      message_as("here A is", "the view frustum"),
+  };
+  const auto* const found = std::ranges::find(words, std::string_view(name), &viz::Message::english);
+  return found == std::end(words) ? name : tr(*found);  // a letter is the same in all languages
 }
 
 viz::Walk walk(const LessonWalk& pair, const NamedValues& s, const Object& a, const Object& b) {

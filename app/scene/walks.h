@@ -38,6 +38,8 @@ std::vector<std::string> walks_in_words(bool flat);
 /// Returns the lessons that take a scene's objects.
 std::vector<std::string> walking_lessons();
 
+/// Returns one of the names in a lesson in the language that is spoken: "the ball".
+std::string name_in_lesson(const char* name);
 /// Return the steps of the lesson, on these numbers. Throw viz::BadInput if they are beyond what the lesson takes.
 viz::Walk walk(const LessonWalk&, const NamedValues&, const Object& a, const Object& b);
 viz::Walk walk(const LessonWalk&, const NamedValues&, const std::vector<const Object*>&);

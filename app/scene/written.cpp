@@ -96,6 +96,7 @@ constexpr const char* after =
     "right angle must be one; a mark whose place does not exist is told in words. \"from step\": 2 and \"to step\": 3, "
     "in\n"
     "a mark or an object, say when it is drawn; what a step asks about always is.\n"
+    "\"lang\": \"de\" has isect say its own words in German; isect lang lists the languages.\n"
     "\"notes\": [{\"at\": [0, 2, 0], \"text\": \"*h*\"}] and \"camera\": {\"azimuth\": 30, \"elevation\": 20} may "
     "follow.\n";
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/scene/walks.h"
+#include "viz/lang/language.h"
 #include "viz/text/spelling.h"
 
 namespace isect::program {
@@ -57,6 +58,14 @@ void add_answers(CLI::App& sub, Selection& to) {
   sub.add_option("--answers", to.answers,
                  "of a scene: hidden draws its questions alone, as an exercise\nsheet; shown tells them, too")
       ->type_name("WORD");
+}
+
+void add_language(CLI::App& sub, Selection& to) {
+  std::string codes;
+  for (const viz::Language& language : viz::languages()) codes += (codes.empty() ? "" : ", ") + language.code;
+  sub.add_option("--lang", to.lang, "the language of what isect says: " + codes + ".\n`isect lang` lists what each has")
+      ->type_name("CODE")
+      ->check(not_empty());
 }
 
 CLI::Validator not_empty() {

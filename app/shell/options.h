@@ -31,6 +31,7 @@ struct Selection {
   std::string step;                  ///< empty: the step of the preset's file, or all where it names none
   std::vector<std::string> changes;  ///< name=value
   std::string answers;               ///< of scenes: "hidden" or "shown"; empty: as in the file
+  std::string lang;                  ///< the code of a language; empty: as in the file, else English
   std::vector<PresetFile> files;     ///< in place of names
   bool every_step = false;  ///< each preset must have the steps; else one of several that lacks them is left out
   bool to_verdict = false;  ///< where no step is named: those up to the verdict, without map and card
@@ -44,6 +45,8 @@ void add_step(CLI::App&, Selection&, Takes, const std::string& help);
 void add_set(CLI::App&, Selection&);
 /// Adds the option that hides the answers of scenes.
 void add_answers(CLI::App&, Selection&);
+/// Adds the option for the language.
+void add_language(CLI::App&, Selection&);
 /// Adds the option for a scene, if the program has more than one lesson: each lesson takes certain objects only.
 void add_scene_file(CLI::App&, const Program&, Selection&, Takes = Takes::one);
 /// Notes in which order lessons and presets stand on the command line, once it is parsed.

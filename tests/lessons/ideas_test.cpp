@@ -68,7 +68,7 @@ TEST_CASE("lessons that share an idea name each other on their cards", "[every l
   for (const Lesson* lesson : lessons::all_lessons()) {
     const std::vector<Card::Row> rows = card_rows(*lesson);
     INFO(lesson->id);
-    REQUIRE(rows.back().head == shared_head);
+    REQUIRE(rows.back().head == tr(shared_head));
     for (const Lesson* other : lessons::all_lessons()) {
       const bool shared = other != lesson && std::ranges::any_of(lesson->ideas, [&](const std::string& idea) {
                             return std::ranges::count(other->ideas, idea) > 0;

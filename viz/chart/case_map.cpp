@@ -5,6 +5,8 @@
 #include <memory>
 #include <set>
 
+#include "viz/lang/message.h"
+
 namespace isect::viz {
 namespace {
 
@@ -276,9 +278,10 @@ std::function<std::optional<Chart>()> case_map_in_parts(const Lesson& lesson, co
 
 Step map_step(const Lesson& lesson, const Parameters& here, const Cases::Spot& spot, const Step& before) {
   Step step = before;
-  step.slug = case_map_slug, step.title = "Where this case lies";
-  step.caption = lesson.map->told + "\nThe dashed lines lead to this setting. Each small ring is another preset.";
-  step.formula = "here: " + lesson.map->branches[spot.branch];
+  step.slug = case_map_slug, step.title = tr("Where this case lies");
+  step.caption =
+      lesson.map->told + "\n" + tr("The dashed lines lead to this setting. Each small ring is another preset.");
+  step.formula = tr("here: {case}", {{"case", lesson.map->branches[spot.branch]}});
   step.decides = false;
   step.comparison.reset(), step.question.reset();
   for (Value& value : step.values) value.fresh = false;

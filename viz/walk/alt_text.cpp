@@ -5,10 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "viz/chart/chart.h"
 #include "viz/compose/item_names.h"
+#include "viz/lang/language.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/utf8.h"
 #include "viz/walk/closing.h"
@@ -48,7 +53,32 @@ std::string given(const Lesson& lesson, const Parameters& parameters) {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
+/// The kinds of items, and how many of them are told.
+constexpr std::pair<std::string_view, Message> kinds_drawn[] = {
+    {"ball", message_count("ball", "{n} balls")},
+    {"line", message_count("line", "{n} lines")},
+    {"arrow", message_count("arrow", "{n} arrows")},
+    {"point", message_count("point", "{n} points")},
+    {"chain", message_count("chain", "{n} chains")},
+    {"circle", message_count("circle", "{n} circles")},
+    {"interval", message_count("interval", "{n} intervals")},
+    {"region", message_count("region", "{n} regions")},
+    {"solid", message_count("solid", "{n} solids")},
+    {"mesh", message_count("mesh", "{n} meshes")},
+    {"raster", message_count("raster", "{n} rasters")},
+    {"heading", message_count("heading", "{n} headings")},
+    {"construction line", message_count("construction line", "{n} construction lines")},
+    {"construction point", message_count("construction point", "{n} construction points")},
+    {"construction circle", message_count("construction circle", "{n} construction circles")},
+    {"highlight line", message_count("highlight line", "{n} highlight lines")},
+    {"map", message_count("map", "{n} maps")},
+    {"panel", message_count("panel", "{n} panels")},
+    {"preset", message_count("preset", "{n} presets")}};
+
+/// Returns "ball", or "3 balls".
 std::string counted(std::size_t count, const std::string& what) {
+  const auto* const known = std::ranges::find(kinds_drawn, what, &std::pair<std::string_view, Message>::first);
+  if (known != std::end(kinds_drawn)) return tr_count(count, known->second);
   if (count == 1) return what;
   const bool es = what.ends_with("x") || what.ends_with("sh");
   return fmt::format("{} {}{}", count, what, es ? "es" : "s");
@@ -57,7 +87,11 @@ std::string counted(std::size_t count, const std::string& what) {
 /// Returns "Fixed: box: (−2, −1.25) to (2, 1.25).", without what the parameters tell.
 std::string fixed(const Lesson& lesson, const Parameters& parameters, const Scene& scene) {
   const std::vector<std::string> all = scene_in_words(scene, parameters, lesson.flat);
-  return all.empty() ? "" : fmt::format("\nFixed: {}.\n", with_minus_signs(fmt::format("{}", fmt::join(all, "; "))));
+  return all.empty()
+             ? ""
+             : "\n" +
+                   tr("Fixed: {objects}.", {{"objects", with_minus_signs(fmt::format("{}", fmt::join(all, "; ")))}}) +
+                   "\n";
 }
 
 /// The items of one kind and role in the picture: how many there are, and their names.
@@ -144,20 +178,23 @@ std::string told(const Cases& cases) {
   const auto regions = all_plain(
       present, [&](int branch) -> const std::string& { return cases.branches[static_cast<std::size_t>(branch)]; });
   const auto scale = [](const Scale& s) {
-    return fmt::format("{} from {} to {}", plain(s.title), shown(s.lo), shown(s.hi));
+    return tr("{title} from {p} to {q}", {{"title", plain(s.title)}, {"p", shown(s.lo)}, {"q", shown(s.hi)}});
   };
   std::string text =
-      fmt::format("A map of all cases, over the plane of two numbers. Across: {}. Upwards: {}. Regions: {}",
-                  scale(cases.x), scale(cases.y), fmt::join(regions, ", "));
+      tr("A map of all cases, over the plane of two numbers. Across: {x}. Upwards: {y}. Regions: {regions}",
+         {{"x", scale(cases.x)}, {"y", scale(cases.y)}, {"regions", fmt::format("{}", fmt::join(regions, ", "))}});
   if (const auto& here = cases.here)
-    text += fmt::format(". This setting lies at ({}, {}), in the region: {}", shown(here->at.x()), shown(here->at.y()),
-                        plain(cases.branches.at(static_cast<std::size_t>(here->branch))));
-  if (!cases.presets.empty()) text += fmt::format(". Small marks show {}", counted(cases.presets.size(), "preset"));
+    text += ". " + tr("This setting lies at ({x}, {y}), in the region: {case}",
+                      {{"x", shown(here->at.x())},
+                       {"y", shown(here->at.y())},
+                       {"case", plain(cases.branches.at(static_cast<std::size_t>(here->branch)))}});
+  if (!cases.presets.empty())
+    text += ". " + tr("Small marks show {presets}", {{"presets", counted(cases.presets.size(), "preset")}});
   return text;
 }
 
 std::string told(const Card& card) {
-  std::string text = "A card of text";
+  std::string text = tr("A card of text");
   for (const auto& [head, row] : card.rows) text += fmt::format(". {}: {}", plain(head), without_period(plain(row)));
   return text;
 }
@@ -217,12 +254,14 @@ std::string drawn_text(const Walk& walk, const Scene& scene, bool outcome) {
   if (scene.chart) return std::visit([](const auto& chart) { return told(chart); }, scene.chart->kind) + ".";
   const std::string what = drawn(scene);
   std::string text = outcome ? plain(walk.alt) : "";
-  if (!what.empty()) text += fmt::format("{}Drawn: {}.", text.empty() ? "" : " ", what);
-  if (!outcome && !scene.said.empty()) text += fmt::format(" Marked: {}.", plain(scene.said));  // else the walk says it
+  if (!what.empty()) text += (text.empty() ? "" : " ") + tr("Drawn: {objects}.", {{"objects", what}});
+  if (!outcome && !scene.said.empty())
+    text += " " + tr("Marked: {marks}.", {{"marks", plain(scene.said)}});  // else the walk says it
   return text;
 }
 
 std::string alt_text(const Lesson& lesson, const Parameters& parameters, const Walk& walk, int step) {
+  const Speaking speaking(lesson.language);
   const Step& s = walk.steps[step];
   std::string text = as_sentence(figure_title(lesson, s)) + "\n\n";
   if (s.scene.chart)
@@ -230,17 +269,21 @@ std::string alt_text(const Lesson& lesson, const Parameters& parameters, const W
   else if (step >= outcome(walk))  // before, it would tell the answer
     text += plain(walk.alt) + "\n";
   if (const std::string what = s.scene.chart ? "" : drawn(s.scene); !what.empty())
-    text += fmt::format("Drawn: {}.\n", what);
-  if (!s.scene.said.empty() && step < outcome(walk)) text += fmt::format("Marked: {}.\n", plain(s.scene.said));
-  text += fmt::format("{}: {}.\n\n{}\n", s.scene.chart ? "The setting" : "Given", given(lesson, parameters),
-                      plain(s.caption));
+    text += tr("Drawn: {objects}.", {{"objects", what}}) + "\n";
+  if (!s.scene.said.empty() && step < outcome(walk))
+    text += tr("Marked: {marks}.", {{"marks", plain(s.scene.said)}}) + "\n";
+  const std::string numbers = given(lesson, parameters);
+  text += s.scene.chart ? tr("The setting: {numbers}.", {{"numbers", numbers}})
+                        : tr("Given: {numbers}.", {{"numbers", numbers}});
+  text += "\n\n" + plain(s.caption) + "\n";
   if (!s.scene.chart) text += fixed(lesson, parameters, walk.steps.front().scene);
   const std::optional<ComparisonText> compared = step_text(lesson, walk, step).comparison;
   std::string found;
-  if (!s.formula.empty()) found += fmt::format("Formula: {}\n", plain(s.formula));
-  if (const std::string values = fresh_values(s); !values.empty()) found += fmt::format("New: {}\n", values);
+  if (!s.formula.empty()) found += tr("Formula: {formula}", {{"formula", plain(s.formula)}}) + "\n";
+  if (const std::string values = fresh_values(s); !values.empty())
+    found += tr("New: {values}", {{"values", values}}) + "\n";
   if (compared) found += plain(fmt::format("{} {} {}\n", compared->question, compared->answer, compared->why));
-  if (!s.verdict.text.empty()) found += fmt::format("Verdict: {}\n", plain(verdict_text(s.verdict)));
+  if (!s.verdict.text.empty()) found += tr("Verdict: {verdict}", {{"verdict", plain(verdict_text(s.verdict))}}) + "\n";
   return found.empty() ? text : text + "\n" + found;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "viz/chart/case_map.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/closing.h"
 
@@ -28,6 +29,6 @@ std::optional<bool> taken(const Walk& walk, int step) {
   return here.decides ? std::optional(true) : std::nullopt;
 }
 
-std::string said_at_line(const std::optional<bool>& taken) { return !taken ? "" : *taken ? "yes" : "no"; }
+std::string said_at_line(const std::optional<bool>& taken) { return !taken ? "" : *taken ? tr("yes") : tr("no"); }
 
 }  // namespace isect::viz

@@ -4,6 +4,9 @@
 #include <sstream>
 
 #include "viz/chart/case_map.h"
+#include "viz/lang/language.h"
+#include "viz/lang/lesson_texts.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/question_scene.h"
 
@@ -29,19 +32,25 @@ int line_of(const Erratum& e, const Walk& walk) {
 }
 
 std::vector<Card::Row> card_rows(const Closing& c) {
-  return {{"Result", c.result}, {"Cost", c.cost}, {"Choose it", c.choose}, {"Used", c.used}, {"Typical bug", c.bug}};
+  return {{tr("Result"), c.result},
+          {tr("Cost"), c.cost},
+          {tr("Choose it"), c.choose},
+          {tr("Used"), c.used},
+          {tr("Typical bug"), c.bug}};
 }
 
 std::vector<Card::Row> card_rows(const Lesson& lesson, std::size_t most_named) {
   std::vector<Card::Row> rows = card_rows(*lesson.closing);
   std::string text;
   for (const SharedIdea& shared : shared_ideas(lesson)) {
-    text += (text.empty() ? "" : ". ") + heading(shared) + ": ";
+    const SharedIdea told = {spoken_text(lesson, shared.idea), {}};
+    text += (text.empty() ? "" : ". ") + heading(told) + ": ";
     const std::size_t all = shared.others.size(), named = all <= most_named ? all : most_named - 1;
-    for (std::size_t i = 0; i < named; ++i) text += (i == 0 ? "" : ", ") + short_title(*shared.others[i]);
-    if (named < all) text += " and " + std::to_string(all - named) + " more";
+    for (std::size_t i = 0; i < named; ++i)
+      text += (i == 0 ? "" : ", ") + short_title(lesson_in(*shared.others[i], spoken()));
+    if (named < all) text += " " + tr_count(all - named, "and {n} more", "and {n} more");
   }
-  if (!text.empty()) rows.push_back({shared_head, text + "."});
+  if (!text.empty()) rows.push_back({tr(shared_head), text + "."});
   return rows;
 }
 
@@ -60,8 +69,8 @@ std::string short_title(const Lesson& lesson) { return lesson.title.substr(0, le
 std::optional<Judge> judge(const Lesson& lesson) {
   if (lesson.query.empty()) return {};
   Judge own = {
-      "Write this test yourself, in any language. The command “isect query” reads one case a line, as JSON, and "
-      "answers each exactly: so it can judge your program. For instance:",
+      tr("Write this test yourself, in any language. The command “isect query” reads one case a line, as JSON, and "
+         "answers each exactly: so it can judge your program. For instance:"),
       {}};
   std::istringstream lines(lesson.query);
   for (std::string line; std::getline(lines, line);)  // several words of echo are one line
@@ -74,9 +83,9 @@ std::optional<Judge> judge(const Lesson& lesson) {
 Step closing_step(const Lesson& lesson, const Step& before) {
   const Closing& closing = *lesson.closing;
   Step step = before;
-  step.slug = closing_slug, step.title = "What to remember";
+  step.slug = closing_slug, step.title = tr("What to remember");
   step.caption = closing.result;
-  for (const std::string& source : closing.reading) step.caption += "\nRead: " + source;
+  for (const std::string& source : closing.reading) step.caption += "\n" + tr("Read: {source}", {{"source", source}});
   step.formula = {}, step.source = {};
   if (!closing.reading.empty()) step.source = closing.reading.front();
   step.decides = false;
@@ -91,12 +100,13 @@ Step closing_step(const Lesson& lesson, const Step& before) {
 static Step opening_step(const Lesson& lesson, const Walk& walk) {
   const Step& first = walk.steps.front();
   Step step;
-  step.slug = opening_slug, step.title = "The setting", step.caption = lesson.opening, step.source = first.source;
+  step.slug = opening_slug, step.title = tr("The setting"), step.caption = lesson.opening, step.source = first.source;
   step.scene = opening_scene(first);
   return step;
 }
 
 Walk Lesson::walk(const Parameters& here) const {
+  const Speaking speaking(language);
   Walk walk = steps(here);
   if (walk.steps.empty()) return walk;
   ask_once(walk);

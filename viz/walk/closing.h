@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viz/chart/chart.h"
+#include "viz/lang/message.h"
 #include "viz/lesson.h"
 
 namespace isect::viz {
@@ -32,7 +33,7 @@ inline constexpr std::size_t named_on_card = 4;
 /// named for each idea: where there are more, one less, and how many are left out.
 std::vector<Card::Row> card_rows(const Lesson&, std::size_t most_named = 1000);
 /// The head of the row of ideas that occur again.
-inline constexpr const char* shared_head = "Same idea";
+inline constexpr Message shared_head = message("Same idea");
 /// Returns the ideas that other lessons share with this one; empty if it stands alone.
 std::vector<SharedIdea> shared_ideas(const Lesson&);
 /// Returns the idea with a capital letter.

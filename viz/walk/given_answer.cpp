@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "viz/lang/message.h"
 #include "viz/text/number_text.h"
 #include "viz/walk/given_order.h"
 #include "viz/walk/pointed_line.h"
@@ -41,9 +42,10 @@ GivenAnswer pointed_at(const Question& question, int line) {
 }
 
 std::string told_of(const Question& question, const GivenAnswer& given) {
-  if (given.line >= 0) return fmt::format("You pointed at line {}.", given.line + 1);
-  if (!given.order.empty()) return fmt::format("Your order was: {}.", tiles_in(*question.order, given.order));
-  return given.typed.empty() ? std::string() : fmt::format("You typed {}.", typed_text(given.typed, given.number));
+  if (given.line >= 0) return tr("You pointed at line {n}.", {{"n", std::to_string(given.line + 1)}});
+  if (!given.order.empty()) return tr("Your order was: {tiles}.", {{"tiles", tiles_in(*question.order, given.order)}});
+  return given.typed.empty() ? std::string()
+                             : tr("You typed {number}.", {{"number", typed_text(given.typed, given.number)}});
 }
 
 std::string reply_to(const Walk& walk, int step, const GivenAnswer& given) {

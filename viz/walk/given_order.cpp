@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "viz/lang/language.h"
+#include "viz/lang/message.h"
 #include "viz/text/count_words.h"
 
 namespace isect::viz {
@@ -48,8 +50,8 @@ bool has_ties(const OrderAsked& asked) {
 }
 
 std::string how_to_order(const OrderAsked& asked) {
-  return std::string("Take one tile after the other, or type the letters.") +
-         (has_ties(asked) ? " Of equal ones, any may come first." : "");
+  return tr("Take one tile after the other, or type the letters.") +
+         (has_ties(asked) ? " " + tr("Of equal ones, any may come first.") : "");
 }
 
 int first_wrong(const OrderAsked& asked, const std::vector<int>& order) {
@@ -65,14 +67,23 @@ std::string reply_to(const OrderAsked& asked, const std::vector<int>& order) {
   const auto known = std::ranges::find(asked.wrong, order, &WrongOrder::order);
   if (known != asked.wrong.end()) return known->reply;
   const std::string& name = asked.tiles.at(static_cast<std::size_t>(order[static_cast<std::size_t>(place)]));
-  if (place == 0) return fmt::format("The first is not {}.", name);
-  return fmt::format("The first {} right. The next is not {}.", place == 1 ? "is" : in_words(place) + " are", name);
+  if (place == 0) return tr("The first is not {tile}.", {{"tile", name}});
+  return place == 1 ? tr("The first is right. The next is not {tile}.", {{"tile", name}})
+                    : tr("The first {n} are right. The next is not {tile}.",
+                         {{"n", spoken() == "en" ? in_words(place) : std::to_string(place)}, {"tile", name}});
 }
 
 std::string tiles_in(const OrderAsked& asked, const std::vector<int>& order) {
   std::vector<std::string> names;
   for (const int tile : order) names.push_back(asked.tiles.at(static_cast<std::size_t>(tile)));
   return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Returns "(a) x and (b) y in any order"; one alone as it is.
+static std::string in_any_order(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all = all.empty() ? name : tr("{a} and {b}", {{"a", all}, {"b", name}});
+  return names.size() > 1 ? tr("{names} in any order", {{"names", all}}) : all;
 }
 
 std::string right_order(const OrderAsked& asked) {
@@ -84,9 +95,11 @@ std::string right_order(const OrderAsked& asked) {
     for (int tile = 0; tile < static_cast<int>(asked.tiles.size()); ++tile)
       if (rank_of(asked, tile) == rank)
         names.push_back(fmt::format("({}) {}", tile_letter(tile), asked.tiles[static_cast<std::size_t>(tile)]));
-    groups.push_back(fmt::format("{}{}", fmt::join(names, " and "), names.size() > 1 ? " in any order" : ""));
+    groups.push_back(in_any_order(names));
   }
-  return fmt::format("{}", fmt::join(groups, ", then "));
+  std::string all;
+  for (const std::string& group : groups) all = all.empty() ? group : tr("{a}, then {b}", {{"a", all}, {"b", group}});
+  return all;
 }
 
 int choice_of_order(const Question& question, const std::vector<int>& order) {

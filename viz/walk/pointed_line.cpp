@@ -5,19 +5,22 @@
 #include <algorithm>
 #include <cctype>
 
+#include "viz/lang/message.h"
+
 namespace isect::viz {
 namespace {
 
 /// Returns what a line does up to a step that lights another one.
 std::string what_it_does(const Walk& walk, int step, int line) {
   const Step& asked = walk.steps.at(static_cast<std::size_t>(step));
-  const auto told = [&](const char* what) { return fmt::format("Line {} {}", line + 1, what); };
-  if (std::ranges::count(asked.refused, line) > 0) return told("has run: its condition was false.");
-  if (std::ranges::count(asked.untaken, line) > 0) return told("stands in a branch that was not taken.");
+  const std::string n = std::to_string(line + 1);
+  if (std::ranges::count(asked.refused, line) > 0) return tr("Line {n} has run: its condition was false.", {{"n", n}});
+  if (std::ranges::count(asked.untaken, line) > 0)
+    return tr("Line {n} stands in a branch that was not taken.", {{"n", n}});
   const auto lit = [&](const Step& s) { return s.line == line; };
   if (std::any_of(walk.steps.begin(), walk.steps.begin() + step, lit))
-    return told("was told at an earlier step. It is not the one that is told next.");
-  return told("is not the one that is told next.");
+    return tr("Line {n} was told at an earlier step. It is not the one that is told next.", {{"n", n}});
+  return tr("Line {n} is not the one that is told next.", {{"n", n}});
 }
 
 }  // namespace
@@ -35,7 +38,7 @@ int line_from(const std::string& typed, int lines) {
   return number - 1;
 }
 
-std::string how_to_point() { return "Point at a line of the pseudocode, or type its number."; }
+std::string how_to_point() { return tr("Point at a line of the pseudocode, or type its number."); }
 
 std::vector<std::string> line_replies(const Walk& walk, int step) {
   const LineAsked& asked = *walk.steps.at(static_cast<std::size_t>(step)).question->line;

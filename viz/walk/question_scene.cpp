@@ -5,6 +5,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::viz {
@@ -170,7 +171,7 @@ const std::string& answer(const Question& q) { return q.choices.at(static_cast<s
 }  // namespace
 
 Value before(Value value) {
-  value.name += " before";
+  value.name = tr("{value} before", {{"value", value.name}});
   return value;
 }
 

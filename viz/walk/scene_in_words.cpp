@@ -1,11 +1,10 @@
 #include "viz/walk/scene_in_words.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <set>
 
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 
 namespace isect::viz {
@@ -50,40 +49,42 @@ class SceneInWords {
   SceneInWords(const Scene& scene, const Parameters& parameters, bool flat)
       : scene_(scene), parameters_(parameters), flat_(flat) {
     for (const Item& item : scene.items) std::visit(*this, item);
-    if (!points_.empty() && points_.size() <= most_vertices) say("points", {}, list(points_));
+    if (!points_.empty() && points_.size() <= most_vertices) say(tr_as("object", "points"), {}, list(points_));
   }
 
   std::vector<std::string> take() {
     if (told_.size() <= most_objects) return std::move(told_);
     std::string counts;
     for (const auto& [kind, count] : counts_)
-      counts += (counts.empty() ? "" : ", ") + fmt::format("{} of the kind {}", count, kind);
+      counts +=
+          (counts.empty() ? "" : ", ") + tr("{n} of the kind {kind}", {{"n", std::to_string(count)}, {"kind", kind}});
     return {counts};
   }
 
   void operator()(const Ball& it) {
-    if (is_body(it.role)) round("ball", it.center, it.radius, it.role);
+    if (is_body(it.role)) round(tr_as("object", "ball"), it.center, it.radius, it.role);
   }
   void operator()(const Circle& it) {
-    if (is_object(it.role, it.pen) || it.role == Role::text) round("circle", it.center, it.radius, it.role);
+    if (is_object(it.role, it.pen) || it.role == Role::text)
+      round(tr_as("object", "circle"), it.center, it.radius, it.role);
   }
   void operator()(const Region& it) {
     const bool body = it.hides && is_body(it.role);  // a floor has the colour of a grid, and its name is muted
     const Role role = body && it.role == Role::grid ? Role::muted : it.role;
     if (it.outlined && (body || is_object(it.role, it.pen)))
-      for (const Points& ring : it.rings) corners("polygon", ring, role, it.name);
+      for (const Points& ring : it.rings) corners(tr_as("object", "polygon"), ring, role, it.name);
   }
   void operator()(const Solid& it) {
     if (!is_body(it.role)) return;
-    it.round ? round(*it.round, it) : corners("solid", it.vertices, it.role, it.name);
+    it.round ? round(*it.round, it) : corners(tr_as("object", "solid"), it.vertices, it.role, it.name);
   }
   void operator()(const Mesh& it) {
-    if (is_body(it.role)) corners("mesh", it.vertices, it.role, it.name);
+    if (is_body(it.role)) corners(tr_as("object", "mesh"), it.vertices, it.role, it.name);
   }
   void operator()(const Line& it) {
     if (!it.name.empty()) return;  // a part of what is told as a whole
     if (is_object(it.role, it.pen) && !(is_parameter(it.from) && is_parameter(it.to)) && !is_measured(it))
-      say("segment", name_along(it), place(it.from) + " to " + place(it.to));
+      say(tr_as("object", "segment"), name_along(it), tr("{p} to {q}", {{"p", place(it.from)}, {"q", place(it.to)}}));
   }
   void operator()(const Dot& it) {
     if (flat_ && it.role == Role::text && name_at(it.at).empty()) points_.push_back(it.at);
@@ -178,26 +179,30 @@ class SceneInWords {
     const Vec3 reach = Vec3::Constant(radius);
     const std::string centre = name_at(c);
     say(kind, centre.empty() ? name_within({c - reach, c + reach}, role, true) : centre,
-        fmt::format("centre {}, radius {}", place(c), number(radius)));
+        tr("centre {p}, radius {r}", {{"p", place(c)}, {"r", number(radius)}}));
   }
   void round(const RoundSolid& r, const Solid& it) {
     if (is_parameter(r.from) && is_parameter(r.to) && is_parameter(r.radius)) return;
     const std::string name = it.name.empty() ? name_within(limits_of(it.vertices), it.role) : plain(it.name);
-    say(r.pointed ? "cone" : "cylinder", name,
-        fmt::format("{} {} to {}, radius {}", r.pointed ? "apex" : "from", place(r.from), place(r.to),
-                    number(r.radius)));
+    constexpr Message of_cone = message("apex {p} to {q}, radius {r}"),
+                      of_cylinder = message("from {p} to {q}, radius {r}");
+    say(r.pointed ? tr_as("object", "cone") : tr_as("object", "cylinder"), name,
+        tr(r.pointed ? of_cone : of_cylinder, {{"p", place(r.from)}, {"q", place(r.to)}, {"r", number(r.radius)}}));
   }
   void corners(const std::string& kind, const Points& points, Role role, const std::string& given) {
     if (std::ranges::all_of(points, [&](const Vec3& p) { return is_parameter(p); })) return;  // told already
     const Limits e = limits_of(points);
     const bool within = points.size() > most_vertices;
-    if (e.lo == e.hi || (within && kind == "polygon")) return;  // nothing, or a curve
+    if (e.lo == e.hi || (within && kind == tr_as("object", "polygon"))) return;  // nothing, or a curve
     const std::string name = given.empty() ? name_within(e, role) : plain(given),
-                      ends = place(e.lo) + " to " + place(e.hi);
+                      ends = tr("{p} to {q}", {{"p", place(e.lo)}, {"q", place(e.hi)}});
     if (is_box(points))
-      say(!flat_ && (e.lo.array() == e.hi.array()).any() ? "rectangle" : "box", name, ends);
+      say(!flat_ && (e.lo.array() == e.hi.array()).any() ? tr_as("object", "rectangle") : tr_as("object", "box"), name,
+          ends);
     else
-      say(kind, name, within ? fmt::format("{} vertices within {}", points.size(), ends) : list(points));
+      say(kind, name,
+          within ? tr_count(points.size(), "{n} vertices within {ends}", "{n} vertices within {ends}", {{"ends", ends}})
+                 : list(points));
   }
 
   const Scene& scene_;

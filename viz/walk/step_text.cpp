@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "viz/lang/language.h"
+#include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/walk/alt_text.h"
 #include "viz/walk/branch.h"
@@ -35,15 +37,16 @@ std::vector<ValueText> values_text(const std::vector<Value>& values, const std::
 
 std::optional<ComparisonText> comparison_text(const std::optional<Comparison>& c) {
   if (!c) return {};
-  return ComparisonText{fmt::format("Is {}?", c->text), c->holds, c->holds ? "Yes" : "No",
+  return ComparisonText{tr("Is {condition}?", {{"condition", c->text}}), c->holds, c->holds ? tr("Yes") : tr("No"),
                         fmt::format("({}){}{}.", compared_numbers(*c), c->meaning.empty() ? "" : ": ", c->meaning)};
 }
 
 /// Returns the right answer, in the form in which it is asked for on paper.
 std::string answer_text(const Walk& walk, const Question& q) {
   if (q.line)
-    return fmt::format("Line {}: {}.", q.line->truth + 1,
-                       as_markup(unindented(walk.pseudocode.at(static_cast<std::size_t>(q.line->truth)))));
+    return tr("Line {n}: {line}.",
+              {{"n", std::to_string(q.line->truth + 1)},
+               {"line", as_markup(unindented(walk.pseudocode.at(static_cast<std::size_t>(q.line->truth))))}});
   if (q.order) return right_order(*q.order) + ".";
   const auto right = static_cast<std::size_t>(q.answer);
   return fmt::format("({}) {}.", choice_letter(right), q.choices.at(right));
@@ -56,6 +59,7 @@ std::string with_given(const std::string& prompt, const std::vector<Value>& give
 }  // namespace
 
 StepText step_text(const Lesson& lesson, const Walk& walk, int step) {
+  const Speaking speaking(lesson.language);
   const Step& s = walk.steps.at(static_cast<std::size_t>(step));
   return {s.title,
           s.caption,
@@ -90,6 +94,7 @@ std::optional<QuestionText> question_text(const Walk& walk, int step) {
 }
 
 std::vector<ErratumText> errata_text(const Lesson& lesson, const Walk& walk) {
+  const Speaking speaking(lesson.language);
   std::vector<ErratumText> all;
   for (const Erratum& e : lesson.errata) {
     const int line = line_of(e, walk);
@@ -97,36 +102,41 @@ std::vector<ErratumText> errata_text(const Lesson& lesson, const Walk& walk) {
     const bool published = walk.pseudocode[line] == e.published;
     const bool added = !published && std::ranges::count(walk.pseudocode, e.published) > 0;
     const std::string other = as_markup(unindented(published ? e.corrected : e.published));
-    all.push_back(
-        {line + 1,
-         added ? fmt::format("Line {} is not in the note.", line + 1)
-               : fmt::format("Line {} {}: {}.", line + 1, published ? "should read" : "was published as", other),
-         e.why, &preset(lesson, e.preset)});
+    const std::string n = std::to_string(line + 1);
+    all.push_back({line + 1,
+                   added       ? tr("Line {n} is not in the note.", {{"n", n}})
+                   : published ? tr("Line {n} should read: {line}.", {{"n", n}, {"line", other}})
+                               : tr("Line {n} was published as: {line}.", {{"n", n}, {"line", other}}),
+                   e.why, &preset(lesson, e.preset)});
   }
   return all;
 }
 
 std::string with_preset(const ErratumText& e, std::string Preset::*name) {
-  return fmt::format("{} {} (See the preset “{}”.)", e.says, e.why, e.shown_by->*name);
+  return e.says + " " + e.why + " " + tr("(See the preset “{preset}”.)", {{"preset", e.shown_by->*name}});
 }
 
 std::string compared_numbers(const Comparison& c) {
   std::string all;
   for (const Comparison& part : c.parts)
-    all += fmt::format("{}{}: {}, {}", all.empty() ? "" : "; ", part.text, part.holds ? "yes" : "no",
+    all += fmt::format("{}{}: {}, {}", all.empty() ? "" : "; ", part.text, part.holds ? tr("yes") : tr("no"),
                        compared_numbers(part));
   if (!all.empty()) return all;
   const auto [left, right] = shown_apart(c.left, c.right);
-  return as_markup(fmt::format("{} against {}", left, right));
+  return as_markup(tr("{p} against {q}", {{"p", left}, {"q", right}}));
 }
 
 std::string verdict_text(const Verdict& v) {
-  return v.text.empty() || v.exact.empty() ? v.text : fmt::format("{} (exactly: {})", v.text, v.exact);
+  return v.text.empty() || v.exact.empty()
+             ? v.text
+             : tr("{verdict} (exactly: {exact})", {{"verdict", v.text}, {"exact", v.exact}});
 }
 
 char choice_letter(std::size_t i) { return static_cast<char>('a' + i); }
 
-std::string given_text(const std::vector<Value>& values) { return fmt::format("Given: {}.", listed(values)); }
+std::string given_text(const std::vector<Value>& values) {
+  return tr("Given: {numbers}.", {{"numbers", listed(values)}});
+}
 
 std::string figure_caption(const Lesson& lesson, const Step& step, const std::string& title) {
   std::string text = as_sentence(title.empty() ? step.title : title) + " " + own_caption(lesson, step);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viz/lang/message.h"
 #include "viz/text/count_words.h"
 #include "viz/text/rich_text.h"
 
@@ -32,22 +33,29 @@ bool agree(const Numeric& number, double typed, double value) {
 }
 
 std::string exactness(const Numeric& number) {
-  return number.digits == 0 ? "a whole number" : "to " + in_words(number.digits) + " digits";
+  // digits that count are two to five
+  return number.digits == 0   ? tr("a whole number")
+         : number.digits == 2 ? tr("to two digits")
+         : number.digits == 3 ? tr("to three digits")
+         : number.digits == 4 ? tr("to four digits")
+         : number.digits == 5 ? tr("to five digits")
+                              : tr("to {n} digits", {{"n", in_words(number.digits)}});
 }
 
 std::string what_to_type(const Numeric& number) {
-  return number.digits == 0 ? "Type a whole number."
-                            : fmt::format("Type a number {}; 1/3 and √2 will do.", exactness(number));
+  return number.digits == 0 ? tr("Type a whole number.")
+                            : tr("Type a number {exactness}; 1/3 and √2 will do.", {{"exactness", exactness(number)}});
 }
 
 std::vector<Reply> replies(const Numeric& number) {
   std::vector<Reply> all;
   for (const WrongNumber& wrong : number.wrong)
     all.push_back({wrong.value, tolerance(number, wrong.value), wrong.reply});
-  if (number.truth != 0) all.push_back({-number.truth, tolerance(number, number.truth), "The sign is the opposite."});
+  if (number.truth != 0)
+    all.push_back({-number.truth, tolerance(number, number.truth), tr("The sign is the opposite.")});
   if (number.truth != 0 && number.digits > 0)
     all.push_back({number.truth, too_few_digits * std::abs(number.truth),
-                   fmt::format("That is near. The answer is asked for {}.", exactness(number))});
+                   tr("That is near. The answer is asked for {exactness}.", {{"exactness", exactness(number)}})});
   return all;
 }
 

@@ -12,6 +12,7 @@
 
 #include "app/scene/files/reading.h"
 #include "app/scene/objects.h"
+#include "viz/lang/message.h"
 
 namespace isect::program::scene {
 
@@ -133,18 +134,28 @@ void MeshBuilder::cut(const Face& face, const int* corners, std::size_t count) {
   farthest_off_ = std::max(farthest_off_, off);
 }
 
+/// Returns "line 3".
+static std::string place_in_words(const std::string& unit, int number) {
+  const std::string n = std::to_string(number);
+  if (unit == "facet") return viz::tr("facet {n}", {{"n", n}});
+  if (unit == "face") return viz::tr("face {n}", {{"n", n}});
+  return viz::tr("line {n}", {{"n", n}});
+}
+
 void MeshBuilder::add_notes() {
   if (bent_.count > 0)
-    mesh_.note_of_faces = fmt::format(
-        "The corners of {} (the first: {} {}) lie up to {:.2g} off one plane: {} read as the triangles that {} cut "
-        "into.",
-        bent_.count == 1 ? "a face" : fmt::format("{} faces", bent_.count), places_.of_face, bent_.first, farthest_off_,
-        bent_.count == 1 ? "it is" : "they are", bent_.count == 1 ? "it is" : "they are");
+    mesh_.note_of_faces = viz::tr_count(
+        static_cast<std::size_t>(bent_.count),
+        "The corners of a face (the first: {place}) lie up to {off} off one plane: it is read as the "
+        "triangles that it is cut into.",
+        "The corners of {n} faces (the first: {place}) lie up to {off} off one plane: they are read as "
+        "the triangles that they are cut into.",
+        {{"place", place_in_words(places_.of_face, bent_.first)}, {"off", fmt::format("{:.2g}", farthest_off_)}});
   if (left_out_.count > 0)
-    mesh_.note = fmt::format(
-        "{} no area, and {} left out (the first: {} {}).",
-        left_out_.count == 1 ? "A point or a line has" : fmt::format("{} points and lines have", left_out_.count),
-        left_out_.count == 1 ? "is" : "are", places_.of_face, left_out_.first);
+    mesh_.note = viz::tr_count(static_cast<std::size_t>(left_out_.count),
+                               "A point or a line has no area, and is left out (the first: {place}).",
+                               "{n} points and lines have no area, and are left out (the first: {place}).",
+                               {{"place", place_in_words(places_.of_face, left_out_.first)}});
 }
 
 }  // namespace isect::program::scene

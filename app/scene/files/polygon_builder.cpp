@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "viz/lang/message.h"
+
 namespace isect::program::scene {
 
 void PolygonBuilder::position(const viz::Vec3& p, std::size_t coordinates) {
@@ -24,7 +26,8 @@ void PolygonBuilder::end_ring() {
 ShapeFile PolygonBuilder::made() {
   shape_.flat = coordinates_ == 2;
   if (polygons_ > 1)
-    shape_.note = fmt::format("Its {} polygons are read as one: where two of them overlap is outside.", polygons_);
+    shape_.note = viz::tr("Its {n} polygons are read as one: where two of them overlap is outside.",
+                          {{"n", std::to_string(polygons_)}});
   return std::move(shape_);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "viz/lang/message.h"
 #include "viz/text/utf8.h"
 
 namespace isect::program::scene {
@@ -35,8 +36,11 @@ std::string shortened(std::string_view piece) {
 std::string in_quotes(std::string_view piece) { return '"' + shortened(piece) + '"'; }
 
 std::string bytes_left_out(std::size_t count, std::string_view last) {
-  return count == 1 ? fmt::format("1 byte behind the last {} is left out.", last)
-                    : fmt::format("{} bytes behind the last {} are left out.", count, last);
+  if (last == "facet")
+    return viz::tr_count(count, "{n} byte behind the last facet is left out.",
+                         "{n} bytes behind the last facet are left out.");
+  return viz::tr_count(count, "{n} byte behind the last element is left out.",
+                       "{n} bytes behind the last element are left out.");
 }
 
 std::string lower(std::string_view text) {

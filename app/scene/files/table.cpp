@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/scene/files/reading.h"
+#include "viz/lang/message.h"
 
 namespace isect::program::scene {
 
@@ -151,7 +152,7 @@ class TableReader {
           fmt::format("{} number{}; two or three are expected, or {}", count, count == 1 ? "" : "s", header_expected));
     columns_ = count;
     is_in_space_ = count > 2;
-    if (count > 3) shape_.note = "What stands behind three numbers of a line is left out.";
+    if (count > 3) shape_.note = viz::tr("What stands behind three numbers of a line is left out.");
   }
 
   /// Whether comments name the columns: the last one, whatever else it names, or one with only x, y and z. The

@@ -1,0 +1,20 @@
+# Puts the translations into a source of their own, ${lang_texts}, without comments: for the native build and those of
+# web/ and tests/fuzz/.
+get_filename_component(lang_root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
+file(GLOB lang_files CONFIGURE_DEPENDS RELATIVE ${lang_root}
+  ${lang_root}/lang/*.po ${lang_root}/lang/isect.pot ${lang_root}/lessons/*/*.po)
+set(ISECT_PO_TEXTS "")
+foreach(file ${lang_files})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${lang_root}/${file})
+  get_filename_component(language ${file} NAME_WE)
+  get_filename_component(subject ${file} DIRECTORY)
+  if(file MATCHES "\\.pot$")
+    set(language "")
+  endif()
+  string(REGEX REPLACE "^(lang|lessons/)" "" subject "${subject}")
+  file(READ ${lang_root}/${file} text)
+  string(REGEX REPLACE "\n#[.: |~][^\n]*" "" text "\n${text}")
+  string(APPEND ISECT_PO_TEXTS "      {\"${subject}\", \"${language}\",\n       R\"po(${text})po\"},\n")
+endforeach()
+set(lang_texts ${CMAKE_CURRENT_BINARY_DIR}/generated/po_texts.cpp)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/po_texts.cpp.in ${lang_texts} @ONLY)
