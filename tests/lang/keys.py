@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Holds lang/isect.pot, and the .po files of all languages, to what the sources say.
+"""Holds viz/lang/isect.pot, and the .po files of all languages, to what the sources say.
 
     keys.py [--write]
 
 The texts are the literals in calls of tr, tr_as, tr_count, tr_names, message, message_as and message_count in app/ and
-viz/. --write writes the template anew; then `msgmerge --update lang/de.po lang/isect.pot` brings a language to it.
+viz/. --write writes the template anew; then `msgmerge --update viz/lang/de.po viz/lang/isect.pot` brings a language to
+it.
 """
 
 import pathlib
@@ -72,7 +73,7 @@ def template(keys):
 
 def main():
     keys = all_keys()
-    pot = ROOT / 'lang' / 'isect.pot'
+    pot = ROOT / 'viz' / 'lang' / 'isect.pot'
     told = template(keys)
     clashes = [one for (context, one, other) in keys if other and (context, one, '') in keys]
     if clashes:
@@ -81,8 +82,8 @@ def main():
         pot.write_text(told, encoding='utf-8')
         print(f'{len(keys)} texts')
     elif not pot.exists() or pot.read_text(encoding='utf-8') != told:
-        sys.exit('lang/isect.pot is not what the sources say; write it by tests/lang/keys.py --write, then bring each '
-                 'language to it by msgmerge --update lang/de.po lang/isect.pot')
+        sys.exit('viz/lang/isect.pot is not what the sources say; write it by tests/lang/keys.py --write, then bring '
+                 'each language to it by msgmerge --update viz/lang/de.po viz/lang/isect.pot')
 
 
 if __name__ == '__main__':

@@ -1,5 +1,5 @@
 #pragma once
-// The translations that the program was built with: lang/<language>.po for what the program says of itself, and
+// The translations that the program was built with: viz/lang/<language>.po for what the program says of itself, and
 // lessons/<subject>/<language>.po for what a lesson says.
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct PoText {
   const char *subject, *language;  ///< subject: a lesson's folder, "sphere_sphere"; empty: the program's own
   const char* text;
 };
-/// Returns all of them; the template with every key of the program, lang/isect.pot, has no language.
+/// Returns all of them; the template with every key of the program, viz/lang/isect.pot, has no language.
 const std::vector<PoText>& po_texts();
 
 /// Returns the translation of a message; null if the language has none. `count`: of a message that counts.

@@ -2,7 +2,7 @@
 # web/ and tests/fuzz/.
 get_filename_component(lang_root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 file(GLOB lang_files CONFIGURE_DEPENDS RELATIVE ${lang_root}
-  ${lang_root}/lang/*.po ${lang_root}/lang/isect.pot ${lang_root}/lessons/*/*.po)
+  ${lang_root}/viz/lang/*.po ${lang_root}/viz/lang/isect.pot ${lang_root}/lessons/*/*.po)
 set(ISECT_PO_TEXTS "")
 foreach(file ${lang_files})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${lang_root}/${file})
@@ -11,7 +11,7 @@ foreach(file ${lang_files})
   if(file MATCHES "\\.pot$")
     set(language "")
   endif()
-  string(REGEX REPLACE "^(lang|lessons/)" "" subject "${subject}")
+  string(REGEX REPLACE "^(viz/lang|lessons/)" "" subject "${subject}")
   file(READ ${lang_root}/${file} text)
   string(REGEX REPLACE "\n#[.: |~][^\n]*" "" text "\n${text}")
   string(APPEND ISECT_PO_TEXTS "      {\"${subject}\", \"${language}\",\n       R\"po(${text})po\"},\n")

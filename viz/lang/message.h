@@ -1,6 +1,6 @@
 #pragma once
 // What the program says, in the language that is spoken now. The English text in the source is the key: a catalogue of
-// a language (lang/de.po) has the translation, and where it has none, English is said.
+// a language (viz/lang/de.po) has the translation, and where it has none, English is said.
 //
 //   tr("{both} touch", {{"both", "A and B"}})            "A und B berühren einander"
 //   tr_as("after which", "ball")                         one English word, several forms in other languages
