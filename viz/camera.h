@@ -18,6 +18,19 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
+/// Where a step is seen from in a way of its own.
+struct StepView {
+  Camera camera;
+  bool has_target = false, has_half_height = false;  ///< what the camera says of them counts; else the walk is framed
+  bool operator==(const StepView&) const = default;
+};
+
+/// Returns the course of a glide from 0 to 1, slow at both ends.
+double ease_in_out(double share);
+/// Returns the camera `share` of the way from one to the other: `from` at 0, `to` at 1. Each on the way is a valid one;
+/// azimuth takes the shorter way.
+Camera between(const Camera& from, const Camera& to, double share);
+
 /// A point on the picture: pixels from the top left corner (y down), and the distance along the view direction.
 struct Projected {
   Vec2 at;

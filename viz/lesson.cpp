@@ -211,6 +211,14 @@ Camera opening(const Lesson& lesson) {
   return camera;
 }
 
+Camera opening(const Lesson& lesson, const std::optional<StepView>& view) {
+  return view ? view->camera : opening(lesson);
+}
+
+bool has_own_views(const Walk& walk) {
+  return std::ranges::any_of(walk.steps, [](const Step& s) { return s.view.has_value(); });
+}
+
 bool counts(const Parameter& p, const Parameters& values) {
   return std::ranges::all_of(p.where, [&](const auto& where) {
     const auto& [choice, with] = where;

@@ -154,6 +154,7 @@ struct Step {
   Verdict verdict = {};
   std::optional<Question> question = {};  ///< asked before this step is shown
   Scene scene = {};
+  std::optional<StepView> view = {};  ///< where it is seen from; none: as the lesson is
 };
 
 struct Preset {
@@ -287,6 +288,10 @@ struct BadInput : std::runtime_error {
 
 /// Returns the lesson's own view. A flat lesson is seen straight on, whatever its camera says.
 Camera opening(const Lesson&);
+/// Returns the direction and the projection in which a step is seen, of which `view` is that of its own, if any.
+Camera opening(const Lesson&, const std::optional<StepView>& view);
+/// Whether some step has a view of its own.
+bool has_own_views(const Walk&);
 /// Whether some step has a t-axis: then all steps leave room for it, so that the scene stays in place.
 bool has_axis(const Walk&);
 /// Whether shapes move in some step: then all steps leave room for the time below the scene.

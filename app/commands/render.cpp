@@ -15,10 +15,10 @@
 #include "app/figures/figure_maker.h"
 #include "app/figures/ownership.h"
 #include "app/preset_folder.h"
+#include "app/scene/markup.h"
 #include "app/shell/environment.h"
 #include "app/shell/options.h"
 #include "app/shell/terminal.h"
-#include "viz/chart/chart.h"
 #include "viz/formats/files.h"
 #include "viz/player/direction.h"
 #include "viz/text/rich_text.h"
@@ -111,27 +111,19 @@ std::vector<Job> jobs_of(const std::vector<Excerpt>& chosen, const FigureMakers&
   return jobs;
 }
 
-/// Repeats cards of text, so that an animation shows them for longer than a picture.
-std::vector<viz::Drawing> time_to_read(const std::vector<viz::Drawing>& drawings, const Job& job) {
-  constexpr int as_long = 4;
-  std::vector<viz::Drawing> frames;
-  for (std::size_t i = 0; i < drawings.size(); ++i)
-    frames.insert(frames.end(), viz::is_card(job.e.walk.steps[job.info.steps[i]].scene) ? as_long : 1, drawings[i]);
-  return frames;
-}
-
 /// Makes each format of a job, and passes it to `take`.
 template <class Take>
 void make(const Job& job, const RenderOptions& options, FigureMakers& makers, const Take& take) {
   const Style& style = makers.style(job.e);
   FigureMaker& maker = makers.of(job.e);
-  const std::vector<viz::Drawing> drawings = maker.draw(job.e, job.info.steps);
-  const std::vector<viz::Drawing> frames = time_to_read(drawings, job);
+  const bool moves = job.formats.front()->film;  // then all do
+  const std::vector<Shot> shots = moves ? film_of(job.e, job.info.steps, options.seconds) : shots_of(job.info.steps);
+  const std::vector<viz::Drawing> drawings = maker.draw(job.e, shots);
   for (const viz::Format* format : job.formats) {
     Json about = made_with(style, *format, drawings.front(), maker.renderer(*format));
     if (format->film) about["seconds"] = options.seconds;
     take(*format,
-         format->film ? maker.film(job.info, frames, options.seconds, *format)
+         format->film ? maker.film(job.info, shots, drawings, *format)
                       : maker.write(job.info, drawings.front(), *format),
          about);
   }
@@ -204,6 +196,7 @@ int render(const Program& program, RenderOptions options) {
   if (!options.each.empty()) options.seconds = seconds_of(options.each);
   const bool whole = options.dir.empty() || choose_folder(program, options);
   if (!whole && options.asked.files.empty()) return bad_input;
+  scene::set_by_tex_alone(is_set_by_tex(options.style));
   std::vector<Excerpt> chosen = excerpts(program, options.asked);
   if (!options.camera.empty()) turn(chosen, options.camera);
   if (options.same_scale) scale_alike(chosen);

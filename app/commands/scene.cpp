@@ -10,6 +10,7 @@
 #include "app/scene/edit.h"
 #include "app/scene/file.h"
 #include "app/scene/lesson.h"
+#include "app/scene/markup.h"
 #include "app/scene/save.h"
 #include "app/scene/written.h"
 #include "app/shell/named_file.h"
@@ -57,6 +58,7 @@ std::string as_json(const scene::File& file) {
 
 int tell(const SceneOptions& options) {
   try {
+    scene::set_by_tex_alone(true);  // answers are told, not drawn
     const std::string text = read_named_file(options.path), folder = fs::path(options.path).parent_path().string();
     scene::File file = scene::naming_scene(options.path, [&] { return scene::read_scene(text, folder); });
     if (const std::string& code = options.asked.lang; !code.empty())

@@ -11,6 +11,7 @@
 #include "app/figures/figure_folder.h"
 #include "app/figures/figure_maker.h"
 #include "app/figures/ownership.h"
+#include "app/scene/markup.h"
 #include "app/shell/environment.h"
 #include "app/shell/terminal.h"
 #include "viz/formats/files.h"
@@ -93,6 +94,7 @@ int strip(const Program& program, StripOptions options) {
   if (!options.style.height.empty())
     throw viz::BadInput("height: that of a strip comes from its --width and --columns");
   StyleOptions& asked = options.style;
+  scene::set_by_tex_alone(is_set_by_tex(asked));
   const std::vector<Excerpt> cases = cases_for(program, options.asked);
   take_style(asked, cases);
   if (asked.width.empty()) asked.width = "16cm";

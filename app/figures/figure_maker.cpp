@@ -34,9 +34,17 @@ const std::vector<viz::Walk>& walks_of(const viz::Lesson& lesson) {
   return walks;
 }
 
-viz::Figure composed(const Excerpt& e, int step, const viz::PageLayout& layout) {
-  return viz::figure(e.walk.steps[step], camera_for(e, e.walk.steps[step], layout.width / layout.picture_height()),
-                     layout);
+/// Returns the camera of a shot, where `camera` is that of a step.
+viz::Camera camera_of(const Excerpt& e, const Shot& shot, double aspect,
+                      viz::Camera (*camera)(const Excerpt&, const viz::Step&, double aspect)) {
+  const viz::Camera to = camera(e, e.walk.steps[shot.step], aspect);
+  if (!(shot.share < 1)) return to;
+  return viz::between(camera(e, e.walk.steps[shot.from], aspect), to, viz::ease_in_out(shot.share));
+}
+
+viz::Figure composed(const Excerpt& e, const Shot& shot, const viz::PageLayout& layout) {
+  const double aspect = layout.width / layout.picture_height();
+  return viz::figure(e.walk.steps[shot.step], camera_of(e, shot, aspect, camera_for), layout);
 }
 
 /// Throws viz::BadInput if all pictures of a file together have too many pixels.
@@ -54,7 +62,7 @@ double shape_of(const Excerpt& e, const viz::Walk& walk) {
   viz::Box2 all = {viz::Vec2::Constant(INFINITY), viz::Vec2::Constant(-INFINITY)};
   for (const viz::Step& step : walk.steps) {
     if (step.scene.items.empty()) continue;
-    const viz::Box2 box = viz::extent(step.scene.items, e.camera.value_or(viz::opening(*e.lesson)));
+    const viz::Box2 box = viz::extent(step.scene.items, e.camera.value_or(viz::opening(*e.lesson, step.view)));
     all = {all.lo.cwiseMin(box.lo), all.hi.cwiseMax(box.hi)};
   }
   const viz::Vec2 size = all.hi - all.lo;
@@ -70,28 +78,23 @@ std::vector<viz::Drawing> equally_large(std::vector<viz::Drawing> drawings) {
   return drawings;
 }
 
-/// Frames all walks of the lesson alike.
-viz::Camera framed_alike(const Excerpt& e, double aspect) {
-  return viz::frame_alike(viz::opening(*e.lesson), e.walk, walks_of(*e.lesson), aspect);
-}
-
 /// Returns the camera as camera_for does; but on paper, where room is scarce, a scene that is seen from nearer than the
 /// others of its walk fills more of the picture.
 viz::Camera paper_camera(const Excerpt& e, const viz::Step& step, double aspect) {
   constexpr double taken = 0.8;
   if (e.camera) return *e.camera;
-  const viz::Camera framed = framed_alike(e, aspect);
+  const viz::Camera framed = viz::frame_alike(viz::opening(*e.lesson, step.view), e.walk, walks_of(*e.lesson), aspect);
   const viz::Camera usual = viz::closer(framed, step.scene, aspect);
-  if (!(usual.half_height < framed.half_height)) return usual;
+  if (!(usual.half_height < framed.half_height)) return viz::placed(step.view, usual);
   viz::Camera nearer = viz::frame(usual, {&step.scene}, aspect, 0);
   nearer.half_height = std::min(usual.half_height, nearer.half_height / taken);
-  return nearer;
+  return viz::placed(step.view, nearer);
 }
 
 }  // namespace
 
 viz::Camera camera_for(const Excerpt& e, const viz::Step& step, double aspect) {
-  return e.camera ? *e.camera : viz::closer(framed_alike(e, aspect), step.scene, aspect);
+  return e.camera ? *e.camera : viz::step_camera(*e.lesson, e.walk, walks_of(*e.lesson), step.view, step.scene, aspect);
 }
 
 FigureMaker::FigureMaker(const Style& style, const std::string& backend) : style_(style) {
@@ -102,21 +105,26 @@ FigureMaker::FigureMaker(const Style& style, const std::string& backend) : style
 viz::Drawing FigureMaker::draw(const Excerpt& e, int step) { return draw(e, std::vector{step}).front(); }
 
 std::vector<viz::Drawing> FigureMaker::draw(const Excerpt& e, const std::vector<int>& steps) {
-  Drawings drawings = e.scaled_with ? draw_with_others(e, steps) : draw_alone(e, steps);
-  if (style_.paper) tell_widened(steps.size() == 1 ? file_of(e, steps.front()) : folder_of(e), drawings.front().width);
+  return draw(e, shots_of(steps));
+}
+
+std::vector<viz::Drawing> FigureMaker::draw(const Excerpt& e, const std::vector<Shot>& shots) {
+  Drawings drawings = e.scaled_with ? draw_with_others(e, shots) : draw_alone(e, shots);
+  if (style_.paper)
+    tell_widened(shots.size() == 1 ? file_of(e, shots.front().step) : folder_of(e), drawings.front().width);
   for (viz::Drawing& drawing : drawings)
     if (style_.transparent) drawing.background.a = 0;
   return drawings;
 }
 
-std::vector<viz::Drawing> FigureMaker::draw_alone(const Excerpt& e, const std::vector<int>& steps) {
+std::vector<viz::Drawing> FigureMaker::draw_alone(const Excerpt& e, const std::vector<Shot>& shots) {
   if (style_.paper && style_.crop)
-    return cropped_to_paper([&](const viz::PaperSize& size) { return whole(e, steps, size); });
-  if (style_.paper) return whole(e, steps, *style_.paper);
+    return cropped_to_paper([&](const viz::PaperSize& size) { return whole(e, shots, size); });
+  if (style_.paper) return whole(e, shots, *style_.paper);
   const viz::PageLayout page =
       viz::page_layout(e.walk, style_.theme, style_.size.width, style_.size.height, style_.title);
   Drawings drawings;
-  for (const int step : steps) drawings.push_back(composed(e, step, page).drawing);
+  for (const Shot& shot : shots) drawings.push_back(composed(e, shot, page).drawing);
   return style_.crop ? viz::cropped(std::move(drawings), page.theme.sizes.margin) : drawings;
 }
 
@@ -141,7 +149,7 @@ std::vector<viz::Drawing> FigureMaker::draw_alike(Excerpts all) {
   return style_.crop ? viz::cropped(std::move(drawings), page.theme.sizes.margin) : drawings;
 }
 
-std::vector<viz::Drawing> FigureMaker::draw_with_others(const Excerpt& e, const std::vector<int>& steps) {
+std::vector<viz::Drawing> FigureMaker::draw_with_others(const Excerpt& e, const std::vector<Shot>& shots) {
   const std::vector<Excerpt>& all = *e.scaled_with;
   const auto [found, is_new] = alike_.try_emplace(e.scaled_with);
   if (is_new) found->second = draw_alike(all);
@@ -149,19 +157,30 @@ std::vector<viz::Drawing> FigureMaker::draw_with_others(const Excerpt& e, const 
   const std::size_t first = std::accumulate(
       all.begin(), own, std::size_t{0}, [](std::size_t sum, const Excerpt& other) { return sum + other.steps.size(); });
   Drawings drawings;
-  for (const int step : steps) {
-    const auto at = std::ranges::find(own->steps, step);
+  for (const Shot& shot : shots) {
+    const auto at = std::ranges::find(own->steps, shot.step);
     if (at == own->steps.end()) throw std::logic_error("this step is not among those at one scale");
     drawings.push_back(found->second[first + static_cast<std::size_t>(at - own->steps.begin())]);
   }
   return drawings;
 }
 
-std::vector<viz::Drawing> FigureMaker::whole(const Excerpt& e, const std::vector<int>& steps,
+std::vector<viz::Drawing> FigureMaker::whole(const Excerpt& e, const std::vector<Shot>& shots,
                                              const viz::PaperSize& size) {
-  Drawings drawings;
-  for (const int step : steps)
-    drawings.push_back(on_paper(e.walk, step, sight(e, e.walk, step), size, style_.title).figure.drawing);
+  Drawings drawings(shots.size());
+  std::map<int, viz::PaperSize> sizes;  // what is seen on the way has that of its step
+  for (std::size_t i = shots.size(); i-- > 0;) {
+    const Shot& shot = shots[i];
+    if (!(shot.share < 1)) {
+      viz::OnPaper made = on_paper(e.walk, shot.step, sight(e, e.walk, shot.step), size, style_.title);
+      sizes[shot.step] = made.size;
+      drawings[i] = std::move(made.figure.drawing);
+      continue;
+    }
+    const viz::PageLayout page = viz::paper_layout(e.walk, shot.step, style_.theme, sizes.at(shot.step), style_.title);
+    const double aspect = page.width / page.picture_height();
+    drawings[i] = viz::figure(e.walk.steps[shot.step], camera_of(e, shot, aspect, paper_camera), page).drawing;
+  }
   return equally_large(std::move(drawings));
 }
 
@@ -304,15 +323,19 @@ std::string FigureMaker::write(const FigureInfo& info, const viz::Drawing& drawi
                       [&](const viz::Drawing& d) { return offscreen_->render(d, scale); });
 }
 
-std::string FigureMaker::film(const FigureInfo& info, const std::vector<viz::Drawing>& drawings, double seconds,
-                              const viz::Format& format) {
+std::string FigureMaker::film(const FigureInfo& info, const std::vector<Shot>& shots,
+                              const std::vector<viz::Drawing>& drawings, const viz::Format& format) {
   const double scale = pixels_a_unit();
   const viz::Drawing& first = drawings.front();
-  need_pixels_in_bounds(static_cast<double>(drawings.size()) * first.width * first.height * scale * scale,
+  std::vector<double> seconds;
+  for (const Shot& shot : shots) seconds.insert(seconds.end(), static_cast<std::size_t>(shot.times), shot.seconds);
+  need_pixels_in_bounds(static_cast<double>(seconds.size()) * first.width * first.height * scale * scale,
                         "give a smaller --size, or fewer steps");
   std::vector<viz::Picture> pictures;
-  for (const viz::Drawing& drawing : drawings)
-    pictures.push_back(viz::pixels_of(drawing, [&](const viz::Drawing& d) { return offscreen_->render(d, scale); }));
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    const auto render = [&](const viz::Drawing& d) { return offscreen_->render(d, scale); };
+    pictures.insert(pictures.end(), static_cast<std::size_t>(shots[i].times), viz::pixels_of(drawings[i], render));
+  }
   return format.film(pictures, seconds, metadata_of(info), imprint_of(info, first));
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/figures/figure_info.h"
+#include "app/figures/film.h"
 #include "app/figures/one_scale.h"
 #include "app/figures/style.h"
 #include "viz/compose/paper.h"
@@ -26,12 +27,13 @@ class FigureMaker {
   viz::Drawing draw(const Excerpt&, int step);
   /// Draws several steps, all of one size: each in the middle of it.
   std::vector<viz::Drawing> draw(const Excerpt&, const std::vector<int>& steps);
+  std::vector<viz::Drawing> draw(const Excerpt&, const std::vector<Shot>&);
   /// Draws the chosen steps as one drawing, side by side, each above its letter and title; on paper only. Several
   /// settings are drawn at one scale. `columns` per row, or `fewer` if the strip would be wider than was asked for.
   viz::Drawing draw_strip(Excerpts, int columns, bool fewer, bool captions);
   std::string write(const FigureInfo&, const viz::Drawing&, const viz::Format&);
-  /// Writes several steps into one file, one after the other.
-  std::string film(const FigureInfo&, const std::vector<viz::Drawing>&, double seconds, const viz::Format&);
+  /// Writes shots into one file, one after the other, from the drawing of each.
+  std::string film(const FigureInfo&, const std::vector<Shot>&, const std::vector<viz::Drawing>&, const viz::Format&);
   std::string renderer(const viz::Format&) const;
   const Style& style() const { return style_; }
   /// Returns the figures that are wider than was asked for: "ray-sphere/tangent/03-distance: 4.1 cm".
@@ -52,14 +54,14 @@ class FigureMaker {
   /// Draws all steps of a walk on paper, as wide as the one that needs most.
   std::vector<viz::Figure> equally_wide(const viz::Walk&, const std::function<Sight(int step)>&, viz::PaperSize,
                                         bool title);
-  Drawings whole(const Excerpt&, const std::vector<int>& steps, const viz::PaperSize&);
+  Drawings whole(const Excerpt&, const std::vector<Shot>&, const viz::PaperSize&);
   viz::Drawing whole_strip(Excerpts, int columns, bool captions, const viz::PaperSize&);
   /// Draws steps with the scale that they have alone.
-  Drawings draw_alone(const Excerpt&, const std::vector<int>& steps);
+  Drawings draw_alone(const Excerpt&, const std::vector<Shot>&);
   /// Draws the chosen steps of all settings at one scale and in one size, one after the other.
   Drawings draw_alike(Excerpts);
   /// Draws steps with the scale that the excerpt has with others; these are drawn once.
-  Drawings draw_with_others(const Excerpt&, const std::vector<int>& steps);
+  Drawings draw_with_others(const Excerpt&, const std::vector<Shot>&);
   /// Returns what `draw` makes at the size at which the cropped result is as large as asked for.
   Drawings cropped_to_paper(const std::function<Drawings(const viz::PaperSize&)>& draw) const;
   bool is_widened(double width) const;
@@ -78,8 +80,8 @@ class FigureMaker {
 void say_widened(const FigureMaker&);
 
 /// Returns the camera for a picture of this step with this `aspect`, width / height: the one of the preset's file,
-/// which shows as much from the middle to the top edge as where it was copied; otherwise at one scale for all presets
-/// of the lesson, but nearer where that leaves the picture empty.
+/// which shows as much from the middle to the top edge as where it was copied; otherwise the step's own, or at one
+/// scale for all presets of the lesson, but nearer where that leaves the picture empty.
 viz::Camera camera_for(const Excerpt&, const viz::Step&, double aspect);
 
 }  // namespace isect::program

@@ -12,8 +12,9 @@
 namespace isect::program {
 
 /// Each setting is seen from its own direction, and its chosen steps lie in the middle of the picture; or where a
-/// preset's file says. What the largest of them needs decides the scale. Pictures of one size then have one scale, and
-/// eyes in perspective one distance. Charts and cards of text have no scale and are left out of account.
+/// preset's file says, or a step that has a view of its own. What the largest of them needs decides the scale. Pictures
+/// of one size then have one scale, and eyes in perspective one distance. Charts and cards of text have no scale and
+/// are left out of account.
 class OneScale {
  public:
   /// Throws viz::BadInput if the settings have fields of view that differ, or one of them would be too small to see.
@@ -30,13 +31,15 @@ class OneScale {
   const viz::Camera& camera(int step, double aspect) const;
 
  private:
+  /// Steps of a setting that are seen from one place.
   struct Case {
     const Excerpt* e;
+    std::size_t setting;
     std::vector<const viz::Scene*> scenes;  ///< all that has a scale
-    viz::Camera seen;                       ///< its direction; if it is `placed`, its place, too
-    bool placed = false;
-    int end = 0;  ///< its last step's number, from 1
+    viz::StepView seen;                     ///< its direction, and its place as far as it is known
+    int end = 0;                            ///< its last step's number, from 1
   };
+  std::size_t place_of(int step) const;
   std::vector<viz::Camera> cameras(double aspect) const;
   void require_all_visible(const std::vector<double>& half_heights, double common) const;
 

@@ -95,6 +95,8 @@ void fill_in(StyleOptions& options, const std::string& text) {
   if (std::ranges::any_of(formats, is_opaque)) options.transparent = asked.transparent;
 }
 
+bool is_set_by_tex(const StyleOptions& options) { return std::ranges::all_of(formats_of(options.format), is_tikz); }
+
 std::string font_of(const StyleOptions& options) {
   if (!options.font.empty()) return options.font;
   if (options.theme.empty() || std::ranges::all_of(formats_of(options.format), is_tikz)) return {};

@@ -32,6 +32,9 @@ void add_style(CLI::App&, StyleOptions&, const std::vector<std::string>& formats
 /// Throws what theme_choice throws.
 std::string font_of(const StyleOptions&);
 
+/// Whether LaTeX sets all texts of the figures that are asked for, as in TikZ. Throws viz::BadInput.
+bool is_set_by_tex(const StyleOptions&);
+
 /// The style that every figure of a run shares.
 struct Style {
   std::vector<const viz::Format*> formats;

@@ -7,13 +7,14 @@
 #include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/tex.h"
+#include "viz/text/tex_math.h"
 
 namespace isect::program {
 
 namespace {
 
 constexpr const char* printed_latex =
-    "\n\\documentclass[10pt]{{article}}\n\\usepackage{{tikz}}\n\\usepackage[margin=25mm]{{geometry}}\n"
+    "\n\\documentclass[10pt]{{article}}\n\\usepackage{{tikz{}}}\n\\usepackage[margin=25mm]{{geometry}}\n"
     "\\setlength{{\\parindent}}{{0pt}}\n\\setlength{{\\parskip}}{{4pt plus 1pt}}\n"
     "\\begin{{document}}\n\\section*{{{}}}\n";
 constexpr const char* printed_html =
@@ -25,6 +26,14 @@ constexpr const char* printed_html =
     "ol.code .current { background: #ffef9e; }\n"
     "ol.choices { list-style: lower-alpha; }\n"
     ".page { break-after: page; }\n</style>\n";
+
+/// Returns the packages that mathematics in it needs, in the words and in the pictures beside it: ",amsmath", or "".
+std::string more_packages(const Paper& paper, const std::string& body) {
+  std::string all = body;
+  for (const PaperPart& part : paper.parts) all += part.e.lesson->made_from;
+  const std::string packages = viz::tex_packages(all);
+  return packages.empty() ? "" : "," + packages;
+}
 
 }  // namespace
 
@@ -57,9 +66,11 @@ Blocks printed_head(const PaperPart& part) {
 }
 
 void finish_printed(PageFolder& pages, const Paper& paper, const Blocks& blocks) {
-  pages.finish(fmt::format(printed_latex, viz::tex(paper.title)) + latex(blocks) + "\\end{document}\n",
-               html_page(viz::plain(paper.title), printed_html,
-                         fmt::format("<h1>{}</h1>\n", html_text(paper.title)) + html(blocks)));
+  const std::string body = latex(blocks);
+  pages.finish(
+      fmt::format(printed_latex, more_packages(paper, body), viz::tex(paper.title)) + body + "\\end{document}\n",
+      html_page(viz::plain(paper.title), printed_html,
+                fmt::format("<h1>{}</h1>\n", html_text(paper.title)) + html(blocks)));
 }
 
 }  // namespace isect::program

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
+#include "app/scene/cameras.h"
+#include "app/scene/markup.h"
 #include "app/scene/read_objects.h"
 #include "app/scene/read_questions.h"
 #include "app/scene/types.h"
@@ -32,8 +32,8 @@ class SceneReader {
                  beside_);  // the last for `check`
     if (json().contains("lang")) read_language();
     const viz::Speaking speaking(file_.language);
-    file_.title = json().contains("title") ? source_.text(json()["title"], {"title"}) : viz::tr(untitled);
-    if (json().contains("caption")) file_.caption = source_.text(json()["caption"], {"caption"});
+    file_.title = json().contains("title") ? read_markup(source_, json()["title"], {"title"}) : viz::tr(untitled);
+    if (json().contains("caption")) file_.caption = read_markup(source_, json()["caption"], {"caption"});
     if (json().contains("answers")) read_answers();
     ReadObjects objects = read_objects(source_, folder_);
     file_.objects = std::move(objects.all), file_.parameters = std::move(objects.parameters);
@@ -41,9 +41,9 @@ class SceneReader {
     Json whole = json();
     whole["objects"] = std::move(objects.json);
     file_.text = whole.dump();
+    file_.camera = read_camera(source_);
     read_questions(source_, file_);
     read_notes();
-    if (json().contains("camera")) read_camera();
     read_marks(source_, file_);
     return std::move(file_);
   }
@@ -75,24 +75,7 @@ class SceneReader {
       const Json& note = json()["notes"][i];
       source_.only(note, path, {"at", "text"});
       file_.notes.push_back({source_.vector(source_.member(note, path, "at"), below(path, "at")),
-                             source_.text(source_.member(note, path, "text"), below(path, "text"))});
-    }
-  }
-
-  void read_camera() {
-    constexpr double degree = std::numbers::pi / 180;
-    const Json& camera = json()["camera"];
-    source_.only(camera, {"camera"}, {"azimuth", "elevation", "perspective"});
-    if (camera.contains("azimuth"))
-      file_.camera.azimuth = degree * source_.number(camera["azimuth"], {"camera", "azimuth"});
-    if (camera.contains("elevation")) {
-      const double elevation = source_.number(camera["elevation"], {"camera", "elevation"});
-      if (std::abs(elevation) > 90) source_.refuse({"camera", "elevation"}, "-90 to 90 degrees are expected");
-      file_.camera.elevation = degree * elevation;
-    }
-    if (camera.contains("perspective")) {
-      if (!camera["perspective"].is_boolean()) source_.refuse({"camera", "perspective"}, "true or false is expected");
-      file_.camera.perspective = camera["perspective"];
+                             read_markup(source_, source_.member(note, path, "text"), below(path, "text"))});
     }
   }
 

@@ -19,7 +19,9 @@
 //               "method": "sweep"},
 //              {"of": ["r", "A"], "title": "...",                    // words of one's own, beside any question but a
 //               "caption": "...", "verdict": "...",                  // walk; "verdict": null shows none
-//               "question": "..."} ],                                // while answers are hidden
+//               "question": "...",                                   // while answers are hidden
+//               "camera": {"azimuth": 60, "target": [0, 0, 0],       // of the question's steps, beside any question
+//                          "half_height": 2}} ],
 //     "caption": "...",                                              // of the step with all objects
 //     "answers": "hidden",                                           // questions only: "shown" if not given
 //     "lang": "de",                                                  // of what the program says; English if not given
@@ -82,13 +84,14 @@ struct Note {
 inline constexpr viz::Message untitled = viz::message("A scene");
 
 struct File {
-  std::string title;
+  std::string title;         ///< markup
   std::string caption = {};  ///< markup, of the step with all objects; empty: it lists them
   std::vector<Object> objects;
   viz::Parameters parameters;
   std::vector<Asked> asked;
-  std::map<std::size_t, OwnWords> words;  ///< by index of what is asked
-  bool answers_hidden = false;            ///< the steps ask their questions, and tell no answer
+  std::map<std::size_t, OwnWords> words;       ///< by index of what is asked
+  std::map<std::size_t, viz::StepView> views;  ///< by the same: where its steps are seen from, if not from the camera
+  bool answers_hidden = false;                 ///< the steps ask their questions, and tell no answer
   std::vector<Note> notes;
   std::vector<AuthorMark> marks;
   viz::Camera camera;

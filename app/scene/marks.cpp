@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "app/scene/answered.h"
-#include "viz/camera.h"
 #include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 
@@ -24,7 +23,8 @@ constexpr double share_beside = 0.12, share_of_arc = 0.18, share_of_brace = 0.05
 
 class MarkDrawer {
  public:
-  MarkDrawer(const Context& c, const AuthorMark& mark) : c_(c), mark_(mark) {}
+  MarkDrawer(const Context& c, const AuthorMark& mark, const viz::Camera& camera)
+      : c_(c), mark_(mark), camera_(camera) {}
 
   MarkPicture draw() {
     for (const Spot& spot : mark_.spots) {
@@ -116,7 +116,7 @@ class MarkDrawer {
   /// middle of the scene; and how far.
   std::pair<Vec3, double> beside_points() const {
     const Vec3 way = at(1) - at(0);
-    const Vec3 ahead = c_.file.flat ? Vec3(-Vec3::UnitZ()) : viz::View(c_.file.camera, 1, 1).forward();
+    const Vec3 ahead = c_.file.flat ? Vec3(-Vec3::UnitZ()) : viz::View(camera_, 1, 1).forward();
     Vec3 side = ahead.cross(way);
     if (!(side.norm() > 1e-9 * way.norm())) side = Vec3::UnitY();  // it is seen end on
     side.normalize();
@@ -211,6 +211,7 @@ class MarkDrawer {
 
   const Context& c_;
   const AuthorMark& mark_;
+  const viz::Camera& camera_;
   std::vector<FoundSpot> places_ = {};
   MarkPicture out_ = {};
   std::string told_ = {};
@@ -222,6 +223,8 @@ bool AuthorMark::tells(const File& file) const {
   return std::ranges::any_of(spots, [&](const Spot& spot) { return spot.tells(file); });
 }
 
-MarkPicture picture_of(const Context& c, const AuthorMark& mark) { return MarkDrawer(c, mark).draw(); }
+MarkPicture picture_of(const Context& c, const AuthorMark& mark, const viz::Camera& camera) {
+  return MarkDrawer(c, mark, camera).draw();
+}
 
 }  // namespace isect::program::scene

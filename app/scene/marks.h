@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/scene/spots.h"
+#include "viz/camera.h"
 
 namespace isect::program::scene {
 
@@ -33,7 +34,8 @@ struct MarkPicture {
   std::string said = {};     ///< markup, for readers who can't see it: "the length from p to q: 5"
   std::string missing = {};  ///< markup, a sentence: why it is not drawn; else empty
 };
-/// Draws a mark. Throws viz::BadInput if the core refuses the numbers.
-MarkPicture picture_of(const Context&, const AuthorMark&);
+/// Draws a mark, lengths and braces across the view of this camera. Throws viz::BadInput if the core refuses the
+/// numbers.
+MarkPicture picture_of(const Context&, const AuthorMark&, const viz::Camera&);
 
 }  // namespace isect::program::scene

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/scene/answered.h"
+#include "app/scene/markup.h"
 #include "viz/lang/message.h"
 #include "viz/text/rich_text.h"
 
@@ -23,6 +24,7 @@ constexpr std::array words_fields = {WordsField{"title", &OwnWords::title}, Word
 
 std::vector<std::string> and_words(std::vector<std::string> all) {
   for (const WordsField& field : words_fields) all.emplace_back(field.name);
+  all.emplace_back("camera");
   return all;
 }
 
@@ -37,7 +39,7 @@ OwnWords read_words(const Source& source, const Json& question, const Path& path
       own.verdict = "";
       continue;
     }
-    own.*field.words = source.text(value, to);
+    own.*field.words = read_markup(source, value, to);
     if ((own.*field.words)->empty())
       source.refuse(to, may_be_none ? "it is empty; null leaves the verdict out" : "it is empty");
   }
@@ -48,6 +50,7 @@ Json without_words(const Json& question) {
   if (!question.is_object()) return question;
   Json bare = question;
   for (const WordsField& field : words_fields) bare.erase(field.name);
+  bare.erase("camera");
   return bare.size() == 1 && bare.contains("of") ? bare["of"] : bare;
 }
 

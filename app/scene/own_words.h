@@ -21,12 +21,13 @@ struct OwnWords {
   bool tells() const { return title || caption || verdict; }
 };
 
-/// Returns the fields of a question that hold them, behind its own.
+/// Returns the fields of a question that hold them, and its camera, behind its own.
 std::vector<std::string> and_words(std::vector<std::string> fields);
 /// Reads them from a question. Throws viz::BadInput if one is no text, or empty.
 OwnWords read_words(const Source&, const Json& question, const Path&);
 
-/// Returns a question without them, as it is written where it has none: ["A", "B"] for {"of": ["A", "B"], ...}.
+/// Returns a question without them and without its camera, as it is written where it has none: ["A", "B"] for {"of":
+/// ["A", "B"], ...}.
 Json without_words(const Json& question);
 
 /// Puts them in the place of an answer's own words; the verdict keeps those of the core. `written_for`: the core's

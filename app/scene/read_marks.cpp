@@ -9,6 +9,7 @@
 #include "app/scene/answered.h"
 #include "app/scene/colours.h"
 #include "app/scene/marks.h"
+#include "app/scene/markup.h"
 #include "app/scene/read_objects.h"
 #include "viz/text/rich_text.h"
 #include "viz/text/spelling.h"
@@ -65,7 +66,7 @@ class MarkReader {
       point(json, path, mark);
     else
       places(json[kind->word], below(path, kind->word), kind->places, mark);
-    if (json.contains("label")) mark.label = source_.text(json["label"], below(path, "label"));
+    if (json.contains("label")) mark.label = read_markup(source_, json["label"], below(path, "label"));
     if (json.contains("offset")) mark.offset = source_.number(json["offset"], below(path, "offset"));
     if (json.contains("color")) mark.role = role(json["color"], below(path, "color"));
     mark.steps = read_steps(source_, json, path);
@@ -107,7 +108,7 @@ class MarkReader {
     const Context context = {file_, {file_.parameters, file_.flat}, {}};
     MarkPicture picture;
     try {
-      picture = picture_of(context, mark);
+      picture = picture_of(context, mark, file_.camera);
     } catch (const viz::BadInput& e) {
       source_.refuse(path, e.what());
     }

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "app/scene/cameras.h"
 #include "app/scene/fits.h"
 #include "app/scene/read_objects.h"
 #include "app/scene/types.h"
@@ -19,7 +20,7 @@ namespace {
 
 class QuestionReader {
  public:
-  QuestionReader(const Source& source, File& file) : source_(source), file_(file) {}
+  QuestionReader(Source& source, File& file) : source_(source), file_(file) {}
 
   void read() {
     if (!json().contains("ask")) return;
@@ -29,6 +30,8 @@ class QuestionReader {
     for (std::size_t i = 0; i < ask.size(); ++i) {
       const Path path = {"ask", std::to_string(i)};
       file_.asked.push_back(ask[i].is_object() ? named_question(ask[i], path) : Asked(pair(ask[i], path)));
+      if (ask[i].is_object() && ask[i].contains("camera"))
+        file_.views[i] = read_step_camera(source_, ask[i]["camera"], below(path, "camera"), file_.camera);
       if (ask[i].is_object() && !ask[i].contains("walk"))
         if (OwnWords words = read_words(source_, ask[i], path); words.any()) file_.words[i] = std::move(words);
     }
@@ -175,7 +178,7 @@ class QuestionReader {
   }
 
   Asked walk(const Json& json, const Path& path) const {
-    source_.only(json, path, {"walk", "lesson", "method", "ray"});
+    source_.only(json, path, {"walk", "lesson", "method", "ray", "camera"});
     const Path to = below(path, "walk");
     std::string lesson;
     if (json.contains("lesson")) {
@@ -218,12 +221,12 @@ class QuestionReader {
     return {a, b};
   }
 
-  const Source& source_;
+  Source& source_;
   File& file_;
 };
 
 }  // namespace
 
-void read_questions(const Source& source, File& file) { QuestionReader(source, file).read(); }
+void read_questions(Source& source, File& file) { QuestionReader(source, file).read(); }
 
 }  // namespace isect::program::scene

@@ -6,7 +6,8 @@
 
 namespace isect::program::scene {
 
-/// Reads the questions about the objects of `file`, and what its author says of their answers. Throws viz::BadInput.
-void read_questions(const Source&, File& file);
+/// Reads the questions about the objects of `file`, what its author says of their answers, and where from they are
+/// seen. The scene's camera was read before. Throws viz::BadInput.
+void read_questions(Source&, File& file);
 
 }  // namespace isect::program::scene

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "app/scene/types.h"
-#include "viz/camera.h"
 
 namespace isect::program::scene {
 
@@ -96,7 +95,7 @@ std::vector<Role> roles_of_all(const File& file) {
 }
 
 viz::Scene scene_picture(const Context& context, ObjectPictures& pictures, const std::vector<Role>& roles,
-                         const std::vector<std::size_t>& lit, int step) {
+                         const std::vector<std::size_t>& lit, int step, const viz::Camera& camera) {
   viz::Scene scene;
   scene.colours = own_colours(context.file);
   const bool few = context.file.objects.size() <= most_with_all_handles;
@@ -129,7 +128,7 @@ viz::Scene scene_picture(const Context& context, ObjectPictures& pictures, const
   if (too_many && lit.empty())
     std::erase_if(scene.items, [](const viz::Item& item) { return std::holds_alternative<viz::Label>(item); });
   else if (!too_many && !context.file.flat)
-    part_names(scene, context.room, context.file.camera);
+    part_names(scene, context.room, camera);
   for (const Note& note : context.file.notes)  // each on its point
     scene.items.push_back(viz::Label{note.at, note.text, Role::text, note.at});
   return scene;

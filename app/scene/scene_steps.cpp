@@ -60,7 +60,7 @@ class Walker {
         context_{file, {parameters, file.flat}, known.pictures.room({parameters, file.flat}, file.objects)},
         roles_(roles_of_all(file)) {
     for (const AuthorMark& mark : file.marks)
-      if (!file.answers_hidden || !mark.tells(file)) marks_.push_back({mark.steps, picture_of(context_, mark)});
+      if (!file.answers_hidden || !mark.tells(file)) marks_.push_back({&mark, picture_of(context_, mark, file.camera)});
   }
 
   viz::Walk made() {
@@ -77,11 +77,13 @@ class Walker {
       const std::size_t number = walk.steps.size() + 1;
       if (const WalkAsked* const walked = std::get_if<WalkAsked>(&all[i]); walked && !hidden) {
         add(*walked, walk);
+        if (const viz::StepView* const view = view_of(i))
+          for (std::size_t s = number - 1; s < walk.steps.size(); ++s) walk.steps[s].view = *view;
       } else if (const PairAsked* const pair = std::get_if<PairAsked>(&all[i])) {
         const std::size_t first = i;
         std::vector<PairAnswers::Answer> answers = {pairs.of(context_, *pair)};
-        if (asked_of_pairs > most_steps_of_pairs && !words_of(first))
-          for (; i + 1 < all.size() && !words_of(i + 1); ++i) {
+        if (asked_of_pairs > most_steps_of_pairs && !has_own(first))
+          for (; i + 1 < all.size() && !has_own(i + 1); ++i) {
             const PairAsked* const next = std::get_if<PairAsked>(&all[i + 1]);
             if (!next || next->a != pair->a) break;
             answers.push_back(pairs.of(context_, *next));
@@ -125,6 +127,13 @@ class Walker {
     const auto found = context_.file.words.find(asked);
     return found == context_.file.words.end() ? nullptr : &found->second;
   }
+
+  const viz::StepView* view_of(std::size_t asked) const {
+    const auto found = context_.file.views.find(asked);
+    return found == context_.file.views.end() ? nullptr : &found->second;
+  }
+  /// Whether a question has words or a camera of its own.
+  bool has_own(std::size_t asked) const { return words_of(asked) || view_of(asked); }
 
   /// Returns what an object meets, of all that it was asked about with.
   Answered together(std::size_t object, const std::vector<PairAnswers::Answer>& answers) const {
@@ -179,12 +188,16 @@ class Walker {
   }
 
   /// Draws what the step shows, and adds to its caption which marks are missing and why. `number`: of the step, from 1.
-  void draw(viz::Step& step, const std::vector<std::size_t>& lit, std::size_t number) {
+  /// `view`: its own, or null.
+  void draw(viz::Step& step, const std::vector<std::size_t>& lit, std::size_t number, const viz::StepView* view) {
     const int n = static_cast<int>(number);
-    step.scene = scene_picture(context_, known_.pictures, roles_, lit, n);
+    if (view) step.view = *view;
+    const viz::Camera& camera = view ? view->camera : context_.file.camera;
+    step.scene = scene_picture(context_, known_.pictures, roles_, lit, n, camera);
     for (const Marked& mark : marks_) {
-      if (!mark.steps.has(n)) continue;
-      std::ranges::copy(mark.picture.items, std::back_inserter(step.scene.items));
+      if (!mark.mark->steps.has(n)) continue;
+      std::ranges::copy(view ? picture_of(context_, *mark.mark, camera).items : mark.picture.items,
+                        std::back_inserter(step.scene.items));
       if (!mark.picture.said.empty()) step.scene.said += (step.scene.said.empty() ? "" : "; ") + mark.picture.said;
       if (!mark.picture.missing.empty()) step.caption += "\n" + mark.picture.missing;
     }
@@ -205,7 +218,7 @@ class Walker {
     step.slug = "objects";
     step.title = context_.file.title;
     step.caption = (context_.file.caption.empty() ? held() : context_.file.caption) + noted();
-    draw(step, {}, 1);
+    draw(step, {}, 1, nullptr);
     return step;
   }
 
@@ -214,7 +227,7 @@ class Walker {
     viz::Step step;
     step.slug = asked.slug, step.title = asked.title, step.caption = asked.text;
     if (const OwnWords* const own = words_of(index); own && own->question) step.caption = *own->question;
-    draw(step, asked.lit, number);
+    draw(step, asked.lit, number, view_of(index));
     return step;
   }
 
@@ -225,7 +238,7 @@ class Walker {
       put_words(*own, known_.written_for.try_emplace(index, answer.verdict.text).first->second, answer);
     step.slug = answer.slug, step.title = answer.title, step.caption = answer.caption, step.formula = answer.formula;
     step.verdict = answer.verdict, step.values = answer.values;
-    draw(step, answer.lit, number);
+    draw(step, answer.lit, number, view_of(index));
     std::ranges::move(answer.items, std::back_inserter(step.scene.items));
     if (!answer.verdict.text.empty())
       rows_.push_back({step.title, answer.verdict.text + (answer.formula.empty() ? "" : ": " + answer.formula),
@@ -346,8 +359,8 @@ class Walker {
   Known& known_;
   Context context_;
   struct Marked {
-    StepRange steps;
-    MarkPicture picture;
+    const AuthorMark* mark;
+    MarkPicture picture;  ///< as the scene's camera sees it
   };
   std::vector<Marked> marks_;
   std::vector<Role> roles_;  ///< of all objects, where none is asked about

@@ -30,7 +30,8 @@ TEST_CASE("a sign between words and numbers keeps its space, one before a number
 }
 
 TEST_CASE("what TeX would misread is escaped", "[tex]") {
-  CHECK(tex("50 % of d\\_max & #1 ~ \\$") == "50 \\% of d\\_max \\& \\#1 \\~{} \\textbackslash{}\\$");
+  CHECK(tex("50 % of d\\_max & #1 ~ $ \\$") == "50 \\% of d\\_max \\& \\#1 \\~{} \\$ \\$");
+  CHECK(tex("a\\b") == "a\\textbackslash{}b");
   CHECK(tex("“near tangent”") == "``near tangent''");
   CHECK(tex("{a}") == "$\\{$a$\\}$");
   CHECK(tex("") == "");

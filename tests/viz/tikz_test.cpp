@@ -52,6 +52,15 @@ TEST_CASE("labels of TikZ are set by LaTeX, in the document's own font and size"
   CHECK_THAT(text, !Contains("font="));
 }
 
+TEST_CASE("mathematics between dollars reaches TikZ as its author wrote it, with the packages that it needs",
+          "[tikz]") {
+  Drawing drawing = everything();
+  CHECK_THAT(tikz(drawing), Contains("% \\usepackage{tikz} in the preamble"));
+  drawing.shapes.emplace_back(Text{.markup = "$\\oint\\lVert x\\rVert$", .at = {20, 80}, .size = 6.6, .colour = blue});
+  CHECK_THAT(tikz(drawing),
+             Contains("{$\\oint\\lVert x\\rVert $}};") && Contains("% \\usepackage{tikz,amsmath} in the preamble"));
+}
+
 TEST_CASE("a text that was made smaller to fit into its room is so in TikZ, too", "[tikz]") {
   Drawing drawing = everything();
   drawing.shapes.emplace_back(Text{.markup = "14 operations", .at = {50, 20}, .size = 4.5, .colour = blue});

@@ -43,6 +43,14 @@ Camera frame_alike(const Camera& camera, const Walk& walk, const std::vector<Wal
 /// little of the frame. Otherwise the same camera, so that most steps stand still.
 Camera closer(const Camera& framed, const Scene&, double aspect);
 
+/// Returns `framed`, the camera of a step whose whole walk was framed, with the place and the scale that the step's own
+/// view says.
+Camera placed(const std::optional<StepView>& view, Camera framed);
+/// Returns the camera of a step of this walk: as frame_alike and then closer() have it, from where the step is seen.
+/// `view`: the step's own; `scene`: what is drawn of it.
+Camera step_camera(const Lesson&, const Walk&, const std::vector<Walk>& all, const std::optional<StepView>& view,
+                   const Scene& scene, double aspect);
+
 /// How a figure divides its height: title above, picture, the scene's t-axis and the step's formula and verdict below.
 /// The same for all steps of a walk, so that the picture stands still from step to step.
 struct PageLayout {

@@ -116,4 +116,15 @@ Camera closer(const Camera& framed, const Scene& scene, double aspect) {
   return nearer;
 }
 
+Camera placed(const std::optional<StepView>& view, Camera framed) {
+  if (view && view->has_target) framed.target = view->camera.target;
+  if (view && view->has_half_height) framed.half_height = view->camera.half_height;
+  return framed;
+}
+
+Camera step_camera(const Lesson& lesson, const Walk& walk, const std::vector<Walk>& all,
+                   const std::optional<StepView>& view, const Scene& scene, double aspect) {
+  return placed(view, closer(frame_alike(opening(lesson, view), walk, all, aspect), scene, aspect));
+}
+
 }  // namespace isect::viz

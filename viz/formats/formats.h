@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viz/drawing.h"
+#include "viz/formats/animation.h"
 #include "viz/formats/files.h"
 #include "viz/text/text.h"
 
@@ -23,8 +24,8 @@ struct Format {
   /// Writes one drawing; null where `film` is set.
   std::string (*write)(const Drawing&, const Metadata&, const Imprint&, const Rasteriser&);
   Metadata (*metadata)(const std::string& bytes);  ///< what `write` was given; empty: not isect's. Throws FileError
-  /// Writes several steps into one file, each shown for so many seconds.
-  std::string (*film)(const std::vector<Picture>&, double seconds, const Metadata&, const Imprint&) = nullptr;
+  /// Writes several steps into one file, in their timing.
+  std::string (*film)(const std::vector<Picture>&, const Timing&, const Metadata&, const Imprint&) = nullptr;
   bool (*can_write)() = nullptr;  ///< whether the program that it needs is here; null: it needs none
   const char* program = "";       ///< its name, and that of its package
 };

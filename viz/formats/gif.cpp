@@ -174,13 +174,13 @@ void need_alike(const std::vector<Picture>& pictures) {
                                   first.width, first.height));
 }
 
-std::string gif(const std::vector<Picture>& pictures, double seconds, const Metadata& metadata,
+std::string gif(const std::vector<Picture>& pictures, const Timing& timing, const Metadata& metadata,
                 const Imprint& imprint) {
   need_alike(pictures);
   Writer writer(pictures.front().width, pictures.front().height);
   if (!metadata.empty()) writer.comment(std::string(metadata_mark) + metadata_text(metadata));
   if (!imprint.alt.empty()) writer.comment(imprint.alt);
-  for (const Picture& picture : pictures) writer.add(picture, seconds);
+  for (std::size_t i = 0; i < pictures.size(); ++i) writer.add(pictures[i], timing.of(i));
   return writer.made();
 }
 

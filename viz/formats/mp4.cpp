@@ -165,16 +165,16 @@ bool can_write_mp4() {
   return false;
 }
 
-std::string mp4(const std::vector<Picture>& pictures, double seconds, const Metadata& metadata,
+std::string mp4(const std::vector<Picture>& pictures, const Timing& timing, const Metadata& metadata,
                 const Imprint& imprint) {
   need_alike(pictures);
   const int width = (pictures.front().width + 1) / 2 * 2, height = (pictures.front().height + 1) / 2 * 2;
   const Nameless file, said;
   Encoder ffmpeg(command(width, height, metadata, imprint, file.path()), said);
-  const auto times = std::max(1L, std::lround(frames_a_second * seconds));
   bool taken = true;
-  for (const Picture& picture : pictures) {
-    const std::string bytes = rgb_of(picture, width, height);
+  for (std::size_t p = 0; p < pictures.size() && taken; ++p) {
+    const std::string bytes = rgb_of(pictures[p], width, height);
+    const auto times = std::max(1L, std::lround(frames_a_second * timing.of(p)));
     for (long i = 0; i < times && taken; ++i) taken = send_all(ffmpeg.in(), bytes);
   }
   const int status = ffmpeg.wait();

@@ -111,14 +111,15 @@ std::string png(const Picture& picture, const Metadata& metadata, const Imprint&
       .insert(png_signature_size + header_chunk_size, png_text_chunks(metadata, imprint));
 }
 
-std::string apng(const std::vector<Picture>& pictures, double seconds, const Metadata& metadata,
+std::string apng(const std::vector<Picture>& pictures, const Timing& timing, const Metadata& metadata,
                  const Imprint& imprint) {
   need_alike(pictures);
   std::ranges::for_each(pictures, need_size);
   const bool rgb = std::ranges::all_of(pictures, opaque);
   std::string bytes;
   std::uint32_t number = 0;
-  for (const Picture& picture : pictures) {
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const Picture& picture = pictures[i];
     const std::string still = encode(picture, imprint, rgb);
     const std::vector<PngChunk> chunks = png_chunks(still);
     const auto data = std::ranges::find(chunks, "IDAT", &PngChunk::type);
@@ -127,7 +128,7 @@ std::string apng(const std::vector<Picture>& pictures, double seconds, const Met
       bytes =
           still.substr(0, data->at).insert(png_signature_size + header_chunk_size, png_text_chunks(metadata, imprint)) +
           png_chunk("acTL", big_endian(static_cast<std::uint32_t>(pictures.size())) + big_endian(0));
-    bytes += frame_control(number++, picture, seconds);
+    bytes += frame_control(number++, picture, timing.of(i));
     for (auto chunk = data; chunk->type == "IDAT"; ++chunk)
       bytes += first ? png_chunk("IDAT", std::string(chunk->data))
                      : png_chunk("fdAT", big_endian(number++) + std::string(chunk->data));

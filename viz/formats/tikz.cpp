@@ -12,6 +12,7 @@
 #include "viz/formats/metadata_text.h"
 #include "viz/formats/svg_path.h"
 #include "viz/text/tex.h"
+#include "viz/text/tex_math.h"
 #include "viz/text/text.h"
 
 namespace isect::viz {
@@ -297,11 +298,13 @@ std::string tikz(const Drawing& drawing, const Metadata& metadata, const Imprint
     throw FileError(fmt::format("cannot write TikZ: a drawing of {} x {}", drawing.width, drawing.height));
   std::string head;
   if (!metadata.empty()) head = fmt::format("{}{}\n", tikz_data, metadata_text(metadata));
-  head += "% \\usepackage{tikz} in the preamble, \\input where the figure belongs.\n";
+  const double scale = imprint.width_pt > 0 ? imprint.width_pt / drawing.width : css_pixel;
+  const std::string body = TikzWriter(drawing, scale).write(), packages = tex_packages(body);
+  head += fmt::format("% \\usepackage{{tikz{}}} in the preamble, \\input where the figure belongs.\n",
+                      packages.empty() ? "" : "," + packages);
   if (!imprint.title.empty()) head += commented(imprint.title);
   if (!imprint.alt.empty()) head += commented(imprint.alt);
-  const double scale = imprint.width_pt > 0 ? imprint.width_pt / drawing.width : css_pixel;
-  return head + TikzWriter(drawing, scale).write();
+  return head + body;
 }
 
 Metadata tikz_metadata(const std::string& bytes) {

@@ -15,7 +15,7 @@ void zoom(Player& player, const View& view, const Vec2& at, double factor) {
   player.move_camera("zoom", [&](CameraRig& camera) { camera.zoom(view, at, factor); });
 }
 
-void frame_all(Player& player) { player.frame(player.camera().whole(player.played())); }
+void frame_all(Player& player) { player.frame(player.camera().whole(player.played(), player.shown().view)); }
 
 void frame_shown(Player& player) {
   const Camera all = player.camera().holding(player.own_scene());

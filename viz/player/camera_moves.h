@@ -11,7 +11,8 @@ void orbit(Player&, const Vec2& pixels);
 void pan(Player&, const View&, const Vec2& from, const Vec2& to);
 /// Scales about a place of the picture; `factor` > 1: closer.
 void zoom(Player&, const View&, const Vec2& at, double factor);
-/// Glides to the lesson's opening direction with the whole walk in view. Then the camera counts as not moved.
+/// Glides to the lesson's opening direction, or the step's own, with the whole walk in view. Then the camera counts as
+/// not moved.
 void frame_all(Player&);
 /// Glides to where the whole scene and all of its handles are in view, in the reader's direction.
 void frame_shown(Player&);

@@ -8,26 +8,6 @@ namespace {
 
 constexpr double radians_per_pixel = 0.008;
 constexpr double pi = std::numbers::pi;
-/// An orthographic view is the limit of ever narrower perspective ones; this one looks the same already.
-constexpr double nearly_orthographic = 0.5 * pi / 180;
-
-double ease_in_out(double x) { return x < 0.5 ? 4 * x * x * x : 1 - std::pow(2 - 2 * x, 3) / 2; }
-double mix(double a, double b, double x) { return a + (b - a) * x; }
-double mix_angle(double a, double b, double x) { return a + std::remainder(b - a, 2 * pi) * x; }
-double opening(const Camera& c) { return c.perspective ? c.field_of_view : nearly_orthographic; }
-
-Camera between(const Camera& a, const Camera& b, double x) {
-  Camera c = b;
-  c.target = a.target + (b.target - a.target) * x;
-  c.azimuth = mix_angle(a.azimuth, b.azimuth, x);
-  c.elevation = mix(a.elevation, b.elevation, x);
-  c.half_height = std::exp(mix(std::log(a.half_height), std::log(b.half_height), x));
-  if (a.perspective != b.perspective) {
-    c.perspective = true;
-    c.field_of_view = mix(opening(a), opening(b), x);
-  }
-  return c;
-}
 
 }  // namespace
 
@@ -69,6 +49,7 @@ void CameraRig::zoom(const View& view, const Vec2& at, double factor) {
 }
 
 void CameraRig::set_perspective(bool on) {
+  projection_ = on;
   Camera camera = goal();
   camera.perspective = on;
   glide(camera);

@@ -1,6 +1,8 @@
 #pragma once
 // A camera that a hand moves: orbit, pan, zoom at a point, and eased glides between two views.
 
+#include <optional>
+
 #include "viz/camera.h"
 
 namespace isect::viz {
@@ -31,11 +33,15 @@ class CameraRig {
   /// Scales by `factor` (> 1: closer); the point of the target's plane under `at` stays where it is.
   void zoom(const View&, const Vec2& at, double factor);
   void set_perspective(bool);
+  /// Returns the projection that was set last; none: no hand has set one.
+  const std::optional<bool>& projection() const { return projection_; }
+  void forget_projection() { projection_.reset(); }
 
  private:
   Camera now_, from_, to_;
   double whole_ = 1, left_ = 0;  ///< seconds of the glide, and of those still to come
   bool reduced_motion_;
+  std::optional<bool> projection_;
 };
 
 }  // namespace isect::viz

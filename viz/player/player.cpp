@@ -62,6 +62,7 @@ void Player::show(Chosen next, bool same_lesson) {
   exercise_.reset();
   if (same_lesson) return;
   camera_.pin(false);
+  camera_.forget_projection();
   camera_.jump(opening_view(), false);
 }
 

@@ -195,7 +195,12 @@ class Player {
   bool can_ask() const { return !at_end() && walk().steps[index() + 1].question; }
   void ask(bool);  ///< about the next step, if it has a question
   void answer(GivenAnswer);
-  Camera opening_view() const { return camera_.opening(*played_, own_scene()); }
+  Camera opening_view() const { return camera_.opening(*played_, shown().view, own_scene()); }
+  /// Returns the projection for the next view: the present one, which the reader may have chosen; where steps have
+  /// views of their own, only what the reader has chosen.
+  std::optional<bool> projection() const {
+    return has_own_views(walk()) ? camera_.projection() : std::optional(camera_.goal().perspective);
+  }
   /// Returns the opening view in the projection that the reader has chosen; once a time is chosen, with the whole
   /// motion in view. (player_time.cpp)
   Camera framed_view() const;

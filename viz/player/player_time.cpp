@@ -52,11 +52,11 @@ void Player::keep_time(const Player& before) {
 }
 
 Camera Player::framed_view() const {
-  const Camera usual = camera_.opening(*played_, shown().scene, camera_.goal().perspective);
+  const Camera usual = camera_.opening(*played_, shown().view, shown().scene, projection());
   if (!now_ || !time()) return usual;
   const Scene begin = time()->at(time()->lo), end = time()->at(time()->hi);
   if (camera_.has_in_view(usual, begin) && camera_.has_in_view(usual, end)) return usual;
-  return camera_.whole(*played_, {&begin, &end});
+  return camera_.whole(*played_, shown().view, {&begin, &end});
 }
 
 }  // namespace isect::viz

@@ -15,17 +15,19 @@ std::vector<const Scene*> scenes_of(const Walk& walk) {
 
 }  // namespace
 
-Camera ReaderCamera::opening(const PlayedWalk& played, const Scene& shown, std::optional<bool> perspective) const {
-  Camera view = viz::opening(played.lesson());
+Camera ReaderCamera::opening(const PlayedWalk& played, const std::optional<StepView>& own, const Scene& shown,
+                             std::optional<bool> perspective) const {
+  Camera view = viz::opening(played.lesson(), own);
   view.perspective = perspective.value_or(view.perspective);
-  if (!beside_) return closer(frame_alike(view, played.walk(), played.samples(), aspect_), shown, aspect_);
+  if (!beside_) return placed(own, closer(frame_alike(view, played.walk(), played.samples(), aspect_), shown, aspect_));
   std::vector<const Scene*> scenes = scenes_of(played.walk());
   for (const Scene* scene : scenes_of(*beside_)) scenes.push_back(scene);
-  return viz::frame(view, scenes, aspect_);
+  return placed(own, viz::frame(view, scenes, aspect_));
 }
 
-Camera ReaderCamera::whole(const PlayedWalk& played, const std::vector<const Scene*>& more) const {
-  Camera from = viz::opening(played.lesson());
+Camera ReaderCamera::whole(const PlayedWalk& played, const std::optional<StepView>& own,
+                           const std::vector<const Scene*>& more) const {
+  Camera from = viz::opening(played.lesson(), own);
   from.perspective = goal().perspective;
   std::vector<const Scene*> scenes = scenes_of(played.walk());
   scenes.insert(scenes.end(), more.begin(), more.end());

@@ -26,11 +26,18 @@ class ReaderCamera {
   bool pinned() const { return pinned_; }    ///< no preset frames it anew, either
   double aspect() const { return aspect_; }  ///< width / height of the scene
 
+  /// Returns the projection that the reader has set; none: the lesson's, or the step's.
+  const std::optional<bool>& projection() const { return rig_.projection(); }
+  void forget_projection() { rig_.forget_projection(); }
+
   /// Returns the lesson's view of the walk, at the scale that all presets share; with another walk beside it, of both.
-  /// `perspective`: the projection, if it is not the lesson's own.
-  Camera opening(const PlayedWalk&, const Scene& shown, std::optional<bool> perspective = {}) const;
-  /// Returns the lesson's opening direction with the whole walk in view, and these scenes.
-  Camera whole(const PlayedWalk&, const std::vector<const Scene*>& more = {}) const;
+  /// `own`: that of the step, if it has one. `perspective`: the projection, if it is not the lesson's or the step's
+  /// own.
+  Camera opening(const PlayedWalk&, const std::optional<StepView>& own, const Scene& shown,
+                 std::optional<bool> perspective = {}) const;
+  /// Returns the opening direction, or the step's own, with the whole walk in view, and these scenes.
+  Camera whole(const PlayedWalk&, const std::optional<StepView>& own = {},
+               const std::vector<const Scene*>& more = {}) const;
   /// Whether the whole scene is in this view.
   bool has_in_view(const Camera&, const Scene&) const;
   /// Returns the reader's own direction with the whole scene in view, and all of its handles.

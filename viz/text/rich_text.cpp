@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string_view>
 
+#include "viz/text/tex_math.h"
 #include "viz/text/utf8.h"
 
 namespace isect::viz {
@@ -14,7 +16,7 @@ namespace {
 using Script = Run::Script;
 
 bool is_escape(std::string_view text, std::size_t i) {
-  return text[i] == '\\' && i + 1 < text.size() && std::string_view("*_^\\").find(text[i + 1]) != text.npos;
+  return text[i] == '\\' && i + 1 < text.size() && std::string_view("*_^$\\").find(text[i + 1]) != text.npos;
 }
 
 /// Whether it is a Latin or Greek letter, which mathematics sets in italic. Digits, signs and brackets stay upright.
@@ -41,8 +43,8 @@ class Parser {
 
   void add(std::string_view character, Run style) {
     style.italic = style.italic && (is_letter(character) || character == " ");
-    const bool same = !runs_.empty() && runs_.back().italic == style.italic && runs_.back().bold == style.bold &&
-                      runs_.back().script == style.script;
+    const bool same = !runs_.empty() && !runs_.back().math && runs_.back().italic == style.italic &&
+                      runs_.back().bold == style.bold && runs_.back().script == style.script;
     if (!same) runs_.push_back(style);
     runs_.back().text += character;
   }
@@ -63,8 +65,18 @@ class Parser {
   /// Reads the marked text that begins at i. Returns its end, or none if nothing is marked here.
   std::size_t mark(std::size_t i, std::size_t end, const Run& style) {
     if (text_[i] == '*') return emphasis(i, end, style);
+    if (text_[i] == '$' && style.script == Script::base) return mathematics(i, end);
     if ((text_[i] == '_' || text_[i] == '^') && style.script == Script::base) return script(i, end, style);
     return none;
+  }
+
+  std::size_t mathematics(std::size_t i, std::size_t end) {
+    const std::size_t after = end_of_tex_math(text_, i);
+    if (after == none || after > end) return none;
+    TexMath math = read_tex_math(text_.substr(i + 1, after - i - 2));
+    if (!math.error.empty()) return none;
+    std::ranges::move(math.runs, std::back_inserter(runs_));
+    return after;
   }
 
   std::size_t emphasis(std::size_t i, std::size_t end, Run style) {
@@ -86,7 +98,8 @@ class Parser {
     bool other_open = false;  // the other kind of mark; a row of three stars closes it first
     while (i < end) {
       if (text_[i] != '*') {
-        i += is_escape(text_, i) ? 2 : 1;
+        const std::size_t after = text_[i] == '$' ? end_of_tex_math(text_, i) : none;
+        i = after != none ? after : i + (is_escape(text_, i) ? 2 : 1);
         continue;
       }
       std::size_t row = 1;
@@ -135,19 +148,9 @@ const std::map<std::string_view, const char*>& small_forms(Script script) {
 
 /// Returns `text` in small forms, or as "_text" and "^text" where one is missing.
 std::string plain_script(const std::string& text, Script script) {
-  const auto& forms = small_forms(script);
-  std::string small;
-  std::size_t characters = 0;
-  bool all = true;
-  for (std::size_t i = 0, n = 0; i < text.size(); i += n, ++characters) {
-    n = character_at(text, i).size();
-    const auto form = forms.find(std::string_view(text).substr(i, n));
-    all = all && form != forms.end();
-    if (all) small += form->second;
-  }
-  if (all) return small;
+  if (const std::optional<std::string> small = small_form(text, script)) return *small;
   if (script == Script::sub) return "_" + text;
-  return characters > 1 ? "^(" + text + ")" : "^" + text;
+  return count_characters(text) > 1 ? "^(" + text + ")" : "^" + text;
 }
 
 std::string escaped(const std::string& text) {
@@ -172,10 +175,22 @@ std::string whole(double value) { return std::to_string(std::lround(value)); }
 
 std::vector<Run> parse_markup(const std::string& markup) { return Parser(markup).parse(); }
 
+std::optional<std::string> small_form(const std::string& text, Run::Script script) {
+  const auto& forms = small_forms(script);
+  std::string small;
+  for (std::size_t i = 0, n = 0; i < text.size(); i += n) {
+    n = character_at(text, i).size();
+    const auto form = forms.find(std::string_view(text).substr(i, n));
+    if (form == forms.end()) return std::nullopt;
+    small += form->second;
+  }
+  return small;
+}
+
 std::string as_markup(const std::string& text) {
   std::string markup;
   for (const char c : text) {
-    if (c == '*' || c == '_' || c == '^' || c == '\\') markup += '\\';
+    if (c == '*' || c == '_' || c == '^' || c == '$' || c == '\\') markup += '\\';
     markup += c;
   }
   return markup;

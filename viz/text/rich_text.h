@@ -1,7 +1,9 @@
 #pragma once
 // The markup of every text: `*t*` italic, `**o**` bold upright, `_1` or `_{1,2}` subscript, `^2` superscript,
-// `\*` `\_` `\^` `\\` the characters themselves. One text serves window, figures, alt text, terminal and TeX.
+// `$\frac{a}{b}$` mathematics as LaTeX has it (viz/text/tex_math.h), `\*` `\_` `\^` `\$` `\\` the characters
+// themselves. One text serves window, figures, alt text, terminal and TeX.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,12 +14,17 @@ struct Run {
   std::string text;
   bool italic = false, bold = false;
   Script script = Script::base;
+  bool math = false;     ///< of mathematics between dollars
+  std::string tex = {};  ///< of its first run: its source; else empty
 };
 
-/// Splits markup into runs. Never fails: an unclosed mark is ordinary text. Only letters slant: in italic text digits,
-/// signs and brackets stay upright. A script holds one character, a group in braces, or marked text: `*t*_1`,
+/// Splits markup into runs. Never fails: an unclosed mark is ordinary text, and so is mathematics that LaTeX refuses.
+/// Only letters slant: in italic text digits, signs and brackets stay upright. A script holds one character, a group in
+/// braces, or marked text: `*t*_1`,
 /// `*n*_{*i*}`, `*n*_*i*`, `*n_i*`.
 std::vector<Run> parse_markup(const std::string& markup);
+/// Returns digits and signs in Unicode's small forms, "₁₂"; none if a character has no such form.
+std::optional<std::string> small_form(const std::string& text, Run::Script);
 /// Returns plain text as markup that shows it as it is.
 std::string as_markup(const std::string& text);
 /// Returns a line of pseudocode without its indentation.

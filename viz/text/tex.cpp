@@ -22,7 +22,8 @@ struct Atom {
   };
   Kind kind = Kind::words;
   std::string tex;
-  char script = 0;  ///< '_' or '^'
+  char script = 0;      ///< '_' or '^'
+  bool source = false;  ///< mathematics as an author wrote it
 };
 using Atoms = std::vector<Atom>;
 
@@ -133,6 +134,7 @@ char script_of(std::string_view character, std::string& base) {
 
 /// Adds a script. Two scripts of one kind in a row would be an error in TeX, so they become one.
 void add_script(Atoms& atoms, char script, const std::string& tex) {
+  if (!atoms.empty() && atoms.back().source) atoms.push_back({Atom::Kind::math, "{}"});  // it may have one already
   if (!atoms.empty() && atoms.back().script == script)
     atoms.back().tex.insert(atoms.back().tex.size() - 1, tex);
   else
@@ -174,7 +176,26 @@ void add_letters(Atoms& atoms, const Run& run) {
   }
 }
 
+/// Adds mathematics that an author wrote for LaTeX, as it is; signs of Unicode become LaTeX's.
+void add_source(Atoms& atoms, const std::string& source) {
+  std::string tex;
+  for (std::size_t i = 0, n = 0; i < source.size(); i += n) {
+    n = character_at(source, i).size();
+    const std::string_view c = std::string_view(source).substr(i, n);
+    const auto known = n > 1 ? symbols().find(c) : symbols().end();
+    tex += known == symbols().end() ? std::string(c) : known->second.tex;
+  }
+  std::size_t letters = tex.size();
+  while (letters > 0 && std::isalpha(static_cast<unsigned char>(tex[letters - 1]))) --letters;
+  const bool ends_in_command = letters < tex.size() && letters > 0 && tex[letters - 1] == '\\';
+  atoms.push_back({Atom::Kind::math, ends_in_command ? tex + " " : tex, 0, true});
+}
+
 void add(Atoms& atoms, const Run& run) {
+  if (run.math) {
+    if (!run.tex.empty()) add_source(atoms, run.tex);
+    return;
+  }
   Atoms own;
   if (run.italic || run.bold)
     add_letters(own, run);

@@ -193,6 +193,7 @@ Step asking_step(const Walk& walk, int step) {
   Step shown;
   shown.slug = asked.slug;
   shown.question = asked.question;
+  shown.view = asked.view;
   shown.scene = question_scene(walk, step);
   shown.scene.time.reset();  // bodies that run on would show the answer
   shown.scene.grid.reset();  // and so would all items, in other columns
