@@ -12,10 +12,10 @@
 #include "viz/text/utf8.h"
 
 namespace isect::viz {
+namespace tex_math {
 namespace {
 
 using Script = Run::Script;
-using namespace tex_math;
 
 /// Why LaTeX would refuse it.
 struct Refused {
@@ -343,16 +343,17 @@ class Reader {
 };
 
 }  // namespace
+}  // namespace tex_math
 
 TexMath read_tex_math(std::string_view source) try {
-  Reader reader(source);
+  tex_math::Reader reader(source);
   TexMath math = {reader.read()};
   math.beyond = reader.beyond();
   if (math.runs.empty()) math.runs.emplace_back();
   for (Run& run : math.runs) run.math = true;
   math.runs.front().tex = source;
   return math;
-} catch (const Refused& refused) {
+} catch (const tex_math::Refused& refused) {
   return {.error = refused.why};
 }
 
@@ -362,14 +363,14 @@ std::size_t end_of_tex_math(std::string_view markup, std::size_t i) {
   while (end < markup.size() && markup[end] != '$') end += markup[end] == '\\' ? 2 : 1;
   if (end >= markup.size() || end == begin) return std::string_view::npos;
   const bool spaced = markup[begin] == ' ' || markup[end - 1] == ' ';
-  const bool price = end + 1 < markup.size() && is_one_digit(markup[end + 1]);
+  const bool price = end + 1 < markup.size() && tex_math::is_one_digit(markup[end + 1]);
   return spaced || price ? std::string_view::npos : end + 1;
 }
 
 std::string tex_packages(std::string_view tex) {
   const auto has = [&](std::string_view command) {
     for (std::size_t at = tex.find(command); at != tex.npos; at = tex.find(command, at + 1))
-      if (at + command.size() == tex.size() || !is_letter(tex[at + command.size()])) return true;
+      if (at + command.size() == tex.size() || !tex_math::is_letter(tex[at + command.size()])) return true;
     return false;
   };
   constexpr std::array<std::string_view, 11> maths = {"\\lVert",        "\\rVert",      "\\lvert",         "\\rvert",
