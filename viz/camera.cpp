@@ -7,12 +7,11 @@
 namespace isect::viz {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 /// An orthographic view is the limit of ever narrower perspective ones; this one looks the same already.
-constexpr double nearly_orthographic = 0.5 * pi / 180;
+constexpr double nearly_orthographic = 0.5 * std::numbers::pi / 180;
 
 double mix(double a, double b, double x) { return a + (b - a) * x; }
-double mix_angle(double a, double b, double x) { return a + std::remainder(b - a, 2 * pi) * x; }
+double mix_angle(double a, double b, double x) { return a + std::remainder(b - a, 2 * std::numbers::pi) * x; }
 double opening(const Camera& c) { return c.perspective ? c.field_of_view : nearly_orthographic; }
 
 }  // namespace

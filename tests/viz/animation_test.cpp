@@ -115,6 +115,18 @@ TEST_CASE("an animation carries its metadata, and other files carry none", "[ani
     }
 }
 
+TEST_CASE("each picture of an animation may have a time of its own", "[animation]") {
+  const std::vector<Picture> pictures = {stripes(40, 30, 9), stripes(40, 30, 250)};
+  const Timing timing = std::vector{0.04, 2.0};
+  std::vector<std::string> hundredths;
+  const std::string png = apng(pictures, timing);
+  for (std::size_t at = png.find("fcTL"); at != png.npos; at = png.find("fcTL", at + 4))
+    hundredths.push_back(png.substr(at + 24, 4));
+  CHECK(hundredths == std::vector<std::string>{{"\0\x04\0\x64", 4}, {"\0\xC8\0\x64", 4}});
+  CHECK_THAT(gif(pictures, timing),
+             Contains(std::string("\x21\xF9\x04\x04\x04\0", 6)) && Contains(std::string("\x21\xF9\x04\x04\xC8\0", 6)));
+}
+
 TEST_CASE("an animated PNG has a frame a picture, numbered through, and opens as its first", "[animation]") {
   const std::vector<Picture> pictures = {stripes(40, 30, 9), stripes(40, 30, 250), stripes(40, 30, 3, 50)};
   const std::string bytes = apng(pictures, 1.5, {{"a", "b"}});
@@ -181,6 +193,7 @@ TEST_CASE("an MP4 is written by ffmpeg, which gets every picture for its time, w
   CHECK_THAT(bytes, Contains("; 42x30 " + std::to_string(2 * 38 * 42 * 30 * 3)));  // 1.5 s are 38 of 25 a second
   CHECK(mp4_metadata(bytes) == metadata);
   CHECK(mp4_metadata(mp4(pictures, 1.5)).empty());
+  CHECK_THAT(mp4(pictures, std::vector{0.04, 2.0}), Contains("; 42x30 " + std::to_string((1 + 50) * 42 * 30 * 3)));
   CHECK_THROWS_AS(mp4({}, 1), FileError);
   CHECK_THROWS_AS(mp4_metadata("GIF89a, and more"), FileError);
   for (std::size_t n = 0; n < bytes.size(); n += 7) try {

@@ -1,6 +1,8 @@
 #include "viz/camera.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
 
 #include "tests/catch.h"
 
@@ -19,6 +21,25 @@ Camera camera(bool perspective) {
 }
 
 }  // namespace
+
+TEST_CASE("on the way from one camera to another each is a valid one, and the shorter way is taken", "[camera]") {
+  constexpr double degree = std::numbers::pi / 180;
+  const Camera a = {{0, 0, 0}, 170 * degree, 0, 1, false}, b = {{4, 0, 0}, -170 * degree, 1, 4, true};
+  const Camera end = between(a, b, 1);
+  CHECK(std::abs(std::remainder(end.azimuth - b.azimuth, 360 * degree)) < 1e-12);
+  CHECK(end.half_height == Approx(4));
+  CHECK(end.field_of_view == b.field_of_view);
+  CHECK(between(a, a, 0.3) == a);
+  const Camera middle = between(a, b, 0.5);
+  CHECK(middle.target == Vec3(2, 0, 0));
+  CHECK(std::abs(middle.azimuth) == Approx(180 * degree));
+  CHECK(middle.half_height == Approx(2));
+  CHECK((middle.perspective && middle.field_of_view > 0 && middle.field_of_view < b.field_of_view));
+  CHECK(ease_in_out(0) == 0);
+  CHECK(ease_in_out(0.1) < 0.1);
+  CHECK(ease_in_out(0.5) == 0.5);
+  CHECK(ease_in_out(1) == 1);
+}
 
 TEST_CASE("the target is drawn in the middle of the viewport", "[camera]") {
   for (const bool perspective : {false, true}) {

@@ -12,17 +12,17 @@
 #include "viz/text/utf8.h"
 
 namespace isect::viz {
+namespace tex_math {
 namespace {
 
 using Script = Run::Script;
-using namespace tex_math;
 
 /// Why LaTeX would refuse it.
 struct Refused {
   std::string why;
 };
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_latin(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_one_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Marks that stand over one letter.
@@ -52,9 +52,9 @@ const std::map<char, const char*>& double_struck() {
   return all;
 }
 
-class Reader {
+class MathReader {
  public:
-  explicit Reader(std::string_view source) : source_(source) {}
+  explicit MathReader(std::string_view source) : source_(source) {}
 
   Runs read() {
     Atoms all = list('\0');
@@ -118,7 +118,7 @@ class Reader {
       open += c == '{' ? 1 : c == '}' ? -1 : 0;
       ++at_;
       if (c == '\\' && !ended()) {
-        if (is_letter(here()))
+        if (is_latin(here()))
           find_beyond("\\" + name());
         else
           text += source_[at_++];
@@ -133,7 +133,7 @@ class Reader {
 
   std::string name() {
     const std::size_t begin = at_;
-    while (is_letter(here())) ++at_;
+    while (is_latin(here())) ++at_;
     return std::string(source_.substr(begin, at_ - begin));
   }
 
@@ -151,7 +151,7 @@ class Reader {
     const std::string_view character = character_at(source_, at_);
     at_ += character.size();
     if (const TexSign* sign = tex_sign_of(character)) return of(*sign);
-    if (is_letter(c)) return atom(Kind::letter, character, true);
+    if (is_latin(c)) return atom(Kind::letter, character, true);
     switch (c) {
       case '-':
         return atom(Kind::binary, "−");
@@ -196,7 +196,7 @@ class Reader {
   Atom command() {
     ++at_;
     if (ended()) throw Refused{"a backslash stands at the end"};
-    if (!is_letter(here())) return escaped();
+    if (!is_latin(here())) return escaped();
     const std::string called = name(), shown = "\\" + called;
     if (const TexSign* sign = tex_sign(called)) return of(*sign);
     if (const auto space = spaces().find(called); space != spaces().end()) return atom(Kind::space, space->second);
@@ -343,16 +343,17 @@ class Reader {
 };
 
 }  // namespace
+}  // namespace tex_math
 
 TexMath read_tex_math(std::string_view source) try {
-  Reader reader(source);
+  tex_math::MathReader reader(source);
   TexMath math = {reader.read()};
   math.beyond = reader.beyond();
   if (math.runs.empty()) math.runs.emplace_back();
   for (Run& run : math.runs) run.math = true;
   math.runs.front().tex = source;
   return math;
-} catch (const Refused& refused) {
+} catch (const tex_math::Refused& refused) {
   return {.error = refused.why};
 }
 
@@ -362,14 +363,14 @@ std::size_t end_of_tex_math(std::string_view markup, std::size_t i) {
   while (end < markup.size() && markup[end] != '$') end += markup[end] == '\\' ? 2 : 1;
   if (end >= markup.size() || end == begin) return std::string_view::npos;
   const bool spaced = markup[begin] == ' ' || markup[end - 1] == ' ';
-  const bool price = end + 1 < markup.size() && is_one_digit(markup[end + 1]);
+  const bool price = end + 1 < markup.size() && tex_math::is_one_digit(markup[end + 1]);
   return spaced || price ? std::string_view::npos : end + 1;
 }
 
 std::string tex_packages(std::string_view tex) {
   const auto has = [&](std::string_view command) {
     for (std::size_t at = tex.find(command); at != tex.npos; at = tex.find(command, at + 1))
-      if (at + command.size() == tex.size() || !is_letter(tex[at + command.size()])) return true;
+      if (at + command.size() == tex.size() || !tex_math::is_latin(tex[at + command.size()])) return true;
     return false;
   };
   constexpr std::array<std::string_view, 11> maths = {"\\lVert",        "\\rVert",      "\\lvert",         "\\rvert",
