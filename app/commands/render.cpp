@@ -133,7 +133,8 @@ void make(const Job& job, const RenderOptions& options, FigureMakers& makers, co
     if (format->film)
       take(*format, maker.film(job.info, frames, options.seconds, *format), about);
     else if (options.out == "-")
-      say_faces_inside(drawings.front(), *format), take(*format, maker.write(job.info, drawings.front(), *format), about);
+      say_faces_inside(drawings.front(), *format),
+          take(*format, maker.write(job.info, drawings.front(), *format), about);
     else
       take(*format, maker.write_for_folder(job.info, drawings.front(), *format), about);
   }
@@ -142,7 +143,8 @@ void make(const Job& job, const RenderOptions& options, FigureMakers& makers, co
 int to_stdout(const std::vector<Job>& jobs, const RenderOptions& options, FigureMakers& makers) {
   if (jobs.size() != 1 || jobs.front().formats.size() != 1)
     throw viz::BadInput("out: \"-\" takes exactly one figure in one format; give --step N, and one preset and format");
-  make(jobs.front(), options, makers, [](const viz::Format&, const FigureFile& made, const Json&) { print(made.bytes); });
+  make(jobs.front(), options, makers,
+       [](const viz::Format&, const FigureFile& made, const Json&) { print(made.bytes); });
   makers.say_widened();
   return done;
 }

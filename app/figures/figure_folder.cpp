@@ -179,8 +179,8 @@ std::string FigureFolder::add(const Excerpt& e, const FigureInfo& info, const st
   return add(Excerpts(&e, 1), info, format, made, std::move(about));
 }
 
-std::string FigureFolder::add(Excerpts cases, const FigureInfo& info, const std::string& format,
-                              const FigureFile& made, Json about) {
+std::string FigureFolder::add(Excerpts cases, const FigureInfo& info, const std::string& format, const FigureFile& made,
+                              Json about) {
   const std::string file = info.stem + "." + format, faces = faces_file(info);
   const bool apart = !made.faces.empty(), edited = is_edited(file, &Manifest::figures, made.bytes);
   const bool faces_edited = apart && is_edited(faces, &Manifest::figures, made.faces);

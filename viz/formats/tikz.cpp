@@ -261,7 +261,8 @@ class TikzWriter {
   /// Adds the picture of the faces, from the folder of the file that names it: LaTeX may run in another one.
   void add_faces() {
     out_ += fmt::format(
-        "\\def\\isectbeside{{\\ifdefined\\CurrentFilePath\\ifx\\CurrentFilePath\\empty\\else\\CurrentFilePath/\\fi\\fi}}\n"
+        "\\def\\isectbeside{{\\ifdefined\\CurrentFilePath\\ifx\\CurrentFilePath\\empty\\else\\CurrentFilePath/"
+        "\\fi\\fi}}\n"
         "\\node[anchor=north west, outer sep=0pt] at (0,0) {{\\includegraphics[width={}bp]{{\\isectbeside {}}}}};\n",
         number(drawing_.width), faces_);
   }

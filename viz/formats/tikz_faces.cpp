@@ -1,4 +1,5 @@
-// The faces of a TikZ picture, as a picture of their own: LaTeX places it in no time, and thousands of paths in seconds.
+// The faces of a TikZ picture, as a picture of their own: LaTeX places it in no time, and thousands of paths in
+// seconds.
 
 #include "viz/formats/tikz.h"
 
