@@ -12,7 +12,7 @@ namespace isect::program {
 
 namespace {
 
-bool has_picture(const Blocks& blocks) {
+bool shows_picture(const Blocks& blocks) {
   return std::ranges::any_of(blocks, [](const Block& b) { return std::holds_alternative<Image>(b); });
 }
 
@@ -28,10 +28,10 @@ std::string frame(const Slide& s) {
     body = "\\begin{columns}[T]\n\\begin{column}{0.6\\textwidth}\n\\small\n" + body +
            "\\end{column}\n\\begin{column}{0.38\\textwidth}\n\\footnotesize\n" + latex(s.right) +
            "\\end{column}\n\\end{columns}\n";
-  else if (!has_picture(s.left))
+  else if (!shows_picture(s.left))
     body = "\\large\n" + body;
   return fmt::format("\\begin{{frame}}[{},shrink]\n\\frametitle{{{}}}\n{}{}\\end{{frame}}\n",
-                     has_picture(s.left) ? "t" : "c", viz::tex(s.title), body,
+                     shows_picture(s.left) ? "t" : "c", viz::tex(s.title), body,
                      s.below.empty() ? "" : "\\medskip\n" + latex(s.below));
 }
 
@@ -96,7 +96,7 @@ std::string overlays(const Slide* begin, const Slide* end) {
 }
 
 /// Returns the colours of slides: those of the theme, or of dark slides.
-std::string colours(const SlideLook& look) {
+std::string slide_colours(const SlideLook& look) {
   if (!look.is_dark()) return "\\setbeamercolor{isect title}{parent=structure}\n\\colorlet{isectlit}{yellow!40}\n";
   std::string out;
   for (const auto& [name, value] : {std::pair{"isectground", &look.ground}, std::pair{"isecttext", &look.text},
@@ -118,7 +118,8 @@ PageParts beamer(const std::string& title, const std::vector<Slide>& slides, con
   parts.title = viz::tex(title);
   parts.preamble = "\\usepackage{tikz}\n";
   if (!look.beamer_theme.empty()) parts.preamble += fmt::format("\\usetheme{{{}}}\n", look.beamer_theme);
-  parts.preamble += colours(look) + pdf_properties(title) + (overlaid ? room_macro : "") + (notes ? how_to_note : "");
+  parts.preamble +=
+      slide_colours(look) + pdf_properties(title) + (overlaid ? room_macro : "") + (notes ? how_to_note : "");
   for (const Slide *slide = slides.data(), *end = slide + slides.size(); slide != end;) {
     const Slide* const next = std::find_if(slide, end, [](const Slide& s) { return !s.overlaid; });
     if (next != slide) {

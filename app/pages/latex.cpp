@@ -32,7 +32,7 @@ std::string fitted(const std::string& picture) {
 
 /// Returns a picture in words, which LaTeX expands and does not set. Only lualatex, which alone makes tags, reads it:
 /// \Uchar35 is the character with that number. The space behind the number ends it.
-std::string in_words(const std::string& alt) {
+std::string picture_in_words(const std::string& alt) {
   std::string out;
   bool numbered = false;  // so that TeX drops a space that follows
   for (const char c : alt) {
@@ -71,7 +71,8 @@ struct AsLatex {
   std::string operator()(const Image& image) const {
     const std::string picture = fmt::format("\\input{{{}.tikz}}", image.stem);
     if (image.fits) return fmt::format("\\begin{{center}}{}\\end{{center}}\n", fitted(picture));
-    return fmt::format("\\begin{{center}}\\isectfigure{{{}}}{{{}}}\\end{{center}}\n", in_words(image.alt), picture);
+    return fmt::format("\\begin{{center}}\\isectfigure{{{}}}{{{}}}\\end{{center}}\n", picture_in_words(image.alt),
+                       picture);
   }
   std::string operator()(const Choices& choices) const {
     // No page break within them, or between them and their question.

@@ -33,7 +33,9 @@ const std::array<TemplatePlace, 4> template_places = {{
     {"body", &PageParts::body, true, true, {}, document_begin},
 }};
 
-std::string written(const TemplatePlace& place) { return fmt::format("{}{}{}", place_begin, place.name, place_end); }
+std::string place_written(const TemplatePlace& place) {
+  return fmt::format("{}{}{}", place_begin, place.name, place_end);
+}
 
 /// A place as it stands in a template.
 struct FoundPlace {
@@ -72,16 +74,18 @@ void need_right_place(const std::string& text, const FoundPlace& found, const st
   std::vector<std::string> allowed;
   for (const TemplatePlace& place : template_places) allowed.emplace_back(place.name);
   if (found.name.empty())
-    throw viz::BadInput(fmt::format("{}: a place has no end; write it as {}", line, written(template_places.back())));
+    throw viz::BadInput(
+        fmt::format("{}: a place has no end; write it as {}", line, place_written(template_places.back())));
   const auto place =
       std::ranges::find(template_places, found.name, [](const TemplatePlace& p) { return std::string(p.name); });
   if (place == template_places.end()) throw viz::unknown(line, found.name, allowed);
-  if (const std::size_t first = text.find(written(*place)); place->once && first != found.begin)
-    throw viz::BadInput(fmt::format("{}: {} stands in line {} already", line, written(*place), line_at(text, first)));
+  if (const std::size_t first = text.find(place_written(*place)); place->once && first != found.begin)
+    throw viz::BadInput(
+        fmt::format("{}: {} stands in line {} already", line, place_written(*place), line_at(text, first)));
   const bool too_early = !place->after.empty() && found.begin < text.find(place->after);
   const bool too_late = !place->before.empty() && found.begin > text.find(place->before);
   if (too_early || too_late)
-    throw viz::BadInput(fmt::format("{}: {} belongs {}", line, written(*place), where_it_belongs(text, *place)));
+    throw viz::BadInput(fmt::format("{}: {} belongs {}", line, place_written(*place), where_it_belongs(text, *place)));
 }
 
 }  // namespace
@@ -106,9 +110,9 @@ std::string read_template(const std::string& path) {
   for (FoundPlace found = next_place(text, 0); found.begin != text.npos; found = next_place(text, found.end))
     need_right_place(text, found, where);
   for (const TemplatePlace& place : template_places)
-    if (place.needed && text.find(written(place)) == text.npos)
+    if (place.needed && text.find(place_written(place)) == text.npos)
       throw viz::BadInput(
-          fmt::format("{}{} is missing; it belongs {}", where, written(place), where_it_belongs(text, place)));
+          fmt::format("{}{} is missing; it belongs {}", where, place_written(place), where_it_belongs(text, place)));
   return text;
 }
 
