@@ -1,9 +1,9 @@
 #include "app/performance.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 
+#include "app/shell/scratch_folder.h"
 #include "app/shell/subprocess.h"
 #include "viz/formats/files.h"
 #include "viz/formats/formats.h"
@@ -12,25 +12,6 @@
 
 namespace isect::program {
 namespace {
-
-/// A folder for figures that are thrown away.
-class Scratch {
- public:
-  Scratch() : path_((std::filesystem::temp_directory_path() / "isect-bench-XXXXXX").string()) {
-    if (!mkdtemp(path_.data())) throw viz::FileError("no scratch folder " + path_);
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 /// Runs this program with these arguments; returns the run with the median time, nothing if one failed.
 std::optional<CompletedProcess> run_self(std::vector<std::string> arguments, int runs) {
@@ -85,7 +66,7 @@ std::vector<bench::Duty> performance(const Program& program, bool quick,
   }
 
   if (quick) return all;
-  const Scratch scratch;
+  const ScratchFolder scratch;
   double seconds = 0, processor = 0, peak = 0;
   int lessons = 0;
   for (const viz::Lesson* lesson : program.only ? std::vector{program.only} : program.lessons) {

@@ -6,7 +6,7 @@ set(viz_file_sources
   font/file.cpp font/subset.cpp
   formats/cairo_drawing.cpp formats/colour_table.cpp formats/compare.cpp formats/files.cpp formats/formats.cpp
   formats/gif.cpp formats/metadata_text.cpp formats/mp4.cpp formats/pdf.cpp formats/png.cpp formats/png_metadata.cpp
-  formats/svg.cpp formats/svg_metadata.cpp formats/tikz.cpp
+  formats/svg.cpp formats/svg_metadata.cpp formats/tikz.cpp formats/tikz_faces.cpp
   gl/resources.cpp
   snapshot/baseline_picture.cpp
   text/text.cpp text/typeset.cpp)

@@ -104,10 +104,12 @@ std::set<int> draw_handout(const Excerpt& e, FigureMaker& maker, PageFolder& pag
 }
 
 int handout(const Program& program, const PageOptions& options) {
+  if (options.print_template) return print_template("handout");
+  const PageFormats formats = page_formats(options.format);
   const Style style = printed_style(options);
   const Paper paper = paper_of(program, options.asked);
   const viz::Speaking speaking(paper.language());
-  PageFolder pages(program, options, paper, "handout", style.formats);
+  PageFolder pages(program, options, formats, paper, "handout", style.formats);
   FigureMaker maker(style, "auto");
   Handout made(paper);
   for (const PaperPart& part : paper.parts) made.add(part, draw_handout(part.e, maker, pages));
@@ -126,6 +128,8 @@ void add_handout(CLI::App& app, Program& program) {
       "The files go to DIR/<lesson>/<preset>/, beside the pictures: handout.tex, for pdflatex and lualatex run\n"
       "there, and handout.html. A playlist's go to DIR/<its name>/: first the list of its stops, then stop after "
       "stop.\n"
+      "pdf: handout.pdf alone, by lualatex or else pdflatex, in a folder of its own and without a shell. It has tags\n"
+      "for screen readers, with every picture in words, where lualatex has the package tagpdf.\n"
       "Example: " +
       program.name + " handout" + (program.only ? "" : " ray-sphere") + " --preset tangent");
   sub.callback([&program, options] { program.chosen = [&program, options] { return handout(program, *options); }; });

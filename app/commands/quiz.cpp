@@ -88,14 +88,12 @@ class Quiz {
   int questions_ = 0;  ///< so far
 };
 
-struct QuizOptions : PageOptions {
-  std::string format = "paper";
-};
+using QuizOptions = PageOptions;
 
 /// Writes the pages to print.
-void print_quiz(const Program& program, const PageOptions& options, const Paper& paper) {
+void print_quiz(const Program& program, const PageOptions& options, const PageFormats& formats, const Paper& paper) {
   const Style style = printed_style(options);
-  PageFolder pages(program, options, paper, "quiz", style.formats, PaperSteps::asking);
+  PageFolder pages(program, options, formats, paper, "quiz", style.formats, PaperSteps::asking);
   FigureMaker maker(style, "auto");
   Quiz made(paper, maker, pages);
   for (const PaperPart& part : paper.parts) made.add(part);
@@ -117,9 +115,10 @@ void pack_quiz(const Program& program, const QuizOptions& options, const Paper& 
 }
 
 int quiz(const Program& program, const QuizOptions& options) {
+  if (options.print_template) return print_template("quiz");
   const platforms::AskedFormats formats = platforms::asked_formats(options.format);
-  const bool every = options.asked.preset == "all";
-  if (every && formats.paper)
+  const bool every = options.asked.preset == "all", printed = formats.paper || formats.pdf;
+  if (every && printed)
     throw viz::BadInput("preset: \"all\" is not for paper; name one, or give --format moodle, gift, qti or h5p");
   const Paper paper =
       every ? paper_of_presets(program, options.asked) : paper_of(program, options.asked, PaperSteps::asking);
@@ -128,7 +127,7 @@ int quiz(const Program& program, const QuizOptions& options) {
   for (const platforms::QuizFormat* format : formats.platforms)
     files.push_back({format->file, format->mark, format->packed});
   need_own((std::filesystem::path(options.out) / paper.folder).string() + "/", files);
-  if (formats.paper) print_quiz(program, options, paper);
+  if (printed) print_quiz(program, options, {formats.paper, formats.paper, formats.pdf}, paper);
   if (!formats.platforms.empty()) pack_quiz(program, options, paper, formats.platforms);
   return done;
 }
@@ -141,11 +140,12 @@ void add_quiz(CLI::App& app, Program& program) {
   const auto options = std::make_shared<QuizOptions>();
   options->width = "9cm";
   options->out = "quizzes";
+  options->format = "paper";
   add_page_options(sub, program, *options, "quiz");
   sub.get_option("--preset")
       ->description("a preset, or a file with one; the first if not given; all for\nlearning platforms");
   sub.add_option("--format", options->format,
-                 "paper (if not given), moodle, gift, qti, h5p; several are joined\nby commas")
+                 "paper (if not given), pdf, moodle, gift, qti, h5p; several are\njoined by commas")
       ->type_name("FORMAT");
   const std::string called = program.name, lesson = program.only ? "" : " ray-sphere";
   sub.footer(
@@ -154,6 +154,7 @@ void add_quiz(CLI::App& app, Program& program) {
       "a playlist to DIR/<its name>/.\n"
       "paper: quiz.tex, for pdflatex and lualatex run there, and quiz.html. The answers begin a page of their own,\n"
       "with what is said to usual wrong ones.\n"
+      "pdf: quiz.pdf, the same by LaTeX, if it is installed.\n"
       "moodle: quiz.moodle.xml. Choices and lines are multiple choice, numbers are numerical with a tolerance, orders\n"
       "are short answers whose letters are typed. Wrong answers have their replies, pictures their alt text.\n"
       "gift: quiz.gift.txt, the same as text. Pictures are data in it, which programs other than Moodle may drop.\n"

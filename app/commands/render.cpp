@@ -122,17 +122,21 @@ void make(const Job& job, const RenderOptions& options, FigureMakers& makers, co
   for (const viz::Format* format : job.formats) {
     Json about = made_with(style, *format, drawings.front(), maker.renderer(*format));
     if (format->film) about["seconds"] = options.seconds;
-    take(*format,
-         format->film ? maker.film(job.info, shots, drawings, *format)
-                      : maker.write(job.info, drawings.front(), *format),
-         about);
+    if (format->film)
+      take(*format, maker.film(job.info, shots, drawings, *format), about);
+    else if (options.out == "-")
+      say_faces_inside(drawings.front(), *format),
+          take(*format, maker.write(job.info, drawings.front(), *format), about);
+    else
+      take(*format, maker.write_for_folder(job.info, drawings.front(), *format), about);
   }
 }
 
 int to_stdout(const std::vector<Job>& jobs, const RenderOptions& options, FigureMakers& makers) {
   if (jobs.size() != 1 || jobs.front().formats.size() != 1)
     throw viz::BadInput("out: \"-\" takes exactly one figure in one format; give --step N, and one preset and format");
-  make(jobs.front(), options, makers, [](const viz::Format&, const std::string& bytes, const Json&) { print(bytes); });
+  make(jobs.front(), options, makers,
+       [](const viz::Format&, const FigureFile& made, const Json&) { print(made.bytes); });
   makers.say_widened();
   return done;
 }
@@ -141,8 +145,8 @@ void draw_all(const std::vector<Job>& jobs, const RenderOptions& options, Figure
   Progress progress(jobs.size());
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const Job& job = jobs[i];
-    make(job, options, makers, [&](const viz::Format& format, const std::string& bytes, const Json& about) {
-      print(figures.add(job.e, job.info, format.name, bytes, about));
+    make(job, options, makers, [&](const viz::Format& format, const FigureFile& made, const Json& about) {
+      print(figures.add(job.e, job.info, format.name, made, about));
     });
     progress.done(job.info.stem);
     if (i + 1 < jobs.size() && &jobs[i + 1].e == &job.e) continue;  // more of this excerpt follow

@@ -116,14 +116,16 @@ int strip(const Program& program, StripOptions options) {
   const auto draw = [&] { return maker.draw_strip(cases, columns, fewer, options.style.captions); };
   if (options.out == "-") {
     if (style.formats.size() != 1) throw viz::BadInput("out: \"-\" takes exactly one format");
-    print(maker.write(info, draw(), *style.formats.front()));
+    const viz::Drawing drawing = draw();
+    say_faces_inside(drawing, *style.formats.front());
+    print(maker.write(info, drawing, *style.formats.front()));
     return done;
   }
   FigureFolder figures(options.out, program);
   for (const viz::Format* format : style.formats) figures.need_ours(info, *format);
   const viz::Drawing drawing = draw();
   for (const viz::Format* format : style.formats)
-    print(figures.add(cases, info, format->name, maker.write(info, drawing, *format),
+    print(figures.add(cases, info, format->name, maker.write_for_folder(info, drawing, *format),
                       {{"theme", viz::name_of(style.theme)},
                        {"width_pt", drawing.width},
                        {"height_pt", drawing.height},

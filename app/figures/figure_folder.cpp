@@ -69,6 +69,26 @@ Json parts_of(Excerpts cases) {
   return entry;
 }
 
+std::string faces_file(const FigureInfo& info) { return faces_of(info.stem) + ".pdf"; }
+
+/// Writes a figure and the picture that it names, each at its path. If the figure can't be written, the picture is as
+/// it was. Throws viz::FileError.
+void write_both(const std::string& figure, const std::string& picture, const FigureFile& made) {
+  std::error_code absent;
+  const bool was_there = fs::is_regular_file(picture, absent);
+  const std::string before = was_there ? viz::read_regular_file(picture) : std::string();
+  viz::write_file(picture, made.faces);
+  try {
+    viz::write_file(figure, made.bytes);
+  } catch (const viz::FileError&) {
+    if (was_there)
+      viz::write_file(picture, before);
+    else
+      fs::remove(picture, absent);
+    throw;
+  }
+}
+
 [[noreturn]] void not_ours(const std::string& path) {
   throw viz::FileError(
       fmt::format("cannot write '{}': the file there was not made by isect; move it away, or give another folder "
@@ -96,7 +116,10 @@ FigureFolder::~FigureFolder() {
 }
 
 void FigureFolder::need_ours(const FigureInfo& info, const viz::Format& format) const {
-  if (const std::string file = info.stem + "." + format.name; !is_ours(file)) not_ours(path(file));
+  std::vector<std::string> files = {info.stem + "." + format.name};
+  if (format.name == "tikz") files.push_back(faces_file(info));
+  for (const std::string& file : files)
+    if (!is_ours(file)) not_ours(path(file));
 }
 
 std::string FigureFolder::path(const std::string& file) const { return (fs::path(folder_) / file).string(); }
@@ -152,18 +175,22 @@ FigureFolder::Manifest FigureFolder::read_manifest() const {
 }
 
 std::string FigureFolder::add(const Excerpt& e, const FigureInfo& info, const std::string& format,
-                              const std::string& bytes, Json about) {
-  return add(Excerpts(&e, 1), info, format, bytes, std::move(about));
+                              const FigureFile& made, Json about) {
+  return add(Excerpts(&e, 1), info, format, made, std::move(about));
 }
 
-std::string FigureFolder::add(Excerpts cases, const FigureInfo& info, const std::string& format,
-                              const std::string& bytes, Json about) {
-  const std::string file = info.stem + "." + format;
-  if (is_edited(file, &Manifest::figures, bytes)) {
-    left_alone_.insert(path(file));
-    return {};
-  }
-  viz::write_file(path(file), bytes);
+std::string FigureFolder::add(Excerpts cases, const FigureInfo& info, const std::string& format, const FigureFile& made,
+                              Json about) {
+  const std::string file = info.stem + "." + format, faces = faces_file(info);
+  const bool apart = !made.faces.empty(), edited = is_edited(file, &Manifest::figures, made.bytes);
+  const bool faces_edited = apart && is_edited(faces, &Manifest::figures, made.faces);
+  if (edited) left_alone_.insert(path(file));
+  if (faces_edited) left_alone_.insert(path(faces));
+  if (edited || faces_edited) return {};
+  if (apart)
+    write_both(path(file), path(faces), made);
+  else
+    viz::write_file(path(file), made.bytes);
   if (is_our_text(info.stem, info.alt))
     viz::write_file(path(info.stem + ".txt"), info.alt);
   else
@@ -179,8 +206,12 @@ std::string FigureFolder::add(Excerpts cases, const FigureInfo& info, const std:
   if (cases.size() == 1) entry["parameters"] = Json::parse(viz::to_json(cases[0].parameters));
   entry.update(about);
   entry["version"] = viz::version();
-  entry["digest"] = digest(bytes);
+  entry["digest"] = digest(made.bytes);
   added_.figures[file] = entry;
+  if (apart) {
+    entry.update({{"file", faces}, {"part_of", file}, {"digest", digest(made.faces)}});
+    added_.figures[faces] = entry;
+  }
   return path(file) + "\n";
 }
 
@@ -197,8 +228,9 @@ std::string FigureFolder::add_page(const std::string& file, const std::string& t
 std::size_t FigureFolder::remove_stale(const Excerpt& e) {
   std::set<std::string> wanted, gone;
   for (int i = 0; i < static_cast<int>(e.walk.steps.size()); ++i) {
-    wanted.insert(file_of(e, i));
-    if (e.walk.steps[i].question) wanted.insert(file_of_question(e, i));  // for a deck, a handout or a quiz
+    std::vector<std::string> stems = {file_of(e, i)};
+    if (e.walk.steps[i].question) stems.push_back(file_of_question(e, i));  // for a deck, a handout or a quiz
+    for (const std::string& stem : stems) wanted.insert({stem, faces_of(stem)});
   }
   const std::vector<fs::path> figures = figures_in(path(folder_of(e)));
   std::size_t removed = 0;

@@ -25,12 +25,13 @@ class FigureFolder {
   /// Throws viz::FileError if a file that this figure would replace is not isect's.
   void need_ours(const FigureInfo&, const viz::Format&) const;
 
-  /// Writes the figure, its alt text, and its line for the manifest; returns the line that says where the figure is. If
-  /// someone has edited it, all of that stays as it was, and no line is returned.
-  std::string add(const Excerpt&, const FigureInfo&, const std::string& format, const std::string& bytes,
+  /// Writes the figure, the picture of its faces if it has one, its alt text, and its lines for the manifest; returns
+  /// the line that says where the figure is. The figure and that picture appear together or not at all. If someone has
+  /// edited one of them, all of that stays as it was, and no line is returned.
+  std::string add(const Excerpt&, const FigureInfo&, const std::string& format, const FigureFile&,
                   nlohmann::ordered_json about);
   /// Does the same for a figure of several settings, which the manifest lists as its parts.
-  std::string add(Excerpts, const FigureInfo&, const std::string& format, const std::string& bytes,
+  std::string add(Excerpts, const FigureInfo&, const std::string& format, const FigureFile&,
                   nlohmann::ordered_json about);
   /// Writes a page that shows figures; returns the same.
   std::string add_page(const std::string& file, const std::string& text);

@@ -34,6 +34,8 @@ viz::Metadata with_scale(viz::Metadata data, const Excerpt& e) {
 
 }  // namespace
 
+std::string faces_of(const std::string& stem) { return stem + "-faces"; }
+
 FigureInfo info_of(const Excerpt& e, int step) {
   const viz::Step& s = e.walk.steps[step];
   return {file_of(e, step),

@@ -2,6 +2,7 @@
 // One figure to be written: a step, or several steps together.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/shell/options.h"
@@ -18,6 +19,15 @@ struct FigureInfo {
   std::string alt;         ///< plain
   viz::Metadata metadata;
 };
+
+/// A figure's file; of a TikZ picture of a large mesh also the picture of its faces, which the file names.
+struct FigureFile {
+  FigureFile(std::string written, std::string picture = {})  // NOLINT: bytes are a file
+      : bytes(std::move(written)), faces(std::move(picture)) {}
+  std::string bytes, faces;  ///< no faces: the figure is one file
+};
+/// Returns the name of the file with the faces, without its ending: "ray-sphere/two-roots/03-foot-faces".
+std::string faces_of(const std::string& stem);
 
 FigureInfo info_of(const Excerpt&, int step);
 /// Returns all chosen steps in one file, "strip-03-06": `kind` is its first word. Of several settings it names each;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -13,6 +14,7 @@
 #include "app/shell/terminal.h"
 #include "viz/compose/crop.h"
 #include "viz/compose/strip.h"
+#include "viz/formats/tikz.h"
 
 namespace isect::program {
 
@@ -20,6 +22,11 @@ namespace {
 
 constexpr double points_a_cm = 72 / 2.54;
 constexpr double strip_gap = 1.5;  ///< between the figures of a strip, in their texts' size
+
+/// Whether a figure in this format has its faces in a file of their own.
+bool has_faces_apart(const viz::Drawing& drawing, const viz::Format& format) {
+  return format.name == "tikz" && viz::count_faces(drawing) > viz::most_tikz_faces;
+}
 
 std::string told(const std::string& which, double width) {
   return fmt::format("{}: {:.1f} cm", which, width / points_a_cm);
@@ -323,6 +330,17 @@ std::string FigureMaker::write(const FigureInfo& info, const viz::Drawing& drawi
                       [&](const viz::Drawing& d) { return offscreen_->render(d, scale); });
 }
 
+FigureFile FigureMaker::write_for_folder(const FigureInfo& info, const viz::Drawing& drawing,
+                                         const viz::Format& format) {
+  if (!has_faces_apart(drawing, format)) return write(info, drawing, format);
+  viz::Imprint imprint = imprint_of(info, drawing);
+  viz::Metadata data = metadata_of(info);
+  imprint.faces = std::filesystem::path(faces_of(info.stem)).filename().string() + ".pdf";
+  std::string bytes = viz::tikz(drawing, data, imprint);
+  data["file"] = faces_of(info.stem);
+  return {std::move(bytes), viz::tikz_faces(drawing, data, imprint)};
+}
+
 std::string FigureMaker::film(const FigureInfo& info, const std::vector<Shot>& shots,
                               const std::vector<viz::Drawing>& drawings, const viz::Format& format) {
   const double scale = pixels_a_unit();
@@ -341,6 +359,14 @@ std::string FigureMaker::film(const FigureInfo& info, const std::vector<Shot>& s
 
 std::string FigureMaker::renderer(const viz::Format& format) const {
   return format.pixels ? offscreen_->driver() : "cairo";
+}
+
+void say_faces_inside(const viz::Drawing& drawing, const viz::Format& format) {
+  if (has_faces_apart(drawing, format))
+    say(
+        fmt::format("tikz: the {} faces are paths here, which LaTeX takes seconds to set; stdout has no room for a "
+                    "picture of them beside the figure, and a folder (--out DIR) has",
+                    viz::count_faces(drawing)));
 }
 
 void say_widened(const FigureMaker& maker) {

@@ -31,7 +31,10 @@ class FigureMaker {
   /// Draws the chosen steps as one drawing, side by side, each above its letter and title; on paper only. Several
   /// settings are drawn at one scale. `columns` per row, or `fewer` if the strip would be wider than was asked for.
   viz::Drawing draw_strip(Excerpts, int columns, bool fewer, bool captions);
+  /// Writes one drawing as a file that needs no other.
   std::string write(const FigureInfo&, const viz::Drawing&, const viz::Format&);
+  /// Writes it for a folder: of TikZ the faces of a large mesh are a picture beside the file.
+  FigureFile write_for_folder(const FigureInfo&, const viz::Drawing&, const viz::Format&);
   /// Writes shots into one file, one after the other, from the drawing of each.
   std::string film(const FigureInfo&, const std::vector<Shot>&, const std::vector<viz::Drawing>&, const viz::Format&);
   std::string renderer(const viz::Format&) const;
@@ -76,6 +79,8 @@ class FigureMaker {
   std::map<std::shared_ptr<const std::vector<Excerpt>>, Drawings> alike_;  ///< what draw_alike made
 };
 
+/// Says on stderr, of a TikZ picture of a large mesh on stdout, that a folder would have its faces as a picture.
+void say_faces_inside(const viz::Drawing&, const viz::Format&);
 /// Reports the figures that could not be as narrow as was asked: they are wider, so that no labels meet.
 void say_widened(const FigureMaker&);
 

@@ -39,6 +39,15 @@ constexpr const char* slides_style =
     "@media print { .stepping section { display: block; } .stepping .later { visibility: visible !important; }\n"
     "  #place { display: none; } }\n</style>\n";
 
+/// Returns the style that makes slides dark, also in print: their pictures are.
+std::string dark_style(const SlideLook& look) {
+  if (!look.is_dark()) return {};
+  return fmt::format(
+      "<style>\nhtml {{ color: #{0}; background: #{1}; print-color-adjust: exact; }}\n"
+      "ol.code .current {{ background: #{2}; }}\n.note, #place {{ color: #{0}; }}\n</style>\n",
+      look.text, look.ground, look.lit);
+}
+
 /// Without this script all slides stand one below the other, including answers.
 constexpr const char* slides_script = R"script(<div id="place" aria-live="polite"></div>
 <script>
@@ -74,10 +83,10 @@ from_address();
 
 }  // namespace
 
-std::string html_slides(const std::string& title, const std::vector<Slide>& slides) {
+std::string html_slides(const std::string& title, const std::vector<Slide>& slides, const SlideLook& look) {
   std::string sections;
   for (const Slide& slide : slides) sections += section(slide);
-  return html_page(viz::plain(title), slides_style, sections + slides_script);
+  return html_page(viz::plain(title), slides_style + dark_style(look), sections + slides_script);
 }
 
 }  // namespace isect::program

@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+#include <utility>
+
+#include "viz/lang/language.h"
+#include "viz/text/rich_text.h"
 #include "viz/text/tex.h"
 
 namespace isect::program {
@@ -10,7 +15,7 @@ namespace {
 
 /// Returns a line on a coloured ground as wide as the text around it.
 std::string lit(const std::string& line) {
-  return "\\hspace*{-\\fboxsep}\\colorbox{yellow!40}{\\parbox{\\linewidth}{\\raggedright " + line +
+  return "\\hspace*{-\\fboxsep}\\colorbox{isectlit}{\\parbox{\\linewidth}{\\raggedright " + line +
          "}}\\hspace*{-\\fboxsep}\\par\n";
 }
 
@@ -24,6 +29,23 @@ std::string indented(const std::string& line) {
 
 std::string fitted(const std::string& picture) {
   return "\\resizebox{\\ifdim\\width>\\linewidth \\linewidth\\else\\width\\fi}{!}{" + picture + "}";
+}
+
+/// Returns a picture in words, which LaTeX expands and does not set. Only lualatex, which alone makes tags, reads it:
+/// \Uchar35 is the character with that number. The space behind the number ends it.
+std::string picture_in_words(const std::string& alt) {
+  std::string out;
+  bool numbered = false;  // so that TeX drops a space that follows
+  for (const char c : alt) {
+    const bool is_space = c == ' ' || c == '\n', was_numbered = std::exchange(numbered, false);
+    if (std::string_view("#$%&_{}~^\\").find(c) != std::string_view::npos)
+      out += fmt::format("\\Uchar{} ", static_cast<int>(c)), numbered = true;
+    else if (is_space)
+      out += was_numbered ? "\\space " : " ";
+    else
+      out += c;
+  }
+  return out;
 }
 
 struct AsLatex {
@@ -49,7 +71,9 @@ struct AsLatex {
   }
   std::string operator()(const Image& image) const {
     const std::string picture = fmt::format("\\input{{{}.tikz}}", image.stem);
-    return fmt::format("\\begin{{center}}{}\\end{{center}}\n", image.fits ? fitted(picture) : picture);
+    if (image.fits) return fmt::format("\\begin{{center}}{}\\end{{center}}\n", fitted(picture));
+    return fmt::format("\\begin{{center}}\\isectfigure{{{}}}{{{}}}\\end{{center}}\n", picture_in_words(image.alt),
+                       picture);
   }
   std::string operator()(const Choices& choices) const {
     // No page break within them, or between them and their question.
@@ -76,6 +100,36 @@ struct AsLatex {
 }  // namespace
 
 std::string latex_mark(const std::string& what) { return fmt::format("% Made by isect {}.", what); }
+
+std::string latex_metadata() {
+  return "% Tags for screen readers, by lualatex with the package tagpdf; \\def\\isectuntagged{} before this for "
+         "none.\n"
+         "\\ifdefined\\isectuntagged\\else\\ifdefined\\directlua\\ifdefined\\DocumentMetadata\n"
+         "\\IfFileExists{tagpdf.sty}{\\def\\isecttagged{phase-II}"
+         "\\IfFileExists{phase-III-latex-lab-testphase.ltx}{\\def\\isecttagged{phase-III}}{}}{}\n"
+         "\\fi\\fi\\fi\n"
+         "\\ifdefined\\isecttagged\n"
+         "\\edef\\isecttags{\\noexpand\\DocumentMetadata{testphase=\\isecttagged,lang=" + viz::spoken() + ",pdfversion=1.7}}\\isecttags\n"
+         "\\fi\n";
+}
+
+std::string latex_preamble(const std::string& title, const std::string& packages) {
+  return "\\usepackage{tikz" + packages + "}\n\\usepackage[hidelinks]{hyperref}\n" + pdf_properties(title) +
+         "\\colorlet{isectlit}{yellow!40}\n"
+         "\\ifdefined\\isecttagged\n\\typeout{" +
+         tagged_note +
+         "}\n"
+         "\\ifdefined\\SuspendTagging\\else\\newcommand{\\SuspendTagging}[1]{}\\newcommand{\\ResumeTagging}[1]{}\\fi\n"
+         "\\newcommand{\\isectfigure}[2]{\\leavevmode\\tagmcend\n"
+         "  \\edef\\isectbegin{\\noexpand\\tagstructbegin{tag=Figure,alt={#1}}}\\isectbegin\n"
+         "  \\tagmcbegin{tag=Figure}\\SuspendTagging{isect}#2\\ResumeTagging{isect}\\tagmcend\\tagstructend\n"
+         "  \\tagmcbegin{tag=P}}\n"
+         "\\else\n\\newcommand{\\isectfigure}[2]{#2}\n\\fi\n";
+}
+
+std::string pdf_properties(const std::string& title) {
+  return fmt::format("\\hypersetup{{pdftitle={{{}}},pdflang={}}}\n", viz::tex_said(viz::plain(title)), viz::spoken());
+}
 
 std::string latex(const Blocks& blocks) {
   std::string out;

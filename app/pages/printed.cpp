@@ -13,10 +13,6 @@ namespace isect::program {
 
 namespace {
 
-constexpr const char* printed_latex =
-    "\n\\documentclass[10pt]{{article}}\n\\usepackage{{tikz{}}}\n\\usepackage[margin=25mm]{{geometry}}\n"
-    "\\setlength{{\\parindent}}{{0pt}}\n\\setlength{{\\parskip}}{{4pt plus 1pt}}\n"
-    "\\begin{{document}}\n\\section*{{{}}}\n";
 constexpr const char* printed_html =
     "<style>\nbody { max-width: 42em; margin: 2em auto; padding: 0 1em; font: 11pt/1.45 serif; }\n"
     "h1, h2, h3 { line-height: 1.2; } h2, h3 { margin-top: 2em; break-after: avoid; }\n"
@@ -68,7 +64,7 @@ Blocks printed_head(const PaperPart& part) {
 void finish_printed(PageFolder& pages, const Paper& paper, const Blocks& blocks) {
   const std::string body = latex(blocks);
   pages.finish(
-      fmt::format(printed_latex, more_packages(paper, body), viz::tex(paper.title)) + body + "\\end{document}\n",
+      {latex_metadata(), viz::tex(paper.title), latex_preamble(paper.title, more_packages(paper, body)), body},
       html_page(viz::plain(paper.title), printed_html,
                 fmt::format("<h1>{}</h1>\n", html_text(paper.title)) + html(blocks)));
 }

@@ -16,7 +16,7 @@ const std::vector<QuizFormat>& quiz_formats() {
 }
 
 AskedFormats asked_formats(const std::string& words) {
-  std::vector<std::string> allowed = {"paper"};
+  std::vector<std::string> allowed = {"paper", "pdf"};
   for (const QuizFormat& format : quiz_formats()) allowed.push_back(format.name);
   AskedFormats asked;
   std::istringstream all(words + ",");
@@ -24,9 +24,11 @@ AskedFormats asked_formats(const std::string& words) {
     if (name == "scorm")
       throw viz::BadInput("format: scorm packs a lesson's page, not its questions alone: isect book LESSON --scorm");
     const auto found = std::ranges::find(quiz_formats(), name, &QuizFormat::name);
-    if (name != "paper" && found == quiz_formats().end()) throw viz::unknown("format", name, allowed);
+    if (name != "paper" && name != "pdf" && found == quiz_formats().end()) throw viz::unknown("format", name, allowed);
     if (name == "paper")
       asked.paper = true;
+    else if (name == "pdf")
+      asked.pdf = true;
     else if (std::ranges::count(asked.platforms, &*found) == 0)
       asked.platforms.push_back(&*found);
   }

@@ -29,9 +29,10 @@ const std::vector<QuizFormat>& quiz_formats();
 /// The formats that are asked for.
 struct AskedFormats {
   bool paper = false;  ///< the pages to print, too
+  bool pdf = false;    ///< and those as a PDF
   std::vector<const QuizFormat*> platforms = {};
 };
-/// Returns the formats of "paper,moodle", each once, in this order. Throws viz::BadInput.
+/// Returns the formats of "paper,pdf,moodle", each once, in this order. Throws viz::BadInput.
 AskedFormats asked_formats(const std::string& words);
 
 /// Return the files of each format. In them, every question has its picture, alt text, right answer and replies, and

@@ -19,7 +19,8 @@ TEST_CASE("a handout has pictures, captions, pseudocode, questions, and the answ
   const std::string folder = (shell.work() / "handouts/ray-sphere/tangent/").string();
   const std::string tex = contents(folder + "handout.tex"), html = contents(folder + "handout.html");
 
-  CHECK_THAT(tex, StartsWith("% Made by isect handout.\n\\documentclass") && EndsWith("\\end{document}\n"));
+  CHECK_THAT(tex, StartsWith("% Made by isect handout.\n% Tags ") && Contains("\n\\documentclass[10pt]{article}\n") &&
+                      EndsWith("\\end{document}\n"));
   CHECK_THAT(tex,
              Contains("\\input{03-distance.tikz}") && Contains("\\textbf{Question 1.}") && Contains("\\leftarrow"));
   CHECK_THAT(html, Contains("<img src=\"03-distance.svg\" alt=\"Ray and sphere: ") && Contains("<h2>Answers</h2>"));

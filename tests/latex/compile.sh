@@ -43,6 +43,30 @@ for kind in handout deck quiz; do "$isect" $kind hour.json >/dev/null; done
   printf '%s\n' '\end{document}'
 } >all.tex
 
+# As PDF by isect itself; slides with two pictures of 5,000 facets within seconds.
+"$isect" handout ray-sphere --format pdf --out pdfs >/dev/null 2>said.txt
+"$isect" quiz crossings --format pdf --out pdfs >/dev/null 2>>said.txt
+"$isect" deck ray-sphere --overlays --dark --format pdf --out pdfs >/dev/null
+"$isect" deck hour.json --overlays --beamer-theme Madrid --format pdf --out pdfs >/dev/null
+awk 'BEGIN { n = 50
+  for (i = 0; i < n; i++) for (j = 0; j < n; j++) { a = 6.2831853 * i / n; b = 6.2831853 * j / n
+    printf "v %.5f %.5f %.5f\n", (2 + 0.8 * cos(b)) * cos(a), 0.8 * sin(b), (2 + 0.8 * cos(b)) * sin(a) }
+  for (i = 0; i < n; i++) for (j = 0; j < n; j++) { k = (i + 1) % n; l = (j + 1) % n
+    printf "f %d %d %d\nf %d %d %d\n", n*i+j+1, n*i+l+1, n*k+l+1, n*i+j+1, n*k+l+1, n*k+j+1 } }' >fine.obj
+printf '%s\n' '{"objects": [{"mesh": "M", "file": "fine.obj"}, {"ray": "r", "origin": [-4, 0.5, 0], "dir": [1, 0, 0.1]}], "ask": [["r", "M"]]}' \
+  >fine.json
+"$isect" deck fine.json >/dev/null
+if ! (cd decks/scene/fine && ls ./*-faces.pdf && timeout 20 pdflatex -interaction=batchmode deck.tex) >/dev/null; then
+  echo "pdflatex: slides with a mesh of 5,000 facets take more than 20 s, or do not compile"
+  exit 1
+fi
+for pdf in pdfs/ray-sphere/two-roots/handout.pdf pdfs/crossings/*/quiz.pdf pdfs/ray-sphere/two-roots/deck.pdf pdfs/hour/deck.pdf; do
+  if [ "$(head -c 5 "$pdf")" != "%PDF-" ]; then
+    echo "$pdf is no PDF"
+    exit 1
+  fi
+done
+
 # Both programs at once, each in a copy of its own.
 compile() {
   mkdir "$1"

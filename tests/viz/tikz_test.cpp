@@ -176,4 +176,36 @@ TEST_CASE("a TikZ picture without a ground has none", "[tikz]") {
   CHECK_THAT(tikz(d), !Contains("\\fill"));
 }
 
+TEST_CASE("the faces of a mesh can be a picture beside the file, with the labels over it", "[tikz]") {
+  Drawing drawing = everything();
+  Facets mesh;
+  for (int i = 0; i < 1200; ++i) {
+    const double x = 0.1 * i;
+    for (const Vec2& p : {Vec2(x, 10), Vec2(x + 0.1, 10), Vec2(x, 20)}) mesh.corners.push_back(p);
+    mesh.colours.push_back(blue);
+  }
+  const auto label = drawing.shapes.end() - 1;
+  drawing.shapes.insert(label, mesh);
+  CHECK(count_faces(drawing) == 1200);
+  CHECK(count_faces(everything()) == 0);
+  const FacesSpan span = faces_span(drawing);
+  CHECK((span.from == 3 && span.to == 4));
+
+  Imprint imprint = of_width(200);
+  const std::string paths = tikz(drawing, {}, imprint);
+  imprint.faces = "sheet-faces.pdf";
+  const std::string text = tikz(drawing, {}, imprint);
+  CHECK_THAT(paths, !Contains("\\includegraphics"));
+  CHECK(text.size() < paths.size() / 10);
+  const std::size_t picture = text.find("\\includegraphics[width=200bp]{\\isectbeside sheet-faces.pdf}");
+  REQUIRE(picture != text.npos);
+  CHECK(text.find("\\pgfdeclareradialshading") < picture);  // what lies below stays below
+  CHECK(text.find("t_{1,2}") > picture);
+  CHECK_THAT(tikz(everything(), {}, imprint), !Contains("sheet-faces"));
+
+  const std::string pdf = tikz_faces(drawing, {{"lesson", "mesh"}}, imprint);
+  CHECK(pdf_metadata(pdf).at("lesson") == "mesh");
+  CHECK(pdf == tikz_faces(drawing, {{"lesson", "mesh"}}, imprint));
+}
+
 }  // namespace tikz_test

@@ -36,6 +36,7 @@ struct Imprint {
   enum class Letters { as_usual, glyphs, outlines };
   double dpi = 0;                       ///< of a picture of pixels; 0: 96, the pixels of CSS
   Letters letters = Letters::as_usual;  ///< glyphs of a font, which can be searched and edited, or mere outlines
+  std::string faces = {};  ///< of TikZ: the name of the picture of its faces, beside it; empty: they are paths in it
 };
 
 /// PNG with the metadata as iTXt chunks (keyword "isect:<key>"), title and alt text as "Title" and "Description"; same

@@ -23,7 +23,9 @@ constexpr double css_pixel = 0.75;  // in points
 
 class TikzWriter {
  public:
-  TikzWriter(const Drawing& drawing, double scale) : drawing_(drawing), scale_(scale) {
+  /// `faces`: the file with the picture of the faces; empty: they are paths.
+  TikzWriter(const Drawing& drawing, double scale, const std::string& faces)
+      : drawing_(drawing), scale_(scale), faces_(faces), apart_(faces.empty() ? FacesSpan() : faces_span(drawing)) {
     for (const Shape& shape : drawing.shapes)
       if (const Text* text = std::get_if<Text>(&shape)) largest_ = std::max(largest_, text->size);
   }
@@ -37,7 +39,10 @@ class TikzWriter {
     if (drawing_.background.a > 0)
       out_ += fmt::format("\\fill[{}] (0,0) rectangle ({},{});\n", paint("", drawing_.background),
                           number(drawing_.width), number(drawing_.height));
-    for (const Shape& shape : drawing_.shapes) {
+    for (std::size_t i = 0; i < drawing_.shapes.size(); ++i) {
+      const Shape& shape = drawing_.shapes[i];
+      if (i == apart_.from && i < apart_.to) add_faces();
+      if (i >= apart_.from && i < apart_.to && !std::holds_alternative<Text>(shape)) continue;
       const int object = object_of(shape);
       if (object != named && object != no_object && object < static_cast<int>(drawing_.objects.size())) {
         out_ += fmt::format("% {}\n", full_name(drawing_.objects.at(static_cast<std::size_t>(object))));
@@ -254,6 +259,15 @@ class TikzWriter {
                         is_signed ? fmt::format("\\hspace*{{{}bp}}", number(label.before)) : "", tex(text.markup));
   }
 
+  /// Adds the picture of the faces, from the folder of the file that names it: LaTeX may run in another one.
+  void add_faces() {
+    out_ += fmt::format(
+        "\\def\\isectbeside{{\\ifdefined\\CurrentFilePath\\ifx\\CurrentFilePath\\empty\\else\\CurrentFilePath/"
+        "\\fi\\fi}}\n"
+        "\\node[anchor=north west, outer sep=0pt] at (0,0) {{\\includegraphics[width={}bp]{{\\isectbeside {}}}}};\n",
+        number(drawing_.width), faces_);
+  }
+
   static bool is_of_chart(const Object& object) {
     const std::string& kind = object.kind;
     return kind == "row" || kind == "chart" || kind == "panel" || kind == "map" || kind == "region";
@@ -273,6 +287,8 @@ class TikzWriter {
 
   const Drawing& drawing_;
   const double scale_;
+  const std::string faces_;
+  const FacesSpan apart_;  ///< the shapes that the picture of the faces has
   double largest_ = 0;
   std::map<const Text*, Label> labels_;   ///< of the drawing's texts
   std::map<const Shape*, Signed> signs_;  ///< the signs before verdicts
@@ -299,7 +315,7 @@ std::string tikz(const Drawing& drawing, const Metadata& metadata, const Imprint
   std::string head;
   if (!metadata.empty()) head = fmt::format("{}{}\n", tikz_data, metadata_text(metadata));
   const double scale = imprint.width_pt > 0 ? imprint.width_pt / drawing.width : css_pixel;
-  const std::string body = TikzWriter(drawing, scale).write(), packages = tex_packages(body);
+  const std::string body = TikzWriter(drawing, scale, imprint.faces).write(), packages = tex_packages(body);
   head += fmt::format("% \\usepackage{{tikz{}}} in the preamble, \\input where the figure belongs.\n",
                       packages.empty() ? "" : "," + packages);
   if (!imprint.title.empty()) head += commented(imprint.title);

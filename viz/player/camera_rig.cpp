@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace isect::viz {
 namespace {
 
 constexpr double radians_per_pixel = 0.008;
-constexpr double pi = std::numbers::pi;
 
 }  // namespace
 
@@ -31,8 +31,8 @@ void CameraRig::advance(double seconds) {
 
 void CameraRig::orbit(const Vec2& pixels) {
   jump(goal());
-  now_.azimuth = std::remainder(now_.azimuth - pixels.x() * radians_per_pixel, 2 * pi);
-  now_.elevation = std::clamp(now_.elevation + pixels.y() * radians_per_pixel, -pi / 2, pi / 2);
+  now_.azimuth = std::remainder(now_.azimuth - pixels.x() * radians_per_pixel, 2 * std::numbers::pi);
+  now_.elevation = std::clamp(now_.elevation + pixels.y() * radians_per_pixel, -std::numbers::pi / 2, std::numbers::pi / 2);
 }
 
 void CameraRig::pan(const View& view, const Vec2& from, const Vec2& to) {
