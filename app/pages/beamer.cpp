@@ -74,25 +74,29 @@ bool has_pause(const Blocks& blocks) {
   return std::ranges::any_of(blocks, [](const Block& b) { return std::holds_alternative<Pause>(b); });
 }
 
-/// Returns one frame of several slides, one after the other in the same places.
+/// Returns one frame of several slides, one after the other in the same places: each overlay says what stands there.
+/// What it says is global, as LaTeX sets a frame's title after its contents.
 std::string overlays(const Slide* begin, const Slide* end) {
-  std::string title, left, right, below;
+  std::string all;
   int overlay = 0;  // so far
   for (const Slide* s = begin; s != end; ++s) {
     const int first = ++overlay;
     if (has_pause(s->right) || has_pause(s->below)) ++overlay;
-    const std::string on = first == overlay ? fmt::format("<{}>", first) : fmt::format("<{}-{}>", first, overlay);
-    title += fmt::format("\\only{}{{{}}}", on, viz::tex(s->title));
-    const auto only = [&](const Blocks& blocks) {
-      return blocks.empty() ? "" : fmt::format("\\only{}{{%\n{}}}%\n", on, paused(blocks, overlay));
+    const auto says = [](const char* macro, const std::string& text) {
+      return fmt::format("\\gdef\\isect{}{{%\n{}}}%\n", macro, text);
     };
-    left += only(s->left), right += only(s->right), below += only(s->below);
+    all += fmt::format("\\only<{}>{{%\n",
+                       first == overlay ? fmt::format("{}", first) : fmt::format("{}-{}", first, overlay));
+    all += says("title", viz::tex(s->title)) + says("left", latex(s->left)) + says("right", paused(s->right, overlay)) +
+           says("below", paused(s->below, overlay)) + "}%\n";
   }
   return fmt::format(
-      "\\begin{{frame}}[t]\n\\frametitle{{{}}}\n\\begin{{columns}}[T]\n\\begin{{column}}{{0.6\\textwidth}}\n\\small\n{}"
-      "\\end{{column}}\n\\begin{{column}}{{0.38\\textwidth}}\n\\footnotesize\n\\isectroom{{{}}}{{%\n{}}}\n"
-      "\\end{{column}}\n\\end{{columns}}\n\\medskip\n\\isectroom{{{}}}{{%\n{}}}\n\\end{{frame}}\n",
-      title, left, beside_room, right, below_room, below);
+      "\\begin{{frame}}[t]\n{}\\frametitle{{\\isecttitle}}\n\\begin{{columns}}[T]\n\\begin{{column}}{{0.6\\textwidth}}"
+      "\n"
+      "\\small\n\\isectleft\n\\end{{column}}\n\\begin{{column}}{{0.38\\textwidth}}\n\\footnotesize\n"
+      "\\isectroom{{{}}}{{\\isectright}}\n\\end{{column}}\n\\end{{columns}}\n\\medskip\n"
+      "\\isectroom{{{}}}{{\\isectbelow}}\n\\end{{frame}}\n",
+      all, beside_room, below_room);
 }
 
 /// Returns the colours of slides: those of the theme, or of dark slides.

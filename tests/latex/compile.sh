@@ -44,9 +44,9 @@ for kind in handout deck quiz; do "$isect" $kind hour.json >/dev/null; done
 } >all.tex
 
 # As PDF by isect itself; slides with two pictures of 5,000 facets within seconds.
-"$isect" handout ray-sphere --format pdf --out pdfs >/dev/null 2>said.txt
+"$isect" handout ray-sphere --step 1-6 --format pdf --out pdfs >/dev/null 2>said.txt
 "$isect" quiz crossings --format pdf --out pdfs >/dev/null 2>>said.txt
-"$isect" deck ray-sphere --overlays --dark --format pdf --out pdfs >/dev/null
+"$isect" deck ray-sphere --step 3-5 --overlays --dark --format pdf --out pdfs >/dev/null
 "$isect" deck hour.json --overlays --beamer-theme Madrid --format pdf --out pdfs >/dev/null
 awk 'BEGIN { n = 50
   for (i = 0; i < n; i++) for (j = 0; j < n; j++) { a = 6.2831853 * i / n; b = 6.2831853 * j / n

@@ -16,7 +16,7 @@ Metadata tikz_metadata(const std::string& bytes);
 constexpr std::size_t most_tikz_faces = 1000;
 /// Returns the number of faces of all meshes in a drawing.
 std::size_t count_faces(const Drawing&);
-/// The shapes from the first mesh to the last, as indices; from == to: there is no mesh.
+/// The shapes from the first mesh to the last and its edges, as indices; from == to: there is no mesh.
 struct FacesSpan {
   std::size_t from = 0, to = 0;
 };

@@ -19,6 +19,11 @@ FacesSpan faces_span(const Drawing& drawing) {
     if (span.to == 0) span.from = i;
     span.to = i + 1;
   }
+  // A mesh's sharp edges may be as many as its faces.
+  const auto is_of_mesh = [&](const Shape& shape) {
+    return object_of(shape) != no_object && object_of(shape) == object_of(drawing.shapes[span.to - 1]);
+  };
+  while (span.to > 0 && span.to < drawing.shapes.size() && is_of_mesh(drawing.shapes[span.to])) ++span.to;
   return span;
 }
 
