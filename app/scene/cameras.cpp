@@ -1,7 +1,5 @@
 #include "app/scene/cameras.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -54,8 +52,7 @@ viz::StepView read_step_camera(Source& source, const Json& json, const Path& pat
   if (json.contains("field_of_view")) {
     const Path to = below(path, "field_of_view");
     const double angle = source.number(json["field_of_view"], to);
-    if (!(angle >= narrowest && angle <= widest))
-      source.refuse(to, fmt::format("{} to {} degrees are expected", narrowest, widest));
+    if (!(angle >= narrowest && angle <= widest)) source.refuse(to, "0.5 to 178 degrees are expected");
     view.camera.field_of_view = degree * angle;
   }
   if (json.contains("target"))

@@ -237,7 +237,7 @@ TEST_CASE("pictures and animations of a scene use the cameras of its steps", "[s
   CHECK(svg("plain.json", 1) == svg("turned.json", 1));
   CHECK(svg("plain.json", 2) != svg("turned.json", 2));
 
-  const std::string film = " --format apng --size 240x150 --seconds 1 --out -";
+  const std::string film = " --format apng --size 320x200 --seconds 1 --out -";
   CHECK(times_of(shell("isect render plain.json" + film).out).size() == 7);  // the card counts four times
   const std::vector<double> times = times_of(shell("isect render turned.json" + film).out);
   REQUIRE(times.size() == 31);
