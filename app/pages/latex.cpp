@@ -109,7 +109,9 @@ std::string latex_metadata() {
          "\\IfFileExists{phase-III-latex-lab-testphase.ltx}{\\def\\isecttagged{phase-III}}{}}{}\n"
          "\\fi\\fi\\fi\n"
          "\\ifdefined\\isecttagged\n"
-         "\\edef\\isecttags{\\noexpand\\DocumentMetadata{testphase=\\isecttagged,lang=" + viz::spoken() + ",pdfversion=1.7}}\\isecttags\n"
+         "\\edef\\isecttags{\\noexpand\\DocumentMetadata{testphase=\\isecttagged,lang=" +
+         viz::spoken() +
+         ",pdfversion=1.7}}\\isecttags\n"
          "\\fi\n";
 }
 

@@ -63,10 +63,9 @@ Blocks printed_head(const PaperPart& part) {
 
 void finish_printed(PageFolder& pages, const Paper& paper, const Blocks& blocks) {
   const std::string body = latex(blocks);
-  pages.finish(
-      {latex_metadata(), viz::tex(paper.title), latex_preamble(paper.title, more_packages(paper, body)), body},
-      html_page(viz::plain(paper.title), printed_html,
-                fmt::format("<h1>{}</h1>\n", html_text(paper.title)) + html(blocks)));
+  pages.finish({latex_metadata(), viz::tex(paper.title), latex_preamble(paper.title, more_packages(paper, body)), body},
+               html_page(viz::plain(paper.title), printed_html,
+                         fmt::format("<h1>{}</h1>\n", html_text(paper.title)) + html(blocks)));
 }
 
 }  // namespace isect::program

@@ -32,7 +32,8 @@ void CameraRig::advance(double seconds) {
 void CameraRig::orbit(const Vec2& pixels) {
   jump(goal());
   now_.azimuth = std::remainder(now_.azimuth - pixels.x() * radians_per_pixel, 2 * std::numbers::pi);
-  now_.elevation = std::clamp(now_.elevation + pixels.y() * radians_per_pixel, -std::numbers::pi / 2, std::numbers::pi / 2);
+  now_.elevation =
+      std::clamp(now_.elevation + pixels.y() * radians_per_pixel, -std::numbers::pi / 2, std::numbers::pi / 2);
 }
 
 void CameraRig::pan(const View& view, const Vec2& from, const Vec2& to) {
