@@ -47,6 +47,7 @@ void add_scene(CLI::App&, Program&);
 void add_theme(CLI::App&, Program&);
 void add_check(CLI::App&, Program&);
 void add_query(CLI::App&, Program&);
+void add_grade(CLI::App&, Program&);
 void add_bench(CLI::App&, Program&);
 void add_doctor(CLI::App&, Program&);
 
