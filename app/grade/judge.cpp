@@ -48,21 +48,22 @@ class Tally {
  public:
   Tally(const Task& task, const Asked& asked, Verdict& verdict) : task_(task), asked_(asked), verdict_(verdict) {}
 
-  void add(const Case& one, std::size_t line, const std::string_view* said) {
+  /// Returns whether the answer is right.
+  bool add(const Case& one, std::size_t line, const std::string_view* said) {
     if (verdict_.families.empty() || verdict_.families.back().name != one.family)
       verdict_.families.push_back({one.family});
     OfFamily& family = verdict_.families.back();
     ++family.cases;
     if (!said) {
       ++family.unanswered;
-      return;
+      return false;
     }
     const Truth known = truth(task_, one.numbers, asked_.convention).value();
     const Mark mark = marked(task_, known, *said);
     family.ulps = std::max(family.ulps, mark.ulps);
     if (mark.fault.empty()) {
       ++verdict_.right;
-      return;
+      return true;
     }
     if (mark.readable)
       ++family.wrong, ++family.faults[mark.fault];
@@ -71,6 +72,7 @@ class Tally {
     if (shown_.insert(mark.fault).second)
       verdict_.examples.push_back({line, one.family, mark.fault, harmless(*said), answer_line(task_, known),
                                    json_line(task_, one.numbers), plain_line(one.numbers)});
+    return false;
   }
 
  private:
@@ -103,7 +105,10 @@ Verdict judged(const Task& task, const Asked& asked) {
   if (!verdict.run.early) lines = answers_in(verdict.run.output);
   verdict.cases = all.size(), verdict.answers = lines.size();
   Tally tally(task, asked, verdict);
-  for (std::size_t i = 0; i < all.size(); ++i) tally.add(all[i], i + 1, i < lines.size() ? &lines[i] : nullptr);
+  std::vector<bool> right;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    right.push_back(tally.add(all[i], i + 1, i < lines.size() ? &lines[i] : nullptr));
+  verdict.likely = fits(task, all, lines, right);
   const bool answered = verdict.run.end == Run::End::exited && lines.size() == all.size() && !verdict.run.early;
   if (asked.timed && answered) verdict.calls_a_second = speed(asked, input, all.size(), verdict.run.seconds);
   return verdict;

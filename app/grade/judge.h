@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/grade/answers.h"
+#include "app/grade/mistakes.h"
 #include "app/grade/sandbox.h"
 
 namespace isect::grade {
@@ -39,6 +40,7 @@ struct Example {
 struct Verdict {
   std::vector<OfFamily> families;
   std::vector<Example> examples;  ///< one of each fault, and one that could not be read
+  std::vector<Fit> likely;        ///< mistakes that explain its answers
   Run run;
   std::size_t cases = 0, right = 0, answers = 0;
   double calls_a_second = 0;  ///< 0: not measured, or too fast to

@@ -110,6 +110,9 @@ std::string in_words(const Task& task, const Asked& asked, const Verdict& verdic
     text += fmt::format("Values in families without a fault: at most {:.3g} ulps off.\n", ulps);
   if (run.early) text += "The program answered before there was any input: such answers count for nothing.\n";
   text += end_words(asked, verdict);
+  for (const Fit& fit : verdict.likely)
+    text += fmt::format("Its answers fit a mistake, {}: {} of {} answers, {} of the {} wrong ones.\n", fit.name,
+                        fit.same, fit.answered, fit.same_wrong, fit.wrong);
   if (verdict.calls_a_second > 0)
     text += fmt::format("Speed: about {} cases a second, the start of the program taken off.\n",
                         two_digits(verdict.calls_a_second));
@@ -151,6 +154,13 @@ std::string in_json(const Task& task, const Asked& asked, const Verdict& verdict
                             {"true", one.truth},
                             {"case", Json::parse(one.query)},
                             {"plain", one.plain}});
+  all["mistakes"] = Json::array();
+  for (const Fit& fit : verdict.likely)
+    all["mistakes"].push_back({{"mistake", fit.name},
+                               {"same", fit.same},
+                               {"answered", fit.answered},
+                               {"same_wrong", fit.same_wrong},
+                               {"wrong", fit.wrong}});
   all["end"] = {{"how", end_name(run.end)}, {"before_input", run.early}, {"seconds", run.seconds}};
   if (run.end == Run::End::exited) all["end"]["status"] = run.code;
   if (run.end == Run::End::signalled) all["end"]["signal"] = signal_name(run.code);
