@@ -22,7 +22,7 @@ namespace {
 
 struct GradeOptions {
   std::string task, start, language = "python", out, format = "text", convention = "closed";
-  bool list = false, cases = false, answers = false, json = false, no_speed = false;
+  bool list = false, cases = false, answers = false, json = false, no_speed = false, no_reduce = false;
   grade::Asked asked = {};
 };
 
@@ -112,7 +112,7 @@ int grade_task(GradeOptions options, const std::vector<std::string>& command) {
   }
   if (command.front().starts_with("-"))
     throw viz::BadInput(fmt::format("option: \"{}\" is unknown; `isect grade --help` lists them", command.front()));
-  options.asked.command = command, options.asked.timed = !options.no_speed;
+  options.asked.command = command, options.asked.timed = !options.no_speed, options.asked.reduced = !options.no_reduce;
   const grade::Verdict verdict = grade::judged(task, options.asked);
   print(options.json ? grade::in_json(task, options.asked, verdict) : grade::in_words(task, options.asked, verdict));
   tell_gaps(verdict.run);
@@ -159,6 +159,7 @@ void add_grade(CLI::App& app, Program& program) {
       ->type_name("MIB");
   sub.add_option("--processes", options->asked.limits.processes, "at once; 64 if it is not given")->type_name("N");
   sub.add_flag("--no-speed", options->no_speed, "does not measure the speed, which takes two more runs");
+  sub.add_flag("--no-reduce", options->no_reduce, "looks for no simpler cases, which takes many runs");
   sub.add_flag("--json", options->json, "the whole result, or the list, as JSON");
   sub.footer(grade_footer);
   sub.callback([&program, options, &sub] {

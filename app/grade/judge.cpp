@@ -7,22 +7,12 @@
 #include <set>
 #include <string_view>
 
+#include "app/grade/reduced.h"
 #include "viz/formats/files.h"
 
 namespace isect::grade {
 
 namespace {
-
-std::vector<std::string_view> answers_in(std::string_view output) {
-  std::vector<std::string_view> lines;
-  while (!output.empty()) {
-    const std::size_t end = std::min(output.find('\n'), output.size());
-    const std::string_view line = output.substr(0, end);
-    if (line.find_first_not_of(" \t\r") != line.npos) lines.push_back(line);
-    output.remove_prefix(std::min(end + 1, output.size()));
-  }
-  return lines;
-}
 
 std::size_t output_for(std::size_t cases) { return 65536 + cases * 2048; }
 
@@ -70,8 +60,8 @@ class Tally {
     else
       ++family.unreadable;
     if (shown_.insert(mark.fault).second)
-      verdict_.examples.push_back({line, one.family, mark.fault, harmless(*said), answer_line(task_, known),
-                                   json_line(task_, one.numbers), plain_line(one.numbers)});
+      verdict_.examples.push_back(
+          {line, one.family, mark.fault, harmless(*said), answer_line(task_, known), one.numbers, one.numbers});
     return false;
   }
 
@@ -83,6 +73,17 @@ class Tally {
 };
 
 }  // namespace
+
+std::vector<std::string_view> answers_in(std::string_view output) {
+  std::vector<std::string_view> lines;
+  while (!output.empty()) {
+    const std::size_t end = std::min(output.find('\n'), output.size());
+    const std::string_view line = output.substr(0, end);
+    if (line.find_first_not_of(" \t\r") != line.npos) lines.push_back(line);
+    output.remove_prefix(std::min(end + 1, output.size()));
+  }
+  return lines;
+}
 
 std::string input_of(const Task& task, const std::vector<Case>& all, bool plain) {
   std::string input;
@@ -109,6 +110,9 @@ Verdict judged(const Task& task, const Asked& asked) {
   for (std::size_t i = 0; i < all.size(); ++i)
     right.push_back(tally.add(all[i], i + 1, i < lines.size() ? &lines[i] : nullptr));
   verdict.likely = fits(task, all, lines, right);
+  const bool ended = verdict.run.end == Run::End::exited && !verdict.run.early;
+  if (asked.reduced && ended)
+    for (Example& one : verdict.examples) one.simplest = reduced(task, asked, one.numbers, one.fault);
   const bool answered = verdict.run.end == Run::End::exited && lines.size() == all.size() && !verdict.run.early;
   if (asked.timed && answered) verdict.calls_a_second = speed(asked, input, all.size(), verdict.run.seconds);
   return verdict;

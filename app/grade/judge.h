@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/grade/answers.h"
@@ -17,8 +18,9 @@ struct Asked {
   std::uint64_t seed = 1;
   int count = 40;  ///< cases of a family
   Convention convention = Convention::closed;
-  bool plain = false;  ///< numbers in place of JSON
-  bool timed = true;   ///< measure the speed, too
+  bool plain = false;   ///< numbers in place of JSON
+  bool reduced = true;  ///< look for simpler cases with the same faults
+  bool timed = true;    ///< measure the speed, too
   Limits limits = {};
 };
 
@@ -34,7 +36,8 @@ struct OfFamily {
 /// The first case of a fault.
 struct Example {
   std::size_t line = 0;  ///< from 1, of the input
-  std::string family, fault, said, truth, query, plain;
+  std::string family, fault, said, truth;
+  Numbers numbers, simplest;  ///< the case, and a simpler one with the same fault, or the same
 };
 
 struct Verdict {
@@ -49,6 +52,8 @@ struct Verdict {
   }
 };
 
+/// Returns the lines of an output that are not blank.
+std::vector<std::string_view> answers_in(std::string_view output);
 /// Returns the cases as the program reads them, a line each.
 std::string input_of(const Task&, const std::vector<Case>&, bool plain);
 

@@ -85,7 +85,7 @@ Numbers parallel_to_plane(Random& random) {
   return x;
 }
 Numbers from_the_plane(Random& random) {
-  Numbers x = ray_and_plane(random, Kind::grid);
+  Numbers x = ray_and_plane(random, random.one_in(2) ? Kind::grid : Kind::decimal);
   x[9] = -(x[6] * x[0] + x[7] * x[1] + x[8] * x[2]);
   if (random.one_in(2)) x[9] = beside(x[9], random.integer(-1, 1));
   return x;
@@ -251,7 +251,7 @@ std::vector<Family> ray_families(const std::string& task) {
   if (task == "ray-plane")
     return with_own(of_all_numbers<ray_and_plane>(),
                     {{"parallel", "the ray is parallel to the plane, or lies in it", parallel_to_plane},
-                     {"from the plane", "the ray begins on the plane, or an ulp beside it", from_the_plane}});
+                     {"from the plane", "the ray begins on the plane, or beside it by rounding", from_the_plane}});
   if (task == "ray-aabb")
     return with_own(of_all_numbers<ray_and_box>(),
                     {{"along a face", "the ray runs in the plane of a face", along_a_face},

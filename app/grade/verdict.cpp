@@ -65,12 +65,19 @@ std::string end_words(const Asked& asked, const Verdict& verdict) {
   }
 }
 
+/// The case as the program reads it, and the command that answers it.
+std::string case_words(const Task& task, const Asked& asked, const Numbers& x) {
+  const std::string query = json_line(task, x);
+  return (asked.plain ? fmt::format("    {}\n", plain_line(x)) : "") +
+         (task.kind.empty() ? fmt::format("    {}\n", query) : fmt::format("    echo '{}' | isect query\n", query));
+}
+
 std::string example_words(const Task& task, const Asked& asked, const Example& one) {
   std::string text = fmt::format("  {} ({}), line {} of the input: it said {}; true is {}\n", one.fault, one.family,
                                  one.line, one.said, one.truth);
-  if (asked.plain) text += fmt::format("    {}\n", one.plain);
-  return text + (task.kind.empty() ? fmt::format("    {}\n", one.query)
-                                   : fmt::format("    echo '{}' | isect query\n", one.query));
+  text += case_words(task, asked, one.numbers);
+  if (one.simplest == one.numbers) return text;
+  return text + "  The simplest case found with this fault:\n" + case_words(task, asked, one.simplest);
 }
 
 /// Returns a number to two digits, with no exponent.
@@ -152,8 +159,9 @@ std::string in_json(const Task& task, const Asked& asked, const Verdict& verdict
                             {"line", one.line},
                             {"said", one.said},
                             {"true", one.truth},
-                            {"case", Json::parse(one.query)},
-                            {"plain", one.plain}});
+                            {"case", Json::parse(json_line(task, one.numbers))},
+                            {"plain", plain_line(one.numbers)},
+                            {"simplest", Json::parse(json_line(task, one.simplest))}});
   all["mistakes"] = Json::array();
   for (const Fit& fit : verdict.likely)
     all["mistakes"].push_back({{"mistake", fit.name},

@@ -1,5 +1,6 @@
 // `isect grade` judges programs: right ones, wrong ones, and those that would harm it.
 
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -21,9 +22,12 @@ class Judged {
     isect::test::write(shell_.work() / "program", "#!/bin/sh\n" + program);
     shell_("chmod +x program");
   }
-  Ran words() const { return shell_("isect grade aabb --plain --no-speed --count 4 " + options_ + " ./program"); }
+  Ran words() const {
+    return shell_("isect grade aabb --plain --no-speed --no-reduce --count 4 " + options_ + " ./program");
+  }
   Json json() const {
-    const Ran ran = shell_("isect grade aabb --plain --no-speed --count 4 --json " + options_ + " ./program");
+    const Ran ran =
+        shell_("isect grade aabb --plain --no-speed --no-reduce --count 4 --json " + options_ + " ./program");
     INFO(ran.err);
     Json all = Json::parse(ran.out);
     CHECK(ran.status == (all["passes"] == true ? 0 : 1));
@@ -60,12 +64,13 @@ TEST_CASE("the true answers get full marks in every task, also by the note's con
                                  "sphere-sphere --convention note"}) {
     INFO(task);
     shell("isect grade " + task + " --answers --count 2 >right");
-    const Ran ran =
-        shell("isect grade " + task + " --count 2 --no-speed sh -c 'read -r x; cat \"$0\"; cat >/dev/null' right");
+    const Ran ran = shell("isect grade " + task +
+                          " --count 2 --no-speed --no-reduce sh -c 'read -r x; cat \"$0\"; cat >/dev/null' right");
     INFO(ran.out << ran.err);
     CHECK(ran.status == 0);
   }
-  CHECK(shell("isect grade sphere-sphere --no-speed sh -c 'read -r x; cat \"$0\"; cat >/dev/null' right").status == 1);
+  CHECK(shell("isect grade sphere-sphere --no-speed --no-reduce sh -c 'read -r x; cat \"$0\"; cat >/dev/null' right")
+            .status == 1);
 }
 
 TEST_CASE("a wrong program is told its faults by family", "[grade]") {
@@ -80,6 +85,25 @@ TEST_CASE("a wrong program is told its faults by family", "[grade]") {
   CHECK(all["first"].size() == 1);
   CHECK(all["first"][0]["case"]["kind"] == "box_box");
   CHECK(judged.json()["families"] == all["families"]);
+}
+
+TEST_CASE("a wrong program is told its mistake and the simplest case on which it is wrong", "[grade]") {
+  const Shell shell;
+  isect::test::write(
+      shell.work() / "boxes.awk",
+      "{ yes = 1; for (i = 1; i <= 3; ++i) if ($i >= $(9 + i) || $(6 + i) >= $(3 + i)) yes = 0; print yes }");
+  const Ran ran = shell("isect grade aabb --plain --no-speed --json awk -f boxes.awk");
+  CHECK(ran.status == 1);
+  const Json all = Json::parse(ran.out);
+  REQUIRE(all["mistakes"].size() == 1);
+  CHECK_THAT(all["mistakes"][0]["mistake"].get<std::string>(), Contains("< for <="));
+  CHECK(all["mistakes"][0]["same"] == all["cases"]);
+  REQUIRE(all["first"].size() == 1);
+  const Json simplest = all["first"][0]["simplest"];
+  for (const char* corner : {"alo", "ahi", "blo", "bhi"})
+    for (const Json& x : simplest[corner]) CHECK(x.get<double>() == std::round(x.get<double>()));
+  isect::test::write(shell.work() / "case", simplest.dump() + "\n");
+  CHECK(Json::parse(shell("isect query case").out)["result"]["relation"] == "touch");
 }
 
 TEST_CASE("a crash, a failure and a program that ends too soon are told apart", "[grade]") {
@@ -170,7 +194,7 @@ TEST_CASE("memory and files have limits", "[grade]") {
   const Shell shell;
   if (shell("python3 --version").status != 0) return skipped("there is no python3");
   isect::test::write(shell.work() / "much.py", "input()\nx = bytearray(3 << 30)\n");
-  CHECK_THAT(shell("isect grade aabb --plain --no-speed --count 1 --memory 1024 python3 much.py").out,
+  CHECK_THAT(shell("isect grade aabb --plain --no-speed --no-reduce --count 1 --memory 1024 python3 much.py").out,
              Contains("MemoryError"));
 }
 

@@ -1,12 +1,13 @@
 // `isect grade`: the tasks and their pages, the cases, the starters, and what is said of a program's answers.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
-#include "app/grade/answers.h"
+#include "app/grade/mistakes.h"
 #include "app/grade/page.h"
 #include "app/grade/starters.h"
 #include "app/query/query.h"
@@ -183,6 +184,30 @@ TEST_CASE("ulps are those of the true value, or of 1", "[grade]") {
 TEST_CASE("a program's text is harmless when it is shown", "[grade]") {
   CHECK(grade::harmless("\033[31m<b>&\\\xe2\x80\xae") == "\\x1b[31m\\x3cb\\x3e\\x26\\x5c\\xe2\\x80\\xae");
   CHECK(grade::harmless(std::string(1000, 'x')).size() == 63);
+}
+
+TEST_CASE("a program that makes a mistake is told its name, and a right one none", "[grade]") {
+  std::set<std::string> with_mistakes;
+  for (const grade::Mistake& mistake : grade::mistakes()) {
+    INFO(mistake.task << ": " << mistake.name);
+    const grade::Task& task = grade::task_named(mistake.task);
+    with_mistakes.insert(mistake.task);
+    const std::vector<grade::Case> cases = grade::cases(task, 3, 20);
+    std::vector<std::string> said, true_lines;
+    std::vector<bool> right;
+    for (const grade::Case& one : cases) {
+      const grade::Truth truth = grade::truth(task, one.numbers).value();
+      said.push_back(grade::answer_line(task, mistake.answer(one.numbers)));
+      true_lines.push_back(grade::answer_line(task, truth));
+      right.push_back(grade::marked(task, truth, said.back()).fault.empty());
+    }
+    CHECK(std::count(right.begin(), right.end(), false) > 0);
+    const std::vector<grade::Fit> found = grade::fits(task, cases, {said.begin(), said.end()}, right);
+    CHECK(std::any_of(found.begin(), found.end(), [&](const grade::Fit& fit) { return fit.name == mistake.name; }));
+    CHECK(grade::fits(task, cases, {true_lines.begin(), true_lines.end()}, std::vector<bool>(cases.size(), true))
+              .empty());
+  }
+  CHECK(with_mistakes.size() == 9);
 }
 
 TEST_CASE("the examples are what --start writes", "[grade]") {
