@@ -114,7 +114,9 @@ void kill_children() {
         while (*at == ' ') ++at;
       }
     }
-    const pid_t gone = ::waitpid(-1, nullptr, got > 0 ? 0 : WNOHANG);
+    // All that are dead leave the list, so that those behind them come into sight.
+    pid_t gone = ::waitpid(-1, nullptr, got > 0 ? 0 : WNOHANG);
+    while (gone > 0) gone = ::waitpid(-1, nullptr, WNOHANG);
     if (gone < 0 && errno == ECHILD) return;
     if (gone == 0 && file < 0) return;  // this system does not tell them
   }

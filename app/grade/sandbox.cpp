@@ -173,11 +173,11 @@ class Conversation {
       const double allowed = limits_.held_back + limits_.seconds;
       if (now >= allowed) stop(Run::End::out_of_time);
       if (stopped_) stop(run_.end);  // the first signal may have come too early to be seen
-      if (now >= watched_ + 0.05) {
+      if (now >= watched_ + 0.02) {
         watched_ = now;
         if (descendants(child_, limits_.processes + 3) > limits_.processes + 2) stop(Run::End::too_many_processes);
       }
-      wait(input, std::min({fed_ ? allowed : limits_.held_back, watched_ + 0.05, allowed}) - now);
+      wait(input, std::min({fed_ ? allowed : limits_.held_back, watched_ + 0.02, allowed}) - now);
     }
     finish();
     return run_;

@@ -47,9 +47,9 @@ struct Task {
 const std::vector<Task>& tasks();
 /// Returns the task of this id. Throws viz::BadInput with the nearest name.
 const Task& task_named(const std::string& id);
-/// Returns how many rows a list has at most.
+/// How many rows a list has at most.
 inline constexpr int most_rows = 64;
-/// Returns the size that no number exceeds.
+/// The size that no number exceeds.
 inline constexpr double largest = 1e300;
 
 }  // namespace isect::grade

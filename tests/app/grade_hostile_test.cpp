@@ -1,5 +1,7 @@
 // `isect grade` judges programs: right ones, wrong ones, and those that would harm it.
 
+#include <unistd.h>
+
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -130,6 +132,9 @@ TEST_CASE("endless output is cut off", "[grade]") {
 }
 
 TEST_CASE("a fork bomb is contained", "[grade]") {
+  // without namespaces of processes the system limits no processes of root: a bomb might disturb others
+  if (::geteuid() == 0 && Judged("exit 0\n").json()["contained"]["sees_others"] == true)
+    return skipped("there is no process namespace");
   const Judged judged("read -r x; b() { b | b & b; }; b\n", "--seconds 3 --processes 16");
   const std::string how = judged.json()["end"]["how"];
   INFO(how);
