@@ -74,6 +74,7 @@ void describe(CLI::App& app, Program& program) {
   if (!program.only) add_theme(app, program);
   add_check(app, program);
   if (!program.only) add_query(app, program);
+  if (!program.only) add_grade(app, program);
 #ifdef ISECT_HAS_BENCH
   if (!program.only) add_bench(app, program);
 #endif
@@ -81,7 +82,7 @@ void describe(CLI::App& app, Program& program) {
   for (CLI::App* sub : app.get_subcommands({})) sub->set_help_flag("-h,--help", "this text");
   app.footer(
       fmt::format("Without a subcommand the window opens.\nExample: {} render{} --step 3\n\n"
-                  "Exit status: 0 done; 1 a check failed, or a case of a query was an error;\n"
+                  "Exit status: 0 done; 1 a check or a graded program failed, or a case of a query was an error;\n"
                   "2 a wrong name, value or usage; 3 a baseline is missing; 4 a file can't be read or written,\n"
                   "or out of memory; 77 nowhere to draw: no rendering back end, no fonts, or no display for the\n"
                   "window. A reader who goes away (isect list | head -1) ends it as it ends cat: by SIGPIPE (141).",

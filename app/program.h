@@ -48,6 +48,7 @@ void add_lang(CLI::App&, Program&);
 void add_theme(CLI::App&, Program&);
 void add_check(CLI::App&, Program&);
 void add_query(CLI::App&, Program&);
+void add_grade(CLI::App&, Program&);
 void add_bench(CLI::App&, Program&);
 void add_doctor(CLI::App&, Program&);
 

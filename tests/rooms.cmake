@@ -21,11 +21,12 @@ set(app_query "")
 set(app_scene query)
 set(app_shell files scene)
 set(app_figures files scene shell)
+set(app_grade files query shell)
 set(app_pages files shell figures)
 set(app_checks files shell figures)
 set(app_book files scene shell figures pages)
 set(app_platforms files shell figures pages)
-set(app_commands files query scene shell figures pages checks book platforms)
+set(app_commands files query scene shell figures pages checks book platforms grade)
 set(app_files query scene shell figures pages checks book platforms)
 
 # Which rings a ring may include besides itself.

@@ -19,14 +19,14 @@ TEST_CASE("help names every subcommand, an example and the exit statuses", "[pro
   CHECK(r.status == 0);
   CHECK(r.err.empty());
   for (const char* word : {"list", "show", "explain", "render", "strip", "handout", "quiz", "deck", "scene", "lang",
-                           "theme", "check", "query", "bench", "doctor", "Example:", "77"})
+                           "theme", "check", "query", "grade", "bench", "doctor", "Example:", "77"})
     CHECK_THAT(r.out, Contains(word));
 }
 
 TEST_CASE("each subcommand has help with an example", "[program]") {
   const Shell shell;
   for (const std::string sub : {"list", "show", "explain", "render", "handout", "quiz", "deck", "lang", "theme",
-                                "check", "query", "bench", "doctor"}) {
+                                "check", "query", "grade", "bench", "doctor"}) {
     INFO(sub);
     const Ran r = shell("isect " + sub + " --help");
     CHECK(r.status == 0);
