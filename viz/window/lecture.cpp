@@ -239,8 +239,9 @@ void lecture(Player& player, Ui& ui, StepWords& step_words, const Rect& r, const
   const bool asks = player.quiz().asked() != nullptr, has = has_state(player, static_cast<bool>(other));
   Columns columns;
   columns.state = std::clamp(0.42f * room, 260.0f, 32 * static_cast<float>(large));
-  columns.words = std::min(room - columns.state - told_gap, std::max(1100.0f, 46 * static_cast<float>(size)));
-  columns.whole = has ? 0 : std::min(room, 1100.0f);
+  const float longest = std::max(1100.0f, 46 * static_cast<float>(size));  // a line that is still easy to read
+  columns.words = std::min(room - columns.state - told_gap, longest);
+  columns.whole = has ? 0 : std::min(room, longest);
   columns.state_end = told_above;
   if (has && (asks || other)) {
     columns.state_end = height;  // lines to point at, or of two panes: they need all the room there is

@@ -1,6 +1,7 @@
 #include "viz/window/resting_pointer.h"
 
 #include <cfloat>
+#include <cmath>
 
 #include "viz/window/widgets.h"
 
@@ -13,7 +14,8 @@ bool RestingPointer::begin_frame(bool lecture, double seconds) {
     if (!lecture || !there || pressed || seconds < pointer_patience) return false;
     at_ = io.MousePos;
   }
-  const bool moved = there && (io.MousePos.x != at_->x || io.MousePos.y != at_->y);
+  // Dear ImGui rounds it down to whole px.
+  const bool moved = there && !(std::abs(io.MousePos.x - at_->x) < 1 && std::abs(io.MousePos.y - at_->y) < 1);
   if (lecture && !moved && !pressed) {  // some back ends tell in each frame where it is
     io.MousePos = {-FLT_MAX, -FLT_MAX};
     return false;
