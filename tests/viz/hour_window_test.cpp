@@ -127,6 +127,47 @@ TEST_CASE("I and the badge list all stops, and one of them is gone to", "[hour][
   CHECK_FALSE(window.has("list of stops"));
 }
 
+TEST_CASE("in the list of stops digits choose one, and Page Down scrolls and closes", "[hour][window]") {
+  std::vector<Stop> stops(12, stop_at(disc, "squared-inside"));
+  stops[1] = stops[11] = stop_at(ball, "squared-outside");
+  WindowDriver window(both, 1280, 500, {}, {}, with(stops));
+  const auto list = [&] {
+    window.type("i");
+    window.frames(2);
+    REQUIRE(window.has("list of stops"));
+  };
+  list();
+  window.type("2");  // no other stop begins so
+  window.frames(2);
+  CHECK_FALSE(window.has("list of stops"));
+  CHECK(where(window) == "2 of 12: Point and ball, step 1");
+  list();
+  window.type("1");
+  window.frames(2);
+  REQUIRE(window.has("list of stops"));
+  CHECK(window.ui.focus() == "stop 1");
+  window.type("2");
+  window.frames(2);
+  CHECK(where(window) == "12 of 12: Point and ball, step 1");
+  list();
+  window.type("01");
+  window.key(key::enter);
+  window.frames(2);
+  CHECK(where(window) == "1 of 12: Point and disc, step 1");
+  list();
+  const float top = window.rect("stop 1").top;
+  window.key(key::page_down);
+  window.frames(2);
+  REQUIRE(window.has("list of stops"));
+  CHECK(window.rect("stop 1").top < top);
+  for (int i = 0; i < 9 && window.has("list of stops"); ++i) {
+    window.key(key::page_down);
+    window.frames(2);
+  }
+  CHECK_FALSE(window.has("list of stops"));
+  CHECK(where(window) == "1 of 12: Point and disc, step 1");
+}
+
 TEST_CASE("a stop's note is told where it begins, in a lecture and outside", "[hour][window]") {
   WindowDriver window(both, 1280, 800, {}, {}, three_stops());
   if (GENERATE(true, false)) window.key(key::tab);

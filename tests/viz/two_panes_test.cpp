@@ -142,7 +142,7 @@ TEST_CASE("a lecture with two panes has both scenes above its strip, which tells
   window.key(key::tab);
   const Rect strip = window.rect("lecture");
   window.type("v");
-  window.key(key::page_down);
+  for (int i = 0; i < 4 && window.player().index() == 0; ++i) window.key(key::page_down);  // first the strip's rest
   window.frames(2);
   CHECK(window.rect("lecture").top == strip.top);
   CHECK((window.rect("scene").bottom == strip.top && window.rect("other scene").bottom == strip.top));

@@ -269,6 +269,31 @@ TEST_CASE("the key sheet opens by key and by button, and closes by Escape", "[wi
   CHECK(window.has("key sheet"));
 }
 
+TEST_CASE("Page Down scrolls the key sheet, Page Up scrolls back, and at the end Page Down closes it", "[window]") {
+  const float height = GENERATE(500.0f, 1080.0f);
+  WindowDriver window(both, 1280, height);
+  window.key(key::f1);
+  window.frames(2);
+  const float top = window.rect("keys left").top;
+  if (height == 500) {
+    window.key(key::page_down);
+    window.frames(2);
+    REQUIRE(window.has("key sheet"));
+    CHECK(window.rect("keys left").top < top);
+    window.key(key::page_up);
+    window.frames(2);
+    CHECK(window.rect("keys left").top == top);
+  }
+  int presses = 0;
+  for (; window.has("key sheet") && presses < 9; ++presses) {
+    window.key(key::page_down);
+    window.frames(2);
+  }
+  CHECK((height == 500 ? presses > 1 : presses == 1));
+  CHECK_FALSE(window.has("key sheet"));
+  CHECK(window.player().index() == 0);
+}
+
 TEST_CASE("a line of pseudocode leads to its step", "[window]") {
   WindowDriver window(both);
   window.click("line 3");

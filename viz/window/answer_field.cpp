@@ -94,7 +94,11 @@ void answer_field(Column& c, Player& player, AnswerField& field) {
   const Palette& ink = c.ui.palette;
   const Question& question = *player.quiz().asked();
   if (question.order) order_tiles(c, *question.order, field);
-  const float gap = 8, button = 84, width = std::min(c.width - button - gap, 260.0f);
+  constexpr float gap = 8, button = 84, least = 100, most = 260;
+  const std::string hint = question.order ? "Show the choices" : "Show the choices (A)";
+  const float hint_width = text_width(c.ui.fonts.body, hint) + 28, for_field = c.width - button - gap;
+  const bool in_a_row = for_field - hint_width - gap >= least;  // then all is in sight in a low strip, too
+  const float width = std::min(in_a_row ? for_field - hint_width - gap : for_field, most);
   const Rect r{c.x, c.y, c.x + width, c.y + answer_height};
   bool entered = false;
   if (field.typing)
@@ -103,6 +107,10 @@ void answer_field(Column& c, Player& player, AnswerField& field) {
     begin_typing(field);
   const Rect beside{r.right + gap, r.top, r.right + gap + button, r.bottom};
   const bool pressed = chip(c.ui, "give answer", beside, "Answer", false);
+  const auto show_choices = [&](float x, float y) {
+    return chip(c.ui, "show choices", {x, y, x + hint_width, y + answer_height}, hint, false);
+  };
+  bool hinted = in_a_row && show_choices(beside.right + gap, r.top);
   c.y = r.bottom + 6;
   c.paragraph(how_to_answer(question), ink.muted);
   if (!field.refused.empty()) {
@@ -111,11 +119,12 @@ void answer_field(Column& c, Player& player, AnswerField& field) {
     c.ui.rects["unread answer"] = {c.x, top, c.x + c.width, c.y};
   }
   c.y += 8;
-  float x = c.x;
-  const bool hint = c.button("show choices", question.order ? "Show the choices" : "Show the choices (A)", x);
-  c.y += answer_height;
+  if (!in_a_row) {
+    hinted = show_choices(c.x, c.y);
+    c.y += answer_height;
+  }
   if (entered || pressed) return submit(player, field);
-  if (hint) player.show_choices();
+  if (hinted) player.show_choices();
 }
 
 namespace {

@@ -53,8 +53,9 @@ void order_tiles(Column& c, const OrderAsked& asked, AnswerField& field) {
 
 int lines_to_point_at(Column& c, const Walk& walk) {
   const Palette& ink = c.ui.palette;
-  constexpr float first_row = 26, next_row = 20, beside_number = 34;
-  ImFont* const font = c.ui.fonts.mono;
+  constexpr float beside_number = 38;
+  const float next_row = static_cast<float>(c.ui.fonts.large) + 5, first_row = next_row + 5;
+  ImFont* const font = c.ui.fonts.mono_large;
   int pressed = -1;
   for (int i = 0; i < static_cast<int>(walk.pseudocode.size()); ++i) {
     const std::vector<std::string> rows =
@@ -64,7 +65,7 @@ int lines_to_point_at(Column& c, const Walk& walk) {
     c.y = r.bottom;
     const Press p = press(c.ui, "point " + std::to_string(i + 1), r);
     if (p.hovered) filled(r, ink.hovered, 5);
-    text(font, r.left + beside_number - 10, y, packed(ink.muted), std::to_string(i + 1), 1);
+    text(c.ui.fonts.mono, r.left + beside_number - 10, y, packed(ink.muted), std::to_string(i + 1), 1);
     for (const std::string& row : rows) {
       text(font, r.left + beside_number, y, packed(ink.text), row);
       y += next_row;

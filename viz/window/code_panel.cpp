@@ -38,14 +38,17 @@ struct CodeLine {
   float height(float pitch) const { return pitch + pitch_of_rows * static_cast<float>(rows.size() - 1); }
 };
 
+/// Whether the line may have a "yes" or a "no" beside it, at this step or at another one.
+bool may_say(const std::string& words) {
+  return has_condition(words) || words.find("if ") != std::string::npos || words.find("else") != std::string::npos;
+}
+
 /// Returns all lines of the walk. A line whose condition may fail has room for its "yes" or "no".
 std::vector<CodeLine> code_lines(const Ui& ui, const Walk& walk, float width) {
   ImFont* const font = ui.fonts.mono;
   std::vector<CodeLine> lines;
   for (const std::string& words : walk.pseudocode) {
-    const bool asks =
-        has_condition(words) || words.find("if ") != std::string::npos || words.find("else") != std::string::npos;
-    lines.push_back({rows_of_line(words, font, width - code_left - (asks ? said_room : 6)), font});
+    lines.push_back({rows_of_line(words, font, width - code_left - (may_say(words) ? said_room : 6)), font});
   }
   return lines;
 }
@@ -192,17 +195,20 @@ void code(Player& player, Ui& ui, const std::vector<CodeLine>& lines, const Rect
   ImGui::EndChild();
 }
 
-constexpr float pitch_alone = 38;
+/// The height of the current line where it stands alone on one row.
+float pitch_alone(const Ui& ui) { return static_cast<float>(ui.fonts.large) + 18; }
 
-/// Returns the line in large letters, or in smaller ones if a word of it is too long.
+/// Returns the line in large letters, or in smaller ones if a word of it is too long. Its rows are the same at all
+/// steps, whether they say "yes" or "no" of it or nothing.
 CodeLine laid_out_alone(const Player& player, const Ui& ui, float width) {
-  constexpr float beside = 50;
+  constexpr float beside = 50, between_rows = 6;
   const int line = player.step().line;
   const std::string words = unindented(player.walk().pseudocode[line]);
-  const float room = width - code_left - (said_at(player, line) ? beside + 6 : 10);
+  const float room = width - code_left - (may_say(words) || said_at(player, line) ? beside + 6 : 10);
   CodeLine laid_out;
   for (ImFont* const font : {ui.fonts.mono_large, ui.fonts.mono}) {
-    laid_out = {rows_of_line(words, font, room), font, font == ui.fonts.mono_large ? 26.0f : 20.0f, beside};
+    const double size = font == ui.fonts.mono_large ? ui.fonts.large : body_size;
+    laid_out = {rows_of_line(words, font, room), font, static_cast<float>(size) + between_rows, beside};
     const auto fits = [&](const std::string& row) { return text_width(font, row) <= room; };
     if (std::ranges::all_of(laid_out.rows, fits)) break;
   }
@@ -212,11 +218,11 @@ CodeLine laid_out_alone(const Player& player, const Ui& ui, float width) {
 }  // namespace
 
 float current_line_height(const Player& player, const Ui& ui, float width) {
-  return laid_out_alone(player, ui, width).height(pitch_alone);
+  return laid_out_alone(player, ui, width).height(pitch_alone(ui));
 }
 
 void current_line(Player& player, Ui& ui, const Rect& r) {
-  code_line(player, ui, player.step().line, laid_out_alone(player, ui, r.width()), pitch_alone, r, Differs::no);
+  code_line(player, ui, player.step().line, laid_out_alone(player, ui, r.width()), pitch_alone(ui), r, Differs::no);
 }
 
 void parted_mark(Ui& ui, const std::string& name, const Rect& r, bool lit) {

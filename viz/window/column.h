@@ -10,16 +10,17 @@ struct Column {
   Ui& ui;
   float x, y, width;
   double size = body_size, pitch = 23;  ///< of its words
+  bool draws = true;                    ///< off: it only finds how far down its contents reach
   static constexpr float button_height = 34;
 
   void paragraph(const std::string& markup, const Colour& colour, bool bold = false) {
     paragraph(markup, colour, size, pitch, bold);
   }
   void paragraph(const std::string& markup, const Colour& colour, double px, double line_pitch, bool bold = false) {
-    y += rich(ui,
-              {.markup = markup, .width = width, .size = px, .line_pitch = line_pitch, .bold = bold, .colour = colour},
-              {x, y})
-             .y;
+    if (markup.empty()) return;
+    const Paragraph p{
+        .markup = markup, .width = width, .size = px, .line_pitch = line_pitch, .bold = bold, .colour = colour};
+    y += (draws ? rich(ui, p, {x, y}) : ui.texts.size_of(p)).y;
   }
   /// Draws a button as wide as its words, in a row that begins at `from`, or in a row below; moves `from` behind it.
   bool button(const std::string& name, const std::string& words, float& from);
@@ -29,7 +30,8 @@ struct Column {
 /// last frame. (question.cpp)
 void question(Column&, Player&, AnswerField&, bool fresh);
 /// Draws them for a hall: of an answered question only the right answer and the one that was given; and the answer of
-/// one that was passed over. (question.cpp)
+/// one that was passed over. A column that draws nothing takes no question that asks for more than a choice.
+/// (question.cpp)
 void question_in_lecture(Column&, Player&, AnswerField&);
 /// Draws the field for what is asked for besides a choice, the tiles of an order, and a button that shows the choices
 /// instead. (answer_field.cpp)

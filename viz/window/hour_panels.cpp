@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "viz/text/rich_text.h"
 #include "viz/window/column.h"
@@ -43,6 +44,23 @@ bool row_of_stop(WindowSession& s, int i, const Rect& r) {
   if (!stop.fault.empty()) below = "can't be opened: " + stop.fault;
   text(ui.fonts.body, left, r.top + 33, packed(c.muted), fitted(ui.fonts.body, below, room));
   return p.clicked;
+}
+
+/// Takes the digits that are typed: the stop's number. Returns the stop, from 0, if no longer number begins so; else
+/// that stop's row is held, and Enter opens it. -1: none.
+int typed_stop(WindowSession& s) {
+  for (const ImWchar c : ImGui::GetIO().InputQueueCharacters) {
+    if (c < '0' || c > '9') continue;
+    const int digit = static_cast<int>(c - '0'), count = s.hour->count();
+    int& number = s.typed_stop;
+    number = 10 * number + digit;
+    if (number > count) number = digit;  // it begins another one
+    if (number < 1 || number > count) number = 0;
+    if (number == 0) continue;
+    if (10 * number > count) return std::exchange(number, 0) - 1;
+    s.ui.focus.take("stop " + std::to_string(number));
+  }
+  return -1;
 }
 
 }  // namespace
@@ -109,15 +127,17 @@ void stops_sheet(WindowSession& s, const Rect& window) {
   if (opened) ImGui::SetScrollY(std::max(0.0f, stop_row * static_cast<float>(s.hour->at() - 2)));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = at.x + ImGui::GetContentRegionAvail().x - 4;
-  int pressed = -1;
+  if (opened) s.typed_stop = 0;
+  int pressed = opened ? -1 : typed_stop(s);
   for (int i = 0; i < count; ++i) {
     const float y = at.y + stop_row * static_cast<float>(i);
     if (row_of_stop(s, i, {at.x, y, right, y + stop_row - 2})) pressed = i;
   }
   ImGui::SetCursorScreenPos(at);
   ImGui::Dummy({1, stop_row * static_cast<float>(count)});
+  const bool past = pages_past_end() && !opened;
   ImGui::EndChild();
-  if (pressed >= 0) ImGui::CloseCurrentPopup();
+  if (pressed >= 0 || past) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
   if (pressed >= 0) open_stop(s, pressed);
 }

@@ -103,7 +103,7 @@ void key_sheet(Ui& ui, const Rect& window) {
   constexpr float rows = static_cast<float>(std::size(left_keys)), least = 18;  // px; the sheet of a low window scrolls
   const float row = std::clamp(std::floor((window.height() - 140) / rows), least, 27.0f);
   if (!begin_sheet(ui, "key sheet", window, 920, 100 + row * rows)) return;
-  if (key_down(key::f1)) ImGui::CloseCurrentPopup();
+  if (key_down(key::f1) || (pages_past_end() && !ImGui::IsWindowAppearing())) ImGui::CloseCurrentPopup();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x;
   const float left = width_of(left_keys, ui.fonts.body), right = width_of(right_keys, ui.fonts.body);

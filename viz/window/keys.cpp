@@ -87,6 +87,7 @@ void focus_keys(Focus& focus, bool in_popup) {
 
 /// Page Down and Page Up, a presenter's two buttons: on and back in a lecture and in a playlist, else the presets.
 void page_keys(WindowSession& s) {
+  if (pressed(key::page_down, true) && shows_rest(s)) return;
   const bool repeat = !pages_go_on(s) || !leads_on(s);  // a key that is held does not run on into another lesson
   const int by = (pressed(key::page_down, repeat) ? 1 : 0) - (pressed(key::page_up, true) ? 1 : 0);
   if (by == 0) return;
@@ -117,6 +118,7 @@ void moving_keys(WindowSession& s) {
   Player& player = s.player;
   const bool shift = ImGui::GetIO().KeyShift;  // with it the arrows turn the scene, or move a handle
   const bool repeat = !leads_on(s);            // a key that is held does not run on into another lesson
+  if (!shift && pressed(key::right, true) && shows_rest(s)) return;
   if (!shift && pressed(key::right, repeat)) go_on(s);
   if (!shift && pressed(key::left, true)) go_back(s);
   if (pressed(key::escape)) s.ui.focus.clear();
@@ -163,6 +165,7 @@ void command(WindowSession& s, char c) {
   Player& player = s.player;
   switch (c) {
     case ' ':
+      if (!player.running() && shows_rest(s)) return;
       return player.toggle_play();
     case '[':
       return attempt(s.toast, [&] { player.open_neighbour(-1); });

@@ -48,6 +48,12 @@ WindowLayout lecture_layout(float width, float height) {
           .transport = {0, bottom, width, height}};
 }
 
+LectureSizes lecture_sizes(float strip) {
+  constexpr double rows = 14, least = 15, most = 26, least_large = 20, larger = 3;
+  const double words = std::clamp(std::floor(strip / rows), least, most);
+  return {words, std::max(least_large, words + larger)};
+}
+
 Halves halves(const Rect& r, float share) {
   Halves h{r, r};
   if (r.width() > 1.25f * r.height())

@@ -28,6 +28,14 @@ WindowLayout window_layout(float width, float height);
 /// the window allows, whatever it says.
 WindowLayout lecture_layout(float width, float height);
 
+/// Sizes of what is read from afar, in px: of words; of code, formulas and values, which are 20 px at least, and never
+/// smaller than words.
+struct LectureSizes {
+  double words, large;
+};
+/// Returns the sizes in a strip of this height.
+LectureSizes lecture_sizes(float strip);
+
 /// A rectangle cut in two with a share of it for the second part: side by side, or one below the other if it is not
 /// much wider than high.
 struct Halves {

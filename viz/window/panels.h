@@ -44,9 +44,13 @@ using OnItsSide = std::function<void(const std::function<void(Player&)>& draw)>;
 /// their place; at the right the current line, the formula and the values in use, or what the question needs.
 /// (lecture.cpp) `other`: draws in the second of two panes, whose line and values are told, too; empty: there is none.
 void lecture(Player&, Ui&, StepWords&, const Rect&, const OnItsSide& other = {});
-/// Returns which of its values a step uses, at most three, in their order: those that its condition names, those that
-/// are new, those that its line and its formula name, as far as there is room. (lecture.cpp)
-std::vector<Value> values_in_use(const Walk&, const Step&);
+/// Returns which of its values a step uses, in their order: all that its line names, each by its own value or else by a
+/// power of it; up to three also those that its condition names, those that are new, those that its formula names.
+/// `knobs`: numbers that are set, for names of the line without a value; they come last. (values_in_use.cpp)
+std::vector<Value> values_in_use(const Walk&, const Step&, const std::vector<Value>& knobs = {});
+/// Where a part of a lecture's words lies below the strip's end: lets the next frame show it. Returns false where there
+/// is none, so that a key goes on. (lecture.cpp)
+bool shows_rest(WindowSession&);
 /// Draws nothing but black over the whole window, until a click. (lecture.cpp)
 void dark_screen(WindowSession&, const Rect& window);
 /// Draws scrubber and buttons, and where a reader is in a playlist. (transport.cpp)

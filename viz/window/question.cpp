@@ -96,7 +96,8 @@ int choices(Column& c, const Question& question, const std::vector<int>& which, 
     const float x = c.x + static_cast<float>(column) * (grid.width + across_choices);
     const Choice choice{"choice " + std::to_string(which[k]), words[k],         static_cast<char>('A' + which[k]), open,
                         which[k] == question.answer,          which[k] == given};
-    if (choice_button(c.ui, choice, c.size, {x, c.y, x + grid.width, c.y + grid.rows[row]})) pressed = which[k];
+    if (c.draws && choice_button(c.ui, choice, c.size, {x, c.y, x + grid.width, c.y + grid.rows[row]}))
+      pressed = which[k];
   }
   if (!which.empty()) c.y += grid.rows.back();
   return pressed;
@@ -124,14 +125,16 @@ void told_answer(Column& c, const Answered& answered, const std::vector<int>& wh
   const float begin = c.y;
   const bool right = answered.right();
   const Colour& colour = right ? ink.hit : ink.miss;
-  (right ? tick : cross)(c.x + 7, c.y + static_cast<float>(std::floor(c.pitch / 2)), 13, packed(colour));
+  if (c.draws) (right ? tick : cross)(c.x + 7, c.y + static_cast<float>(std::floor(c.pitch / 2)), 13, packed(colour));
   c.x += 22, c.width -= 22;
   c.paragraph(right ? "Right" : "Not quite", colour, true);
   c.x -= 22, c.width += 22;
   c.ui.rects["what came of it"] = {c.x, begin, c.x + c.width, c.y};
-  const Rect again{c.x + c.width - 92, begin - 1, c.x + c.width, begin + 23};
-  if (chip(c.ui, "numbers again", again, "Again (Y)", false)) field.other = true;
-  if (ImGui::IsItemHovered()) tooltip(c.ui, "The same question with other numbers");
+  if (c.draws) {
+    const Rect again{c.x + c.width - 92, begin - 1, c.x + c.width, begin + 23};
+    if (chip(c.ui, "numbers again", again, "Again (Y)", false)) field.other = true;
+    if (ImGui::IsItemHovered()) tooltip(c.ui, "The same question with other numbers");
+  }
   c.paragraph(answered.question->prompt, ink.muted);
   if (!answered.told.empty()) {
     const float top = c.y;
@@ -192,7 +195,7 @@ void question_in_lecture(Column& c, Player& player, AnswerField& field) {
   }
   if (c.y == begin) return;
   c.y += 10;
-  rule(c.ui, c.x, c.x + c.width, c.y);
+  if (c.draws) rule(c.ui, c.x, c.x + c.width, c.y);
   c.y += 12;
 }
 

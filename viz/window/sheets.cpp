@@ -45,6 +45,16 @@ bool begin_sheet(Ui& ui, const char* name, const Rect& window, float width, floa
   return true;
 }
 
+bool pages_past_end() {
+  constexpr float kept_in_sight = 40;
+  const float page = std::max(ImGui::GetWindowHeight() - kept_in_sight, kept_in_sight);
+  const bool down = ImGui::IsKeyPressed(key::page_down, false), up = ImGui::IsKeyPressed(key::page_up, false);
+  if (down && !(ImGui::GetScrollY() < ImGui::GetScrollMaxY() - 1)) return true;
+  if (down || up)
+    ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + (down ? page : -page), 0.0f, ImGui::GetScrollMaxY()));
+  return false;
+}
+
 bool search_field(Ui& ui, std::string& words, const char* hint) {
   if (ImGui::IsWindowAppearing()) {
     words.clear();

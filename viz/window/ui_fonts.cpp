@@ -32,12 +32,13 @@ ImFont* load(const std::string& pattern, double size, double scale) {
 
 }  // namespace
 
-UiFonts load_fonts(double scale) {
+UiFonts load_fonts(double scale, double large) {
   return {.body = load("DejaVu Sans", body_size, scale),
           .bold = load("DejaVu Sans:bold", body_size, scale),
           .heading = load("DejaVu Sans:bold", heading_size, scale),
           .mono = load("DejaVu Sans Mono", body_size, scale),
-          .mono_large = load("DejaVu Sans Mono", large_size, scale)};
+          .mono_large = load("DejaVu Sans Mono", large, scale),
+          .large = large};
 }
 
 }  // namespace isect::viz

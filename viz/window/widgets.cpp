@@ -172,8 +172,7 @@ void light_up(Ui& ui, const Rect& r, double strength, bool bright) {
 }
 
 void tell_sum(Ui& ui, const Rect& window) {
-  constexpr double patience = 3;  // like a tooltip
-  if (ui.sum.empty() || (!ui.light.by_keyboard() && ui.pointer_rest > patience)) return;
+  if (ui.sum.empty() || (!ui.light.by_keyboard() && ui.pointer_rest > pointer_patience)) return;
   ImFont* const font = ui.fonts.body;
   const float size = font->FontSize * font->Scale, most = 420;
   const ImVec2 words = font->CalcTextSizeA(size, most, most, ui.sum.c_str());
@@ -270,8 +269,7 @@ void more_beyond(Ui& ui, const std::string& name, const Rect& r) {
 }
 
 void tooltip(const Ui& ui, const std::string& s) {
-  constexpr double patience = 3;  // a resting pointer must not cover the text forever while the keys step
-  if (ui.pointer_rest > patience) return;
+  if (ui.pointer_rest > pointer_patience) return;  // it must not cover the text forever while the keys step
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{10, 7});
   ImGui::SetTooltip("%s", s.c_str());
   ImGui::PopStyleVar();

@@ -19,6 +19,9 @@
 
 namespace isect::viz {
 
+/// Seconds after which a resting pointer has no tooltip any more and, in a lecture, is hidden.
+constexpr double pointer_patience = 3;
+
 /// The state that every widget needs.
 struct Ui {
   Palette palette;

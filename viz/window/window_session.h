@@ -199,6 +199,8 @@ struct StepWords {
   std::string note = {};                     ///< the playlist's, told before them
   std::optional<Player> before_fault = {};   ///< as the reader was before a published line was shown to fail
   AnswerField answer = {};
+  float beyond = 0;   ///< px of the words, or of what stands beside them, below the end of a lecture's strip
+  bool turn = false;  ///< these are wanted
 };
 
 /// Where the walks of two panes part: a line, one of the step's values; -1: nowhere.
@@ -267,6 +269,7 @@ struct WindowSession {
   Toast toast = {};
   std::optional<Reviewing> review = {};
   std::optional<Hour> hour = {};  ///< the playlist that is gone through
+  int typed_stop = 0;             ///< the number of one of its stops, as far as it is typed in their list
   unsigned answers_kept = 0;      ///< how many of the player's answers are in the record
 };
 

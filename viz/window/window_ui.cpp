@@ -28,6 +28,7 @@
 #include "viz/window/object_changes.h"
 #include "viz/window/objects_panel.h"
 #include "viz/window/panels.h"
+#include "viz/window/resting_pointer.h"
 #include "viz/window/save_figure.h"
 #include "viz/window/saving.h"
 #include "viz/window/scene_view.h"
@@ -58,6 +59,11 @@ namespace {
 UiFonts fonts_at(double scale) {
   key::map();
   return load_fonts(scale);
+}
+
+/// Returns the size of code in a lecture in this window, px.
+double large_size_in(const ImVec2& window) {
+  return lecture_sizes(lecture_layout(window.x, window.y).lesson.height()).large;
 }
 
 /// Returns where the player starts: in the playlist, if there is one.
@@ -159,14 +165,15 @@ struct WindowUi::Impl {
 
   void resize() {
     const double now = fitting_size();
-    if (now == size) return;
     ImGuiIO& io = ImGui::GetIO();
     const float by = static_cast<float>(size / now), scale = static_cast<float>(density * now);
-    size = now;
+    const double large = large_size_in({io.DisplaySize.x * by, io.DisplaySize.y * by});
+    if (now == size && large == ui.fonts.large) return;
     io.Fonts->Clear();
-    ui.fonts = load_fonts(scale);
+    ui.fonts = load_fonts(scale, large);
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
+    if (std::exchange(size, now) == now) return;
     ui.texts.rescale(scale);
     scene.rescale(scale);
     map.rescale(scale);
@@ -248,6 +255,7 @@ struct WindowUi::Impl {
   const Lesson* names_of_lesson = nullptr;
   std::set<std::string> names_of_knobs = {};  ///< that lesson's: a scene may have thousands
   double density, size = 1;
+  RestingPointer resting;
   Ui ui;
   Course course;
   WindowSession session;
@@ -282,9 +290,12 @@ void WindowUi::frame() {
   w.draw_pictured();
   follow_review(w.session);
 
+  const bool in_lecture = !w.session.panels && !w.session.review;
+  const bool came_back = w.resting.begin_frame(in_lecture, w.ui.pointer_rest);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
-  const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
+  if (w.resting.hidden()) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
+  const bool moved = came_back || io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
   w.ui.pointer_rest = moved ? 0 : w.ui.pointer_rest + io.DeltaTime;
   ImGui::PushFont(w.ui.fonts.body);
   ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);  // Tab is the window's own
@@ -353,6 +364,9 @@ double WindowUi::rest() const {
     return 0;
   double rest = std::numeric_limits<double>::infinity();
   if (p.running()) rest = std::min(rest, std::max(p.clock().seconds_to_step(), 0.0));
+  const bool pointed =
+      !s.panels && !s.review && !impl_->resting.hidden() && ImGui::IsMousePosValid(&ImGui::GetIO().MousePos);
+  if (pointed) rest = std::min(rest, std::max(pointer_patience - impl_->ui.pointer_rest, 0.0));
   if (impl_->session.toast.seconds_left > 0) rest = std::min(rest, impl_->session.toast.seconds_left);
   return rest;
 }
