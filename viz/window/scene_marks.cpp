@@ -229,31 +229,39 @@ bool shows_cases(const Scene& scene) { return scene.chart && std::holds_alternat
 
 }  // namespace
 
-float changed_room(const Player& player) {
+/// Whether the setting is no preset, or an edited scene is not as its file has it.
+static bool is_changed(const Player& player, const Lesson* in_file) {
+  return in_file || player.played().preset_id().empty();
+}
+
+float changed_room(const Player& player, const Lesson* in_file) {
   const Scene& scene = player.scene();
-  if (!player.played().preset_id().empty() || !scene.handles.empty() || shows_cases(scene)) return 0;
+  if (!is_changed(player, in_file) || !scene.handles.empty() || shows_cases(scene)) return 0;
   return scene.chart || is_page(scene) ? 26 : 0;
 }
 
-static Rect changed_rect(const Player& player, const Ui& ui, const Rect& scene) {
+static Rect changed_rect(const Player& player, const Ui& ui, const Rect& scene, const Lesson* in_file) {
   const float left = scene.right - 28 - text_width(ui.fonts.body, "changed"), right = scene.right - 12;
-  if (const float room = changed_room(player); room > 0) return {left, scene.bottom - room, right, scene.bottom - 2};
+  if (const float room = changed_room(player, in_file); room > 0)
+    return {left, scene.bottom - room, right, scene.bottom - 2};
   if (shows_cases(player.scene()) && !is_low(scene))  // beside the verdict, above all numbers
     return {left, scene.top + 26, right, scene.top + 50};
   return {left, scene.bottom - 64, right, scene.bottom - 40};
 }
 
-void changed_mark(Player& player, Ui& ui, Toast& toast, const Rect& scene) {
-  if (!player.played().preset_id().empty()) return;
-  if (press(ui, "changed", changed_rect(player, ui, scene)).clicked) attempt(toast, [&] { player.restart(); });
+void changed_mark(Player& player, Ui& ui, Toast& toast, const Rect& scene, const Lesson* in_file) {
+  if (!is_changed(player, in_file)) return;
+  if (press(ui, "changed", changed_rect(player, ui, scene, in_file)).clicked)
+    attempt(toast, [&] { in_file ? player.show_version(*in_file) : player.restart(); });
 }
 
-void changed_text(const Player& player, const Ui& ui, const Rect& scene) {
-  if (!player.played().preset_id().empty()) return;
-  const Rect r = changed_rect(player, ui, scene);
+void changed_text(const Player& player, const Ui& ui, const Rect& scene, const Lesson* in_file) {
+  if (!is_changed(player, in_file)) return;
+  const Rect r = changed_rect(player, ui, scene, in_file);
   text(ui.fonts.body, r.right - 8, r.middle_y(), packed(ui.palette.fresh_text), "changed", 1);
   if (ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
-    tooltip(ui, "Parameters were changed by hand. Here or R: back to the preset. Ctrl+Z: one change back");
+    tooltip(ui, in_file ? "The scene was edited since it was saved. Here: back to the saved one. Ctrl+Z: one change back"
+                        : "Parameters were changed by hand. Here or R: back to the preset. Ctrl+Z: one change back");
 }
 
 void projection_name(Player& player, Ui& ui, const View& view, const Rect& scene, const std::vector<Handle>& handles) {

@@ -38,9 +38,9 @@ void projection_text(const Player&, Ui&, const Rect& scene, const std::vector<Pl
 /// A mark above it, where parameters were changed by hand: a button, with its text, that leads back to the preset.
 /// Charts and pages, whose words reach everywhere, leave a strip of this height below them for it; not if a drag makes
 /// the change: nothing else may move during a drag.
-float changed_room(const Player&);
-void changed_mark(Player&, Ui&, Toast&, const Rect& scene);
-void changed_text(const Player&, const Ui&, const Rect& scene);
+float changed_room(const Player&, const Lesson* in_file);
+void changed_mark(Player&, Ui&, Toast&, const Rect& scene, const Lesson* in_file);
+void changed_text(const Player&, const Ui&, const Rect& scene, const Lesson* in_file);
 /// Keeps the reader's view for all presets of the lesson, or no longer.
 void toggle_pin(Player&, Toast&);
 /// A pin above these, once the reader has moved the view: a button (before the scene's own), and its sign.

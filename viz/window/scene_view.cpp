@@ -229,13 +229,13 @@ void SceneView::show(const ScenePane& s, const Rect& whole) {
   const float steady = steady_head(player, ui, tallest_verdict_, r), axis = axis_room(player, ui.palette.theme, r);
   player.set_aspect(r.width() / (r.height() - steady - axis));
   const float head = head_of(player, ui, steady, r), below = player.scene().chart ? 0 : axis;
-  const float height = r.height() - head - std::max(below, changed_room(player));
+  const float height = r.height() - head - std::max(below, changed_room(player, s.in_file));
   const Vec2 corner(r.left, r.top + head);
   const View before(arrange(player), r.width(), height, corner);
 
   const bool lead = s.pane == Pane::lead, in_space = !player.scene().chart && !has_drawings(player.scene());
   if (lead && in_space && !player.lesson().flat) projection_name(player, ui, before, r, s.handles());
-  if (lead) changed_mark(player, ui, s.toast, r);
+  if (lead) changed_mark(player, ui, s.toast, r, s.in_file);
   if (lead) pin_mark(player, ui, s.toast, before, r, s.handles());
   if (s.pane != Pane::fixed) press_edge_arrows(player, ui, before, r);
   ImGui::SetCursorScreenPos(top_left(r));
@@ -257,7 +257,7 @@ void SceneView::show(const ScenePane& s, const Rect& whole) {
   alarm_chip(player, ui, r);
   if (in_space && !(player.lesson().flat && is_low(r))) tripod(ui, view, r, labels_, s.handles());
   if (lead && in_space && !player.lesson().flat) projection_text(player, ui, r, labels_);
-  if (lead) changed_text(player, ui, r);
+  if (lead) changed_text(player, ui, r, s.in_file);
   if (lead) pin_text(player, ui, r);
   if (s.pane != Pane::fixed) draw_edge_arrows(player, ui, view, r);
   toast(ui, s.toast, r);

@@ -31,6 +31,7 @@ struct ScenePane {
   /// return false if there is none. Null: no outline can be changed.
   std::function<bool(const View&, const Vec2&)> add_corner = {};
   std::function<bool(const Handle&)> remove_corner = {};
+  const Lesson* in_file = nullptr;  ///< the scene as its file has it, where the one on show was edited since; or null
   /// Returns the handles that can be dragged.
   const std::vector<Handle>& handles() const {
     static const std::vector<Handle> none;
