@@ -13,11 +13,27 @@ namespace {
 
 constexpr float stop_row = 46;
 
-/// Returns "Ray and sphere: tangent", without the preset while it may answer an open question of this lesson.
-std::string title_of(const Stop& stop, const Player& player) {
+/// Returns how a stop's lesson calls the method of its setting; empty if it has only one.
+std::string method_of(const Stop& stop, const Player& player) {
+  const Lesson& lesson = *stop.lesson;
+  if (lesson.group_by.empty() || !stop.state.parameters) return {};
+  const auto chosen = stop.state.parameters->find(lesson.group_by);
+  if (chosen == stop.state.parameters->end()) return {};
+  const std::string& choice = std::get<std::string>(chosen->second);
+  if (&lesson == &player.lesson())
+    for (const Method& method : player.played().methods())
+      if (method.choice == choice) return plain(method.title);
+  return choice;
+}
+
+/// Returns "Ray and sphere (Haines): tangent", without the preset while it may answer a question of this lesson that is
+/// open or ahead.
+std::string title_of(const Stop& stop, const WindowSession& s) {
   if (!stop.lesson) return stop.name.empty() ? "A stop" : stop.name;
-  const std::string title = plain(stop.lesson->title);
-  if (!stop.lesson->made_from.empty() || (player.quiz().asked() && stop.lesson == &player.lesson())) return title;
+  std::string title = plain(stop.lesson->title);
+  if (!stop.lesson->made_from.empty()) return title;
+  if (const std::string method = method_of(stop, s.player); !method.empty()) title += " (" + method + ")";
+  if (!names_presets(s) && stop.lesson == &s.player.lesson()) return title;
   const auto named = std::ranges::find(stop.lesson->presets, stop.name, &Preset::id);
   if (named != stop.lesson->presets.end()) return title + ": " + plain(named->title);
   return title + ": " + (stop.name.empty() ? "a setting of its own" : stop.name);
@@ -37,12 +53,27 @@ bool row_of_stop(WindowSession& s, int i, const Rect& r) {
   const float left = r.left + 52, room = r.right - 8 - left;
   text(ui.fonts.bold, left - 12, r.top + 14, packed(c.muted), std::to_string(i + 1), 1);
   text(ui.fonts.body, left, r.top + 14, packed(stop.fault.empty() ? c.text : c.miss),
-       fitted(ui.fonts.body, title_of(stop, s.player), room));
+       fitted(ui.fonts.body, title_of(stop, s), room));
   std::string below = steps_in_words(stop);
   if (!stop.note.empty()) below += (below.empty() ? "" : " · ") + plain(stop.note);
   if (!stop.fault.empty()) below = "can't be opened: " + stop.fault;
   text(ui.fonts.body, left, r.top + 33, packed(c.muted), fitted(ui.fonts.body, below, room));
   return p.clicked;
+}
+
+/// Returns the stop, from 0, whose number was typed, as soon as no longer number begins with it; else -1. A shorter one
+/// rings its row: Enter goes to it.
+int typed_stop(WindowSession& s) {
+  const int count = s.hour->count();
+  for (const ImWchar c : ImGui::GetIO().InputQueueCharacters) {
+    if (c < '0' || c > '9') continue;
+    const int number = 10 * s.stop_typed + static_cast<int>(c - '0');
+    s.stop_typed = number <= count ? number : 0;
+    if (s.stop_typed == 0) continue;
+    if (10 * number > count) return number - 1;
+    s.ui.focus.take("stop " + std::to_string(number));
+  }
+  return -1;
 }
 
 }  // namespace
@@ -116,7 +147,10 @@ void stops_sheet(WindowSession& s, const Rect& window) {
   }
   ImGui::SetCursorScreenPos(at);
   ImGui::Dummy({1, stop_row * static_cast<float>(count)});
+  if (!opened) page_through_sheet();
   ImGui::EndChild();
+  if (opened) s.stop_typed = 0;
+  if (const int typed = typed_stop(s); typed >= 0) pressed = typed;
   if (pressed >= 0) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
   if (pressed >= 0) open_stop(s, pressed);

@@ -23,7 +23,7 @@ constexpr Row left_keys[] = {
     {"A, B, C …", "answer the question"},
     {"1, 3/4, bca, Enter", "type the answer"},
     {"Y", "with other numbers"},
-    {"I", "the stops of a playlist"},
+    {"I, then a number", "a stop of a playlist"},
     {"[ and ]", "lesson before / after"},
     {"Ctrl+O", "lessons, saved presets"},
     {"G", "terms"},
@@ -104,6 +104,7 @@ void key_sheet(Ui& ui, const Rect& window) {
   const float row = std::clamp(std::floor((window.height() - 140) / rows), least, 27.0f);
   if (!begin_sheet(ui, "key sheet", window, 920, 100 + row * rows)) return;
   if (key_down(key::f1)) ImGui::CloseCurrentPopup();
+  page_through_sheet();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x;
   const float left = width_of(left_keys, ui.fonts.body), right = width_of(right_keys, ui.fonts.body);

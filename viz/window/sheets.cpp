@@ -45,6 +45,18 @@ bool begin_sheet(Ui& ui, const char* name, const Rect& window, float width, floa
   return true;
 }
 
+void page_through_sheet() {
+  constexpr float share = 0.85f;  // of what is seen: some rows stay
+  if (ImGui::IsWindowAppearing()) return;
+  const float at = ImGui::GetScrollY(), page = share * ImGui::GetWindowHeight();
+  if (ImGui::IsKeyPressed(key::page_up, true)) ImGui::SetScrollY(std::max(0.0f, at - page));
+  if (!ImGui::IsKeyPressed(key::page_down, false)) return;
+  if (at < ImGui::GetScrollMaxY() - 1)
+    ImGui::SetScrollY(at + page);
+  else
+    ImGui::CloseCurrentPopup();
+}
+
 bool search_field(Ui& ui, std::string& words, const char* hint) {
   if (ImGui::IsWindowAppearing()) {
     words.clear();

@@ -14,6 +14,9 @@ inline bool key_down(key::Code code) { return ImGui::IsKeyPressed(code, false) &
 /// Opens in the middle of the window, which is dimmed behind it and takes no click; Escape or a click beside it closes
 /// it. Returns whether it is open.
 bool begin_sheet(Ui&, const char* name, const Rect& window, float width, float height);
+/// Page Down and Page Up scroll the open sheet, or the part of it that is being drawn; at its end Page Down closes the
+/// sheet: a presenter has no other keys.
+void page_through_sheet();
 /// Draws the field for `words` to search for, which has the keyboard. Returns whether Enter was pressed in it.
 bool search_field(Ui&, std::string& words, const char* hint);
 /// Whether each wanted word, or another name for the same thing, occurs in the text; case is ignored.

@@ -269,6 +269,7 @@ struct WindowSession {
   Toast toast = {};
   std::optional<Reviewing> review = {};
   std::optional<Hour> hour = {};  ///< the playlist that is gone through
+  int stop_typed = 0;             ///< a stop's number, as far as it was typed in the list of stops
   unsigned answers_kept = 0;      ///< how many of the player's answers are in the record
 };
 
