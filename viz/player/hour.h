@@ -70,7 +70,7 @@ class Hour {
 
   Playlist list_;
   int at_ = 0, step_ = -1;
-  std::string origin_;  ///< the preset that the player had loaded when it came to the stop
+  std::string origin_;       ///< the preset that the player had loaded when it came to the stop
   unsigned fault_seen_ = 0;  ///< the player's revision when a stop that can't be opened was gone to
 };
 

@@ -260,8 +260,9 @@ void changed_text(const Player& player, const Ui& ui, const Rect& scene, const L
   const Rect r = changed_rect(player, ui, scene, in_file);
   text(ui.fonts.body, r.right - 8, r.middle_y(), packed(ui.palette.fresh_text), "changed", 1);
   if (ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
-    tooltip(ui, in_file ? "The scene was edited since it was saved. Here: back to the saved one. Ctrl+Z: one change back"
-                        : "Parameters were changed by hand. Here or R: back to the preset. Ctrl+Z: one change back");
+    tooltip(ui, in_file
+                    ? "The scene was edited since it was saved. Here: back to the saved one. Ctrl+Z: one change back"
+                    : "Parameters were changed by hand. Here or R: back to the preset. Ctrl+Z: one change back");
 }
 
 void projection_name(Player& player, Ui& ui, const View& view, const Rect& scene, const std::vector<Handle>& handles) {
@@ -349,27 +350,6 @@ void handle_by_keyboard(const Player& player, Ui& ui, const View& view, const Ha
   const float x = static_cast<float>(at.x()) + 20, y = static_cast<float>(at.y());
   rich_line(ui, {.markup = name_of(player, handle), .colour = ui.palette.text}, x, y);
   ui.rects["name of the ringed handle"] = {x, y - 9, x + 40, y + 9};
-}
-
-void handle_under_pointer(const Player& player, const Ui& ui, const View& view, const Handle& handle,
-                          const std::string& forbidden) {
-  const Vec2 at = view.project(handle.at).at;
-  const ImVec2 middle{static_cast<float>(at.x()), static_cast<float>(at.y())};
-  ImGui::GetWindowDrawList()->AddCircle(middle, 14, packed(ui.palette.highlight), 32, 2);
-  std::string name = handle.parameter, help;
-  for (const Parameter& p : player.lesson().parameters)
-    if (p.name == handle.parameter) {
-      if (!p.label.empty()) name = plain(p.label);
-      help = "\n" + p.help;
-    }
-  if (!handle.with.empty() && !handle.one_of.empty())
-    return tooltip(ui, plain(handle.one_of) + (forbidden.empty() ? "" : "\n" + forbidden));
-  if (!handle.name.empty() && !handle.one_of.empty()) name = plain(handle.one_of) + ": " + name;
-  const auto value = player.parameters().find(handle.parameter);  // a parameter that was not moved yet has no value
-  tooltip(ui, name + " = " +
-                  value_in_words(value == player.parameters().end() ? Setting(handle.at) : value->second,
-                                 player.lesson().flat) +
-                  help + (forbidden.empty() ? "" : "\n" + forbidden));
 }
 
 void item_under_pointer(const Player& player, Ui& ui, const View& view, const Vec2& pixel) {

@@ -49,9 +49,14 @@ void pin_text(const Player&, const Ui&, const Rect& scene);
 /// Draws the current message at the bottom.
 void toast(Ui&, const Toast&, const Rect& scene);
 
-/// Rings a handle, names its parameter and value, and says why it does not follow the pointer, if it is forbidden
-/// to.
-void handle_under_pointer(const Player&, const Ui&, const View&, const Handle&, const std::string& forbidden);
+/// Rings a handle. (handle_words.cpp)
+void ring_handle(const Ui&, const View&, const Handle&);
+/// Returns the name and value of a handle's parameter, and why it does not follow the pointer, if it is `forbidden` to;
+/// plain lines. (handle_words.cpp)
+std::string words_on_handle(const Player&, const Handle&, const std::string& forbidden);
+/// Draws the words at the top right of the scene or, if the handle at this pixel is near, at its bottom left.
+/// (handle_words.cpp)
+void words_at_edge(Ui&, const std::string& words, const Rect& scene, const Vec2& handle);
 /// Draws the name of the handle with the keyboard's ring, if no name stands at it.
 void handle_by_keyboard(const Player&, Ui&, const View&, const Handle&);
 /// Names the ball, solid, mesh or polygon that the viewing ray through `pixel` hits first, by the core's own ray

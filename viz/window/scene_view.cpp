@@ -194,11 +194,21 @@ void SceneView::handles_and_names(const ScenePane& s, const Rect& r, const View&
   if (hovered && !active) point_at_names(s.player, s.ui, view, r, labels_, under);
   light_names(s.player, s.ui, view, r, labels_);
   if (under)
-    handle_under_pointer(s.player, s.ui, view, *under, held_ ? forbidden_ : std::string());
+    tell_handle(s, r, view, *under);
   else if (const std::optional<Handle> ringed = handle_of_keyboard(s))
     handle_by_keyboard(s.player, s.ui, view, *ringed);
   else if (hovered && !active && s.ui.sum.empty())
     item_under_pointer(s.player, s.ui, view, mouse());
+}
+
+/// Tells of a handle at the pointer, where the words do not cover what is dragged; of one that was let go, nothing
+/// until the pointer moves.
+void SceneView::tell_handle(const ScenePane& s, const Rect& r, const View& view, const Handle& handle) {
+  ring_handle(s.ui, view, handle);
+  const bool dragged = held_ && mouse() != pressed_;
+  if (dragged) return words_at_edge(s.ui, words_on_handle(s.player, handle, forbidden_), r, view.project(handle.at).at);
+  if (released_ == mouse()) return;
+  tooltip(s.ui, words_on_handle(s.player, handle, held_ ? forbidden_ : std::string()));
 }
 
 /// Tells the numbers of the marker or the point of a curve that the pointer is at.

@@ -63,6 +63,7 @@ class SceneView {
   void pointer(const ScenePane&, const View&, bool hovered, bool active);
   void chart_under_pointer(const ScenePane&, const Rect&, const View&, bool hovered);
   void handles_and_names(const ScenePane&, const Rect&, const View&, bool hovered, bool active);
+  void tell_handle(const ScenePane&, const Rect&, const View&, const Handle&);
   // scene_hand.cpp
   void take_or_release(const ScenePane&, const View&, bool hovered);
   void keyboard(const ScenePane&, const View&);
@@ -102,6 +103,7 @@ class SceneView {
   Vec3 start_ = Vec3::Zero();     ///< where it stood when it was taken
   Parameters begun_;              ///< the setting then
   Vec2 pressed_ = Vec2::Zero();   ///< the pointer that took it
+  std::optional<Vec2> released_;  ///< the pointer that dragged it and let it go
   Vec2 followed_ = Vec2::Zero();  ///< the pointer that it has followed or is being snapped to
   bool snapping_ = false;         ///< Shift was held in the frame before
   Vec2 grip_ = Vec2::Zero();      ///< from the held handle to the pointer that took it

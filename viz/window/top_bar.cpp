@@ -35,13 +35,13 @@ void method_menu(Player& player, Ui& ui, Settings& settings, Toast& toast, float
 }
 
 /// Whether this preset is on show, and nothing was edited since.
-bool on_show(const TopBar& bar, const Preset& preset) {
-  return !bar.in_file && preset.id == bar.player.played().preset_id();
+bool on_show(const TopBar& head, const Preset& preset) {
+  return !head.in_file && preset.id == head.player.played().preset_id();
 }
 
 /// Loads a preset that was pressed.
-void load_pressed(const TopBar& bar, const Preset& preset) {
-  attempt(bar.toast, [&] { load_preset(bar.player, preset, bar.in_file); });
+void load_pressed(const TopBar& head, const Preset& preset) {
+  attempt(head.toast, [&] { load_preset(head.player, preset, head.in_file); });
 }
 
 std::string chip_label(const Preset& preset, std::size_t number, bool named) {
@@ -61,14 +61,14 @@ struct Chips {
   }
 };
 
-Chips chips_in(const TopBar& bar, const std::vector<const Preset*>& group, float room) {
+Chips chips_in(const TopBar& head, const std::vector<const Preset*>& group, float room) {
   constexpr float narrow = 30;
   Chips chips;
   for (const bool roomy : {true, false}) {
     chips = {roomy ? 8.0f : 6.0f, -1, {}, {}};
     for (std::size_t i = 0; i < group.size(); ++i) {
-      if (on_show(bar, *group[i])) chips.chosen = static_cast<int>(i);
-      chips.wide.push_back(text_width(bar.ui.fonts.body, chip_label(*group[i], i + 1, true)) + (roomy ? 24 : 16));
+      if (on_show(head, *group[i])) chips.chosen = static_cast<int>(i);
+      chips.wide.push_back(text_width(head.ui.fonts.body, chip_label(*group[i], i + 1, true)) + (roomy ? 24 : 16));
     }
     chips.widths = chips.wide;
     if (chips.total() <= room) return chips;
@@ -77,16 +77,16 @@ Chips chips_in(const TopBar& bar, const std::vector<const Preset*>& group, float
   return chips;
 }
 
-void draw_chips(const TopBar& bar, const std::vector<const Preset*>& group, const Chips& chips, float x1, float y) {
-  Ui& ui = bar.ui;
+void draw_chips(const TopBar& head, const std::vector<const Preset*>& group, const Chips& chips, float x1, float y) {
+  Ui& ui = head.ui;
   float x = x1 - chips.total();
   for (std::size_t i = 0; i < group.size(); ++i) {
     const bool whole = chips.widths[i] == chips.wide[i];
     const Rect r{x, y - 15, x + chips.widths[i], y + 15};
-    if (chip(ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, whole && bar.named),
+    if (chip(ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, whole && head.named),
              static_cast<int>(i) == chips.chosen))
-      load_pressed(bar, *group[i]);
-    if (ImGui::IsItemHovered() && !bar.named)
+      load_pressed(head, *group[i]);
+    if (ImGui::IsItemHovered() && !head.named)
       tooltip(ui, "It is named once the question is answered");
     else if (ImGui::IsItemHovered() && !whole)
       tooltip(ui, plain(group[i]->title));
@@ -95,8 +95,8 @@ void draw_chips(const TopBar& bar, const std::vector<const Preset*>& group, cons
 }
 
 /// Lists all presets below each other, if there is no room for them side by side.
-void preset_menu(const TopBar& bar, const std::vector<const Preset*>& group, float right, float top) {
-  Ui& ui = bar.ui;
+void preset_menu(const TopBar& head, const std::vector<const Preset*>& group, float right, float top) {
+  Ui& ui = head.ui;
   float width = 160;
   for (std::size_t i = 0; i < group.size(); ++i)
     width = std::max(width, text_width(ui.fonts.body, chip_label(*group[i], i + 1, true)) + 28);
@@ -106,9 +106,9 @@ void preset_menu(const TopBar& bar, const std::vector<const Preset*>& group, flo
     ImVec2 at = ImGui::GetCursorScreenPos();
     for (std::size_t i = 0; i < group.size(); ++i) {
       const Rect r{at.x, at.y, at.x + width, at.y + 30};
-      if (chip(ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, bar.named),
-               on_show(bar, *group[i]))) {
-        load_pressed(bar, *group[i]);
+      if (chip(ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, head.named),
+               on_show(head, *group[i]))) {
+        load_pressed(head, *group[i]);
         ImGui::CloseCurrentPopup();
       }
       at.y += 34;
@@ -118,9 +118,9 @@ void preset_menu(const TopBar& bar, const std::vector<const Preset*>& group, flo
   ImGui::PopStyleVar();
 }
 
-std::string chosen_label(const TopBar& bar, const std::vector<const Preset*>& group) {
+std::string chosen_label(const TopBar& head, const std::vector<const Preset*>& group) {
   for (std::size_t i = 0; i < group.size(); ++i)
-    if (on_show(bar, *group[i])) return chip_label(*group[i], i + 1, bar.named);
+    if (on_show(head, *group[i])) return chip_label(*group[i], i + 1, head.named);
   return "presets";
 }
 
@@ -142,10 +142,10 @@ void theme_button(Ui& ui, ThemeName& theme, const Rect& r) {
 
 }  // namespace
 
-void top_bar(const TopBar& bar, const Rect& r) {
-  Player& player = bar.player;
-  Ui& ui = bar.ui;
-  Requests& requests = bar.requests;
+void top_bar(const TopBar& head, const Rect& r) {
+  Player& player = head.player;
+  Ui& ui = head.ui;
+  Requests& requests = head.requests;
   begin_region(ui, "top bar", r);
   const float y = 24;
   logo(ui, 30, y);
@@ -157,9 +157,9 @@ void top_bar(const TopBar& bar, const Rect& r) {
   const auto wide = [&](const std::string& words) { return text_width(ui.fonts.body, words) + 18; };
   const float names = wide(title) + (variants ? 20 + wide(variant) : 0) + 24;
   const std::vector<const Preset*> group = player.played().group();
-  const Chips chips = chips_in(bar, group, x1 - x0 - names);
+  const Chips chips = chips_in(head, group, x1 - x0 - names);
   const bool in_a_row = chips.total() <= x1 - x0 - names;
-  const float menu = in_a_row || group.empty() ? 0 : std::min(wide(chosen_label(bar, group)), 190.0f) + 14;
+  const float menu = in_a_row || group.empty() ? 0 : std::min(wide(chosen_label(head, group)), 190.0f) + 14;
 
   float room = x1 - x0 - menu - 24;
   const float for_variant = variants ? std::min(wide(variant), room * 0.4f) : 0;
@@ -171,18 +171,18 @@ void top_bar(const TopBar& bar, const Rect& r) {
     x += 20;
     opener(ui, {"method", variant, "Another method", x, y, for_variant + 1}, true, pressed);
     if (pressed) ImGui::OpenPopup("methods");
-    method_menu(player, ui, bar.settings, bar.toast, x - 8, y + 20);
+    method_menu(player, ui, head.settings, head.toast, x - 8, y + 20);
   }
   if (in_a_row) {
-    draw_chips(bar, group, chips, x1, y);
+    draw_chips(head, group, chips, x1, y);
   } else {
-    const char* const help_words = bar.paging ? "Another preset" : "Another preset (Page Up, Page Down)";
-    opener(ui, {"presets", chosen_label(bar, group), help_words, x1 - menu + 8, y, menu - 8}, false, pressed);
+    const char* const help_words = head.paging ? "Another preset" : "Another preset (Page Up, Page Down)";
+    opener(ui, {"presets", chosen_label(head, group), help_words, x1 - menu + 8, y, menu - 8}, false, pressed);
     if (pressed) ImGui::OpenPopup("preset menu");
-    preset_menu(bar, group, x1 + 12, y + 20);
+    preset_menu(head, group, x1 + 12, y + 20);
   }
   if (chip(ui, "help", help, "?", false)) requests.sheet = Sheet::keys;
-  theme_button(ui, bar.settings.theme, {help.left - 44, help.top, help.left - 8, help.bottom});
+  theme_button(ui, head.settings.theme, {help.left - 44, help.top, help.left - 8, help.bottom});
   rule(ui, r.left, r.right, r.bottom - 1);
   ImGui::End();
 }

@@ -28,6 +28,7 @@
 #include "viz/window/object_changes.h"
 #include "viz/window/objects_panel.h"
 #include "viz/window/panels.h"
+#include "viz/window/resting_pointer.h"
 #include "viz/window/save_figure.h"
 #include "viz/window/saving.h"
 #include "viz/window/scene_view.h"
@@ -187,9 +188,11 @@ struct WindowUi::Impl {
     ui.names.insert(names_of_knobs.begin(), names_of_knobs.end());
   }
 
+  bool lectures() const { return !session.panels && !session.review; }
+
   WindowLayout layout() {
     const ImVec2& whole = ImGui::GetIO().DisplaySize;
-    return session.panels || session.review ? window_layout(whole.x, whole.y) : lecture_layout(whole.x, whole.y);
+    return !lectures() ? window_layout(whole.x, whole.y) : lecture_layout(whole.x, whole.y);
   }
 
   /// Shows a question of a review as its lesson does; at the end what came of all.
@@ -257,6 +260,7 @@ struct WindowUi::Impl {
   SecondPane panes;
   KeptPicture preview;
   std::string previewed;  ///< what it shows; empty: nothing
+  RestingPointer pointer;
   std::map<std::pair<const Lesson*, ThemeName>, KeptPicture> pictured;
 };
 
@@ -284,8 +288,10 @@ void WindowUi::frame() {
   follow_review(w.session);
 
   ImGui_ImplOpenGL3_NewFrame();
+  w.pointer.begin_frame(w.lectures(), io.DeltaTime);
   ImGui::NewFrame();
-  const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
+  w.pointer.hide(w.session.dark);
+  const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || w.pointer.woken();
   w.ui.pointer_rest = moved ? 0 : w.ui.pointer_rest + io.DeltaTime;
   ImGui::PushFont(w.ui.fonts.body);
   ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, true);  // Tab is the window's own
@@ -317,6 +323,7 @@ void WindowUi::frame() {
   ImGui::PopItemFlag();
   ImGui::PopFont();
   ImGui::Render();
+  w.pointer.end_frame();
 
   w.ui.texts.next_frame();
   w.preparing = w.prepare_next_step();
@@ -357,6 +364,7 @@ double WindowUi::rest() const {
     return 0;
   double rest = std::numeric_limits<double>::infinity();
   if (p.running()) rest = std::min(rest, std::max(p.clock().seconds_to_step(), 0.0));
+  if (impl_->lectures() && !impl_->pointer.hidden()) rest = std::min(rest, impl_->pointer.seconds_left());
   if (impl_->session.toast.seconds_left > 0) rest = std::min(rest, impl_->session.toast.seconds_left);
   return rest;
 }
