@@ -320,30 +320,6 @@ void pin_text(const Player& player, const Ui& ui, const Rect& scene) {
                        : "You have moved the view; a preset frames itself anew. Here or L: keep this view");
 }
 
-void toast(Ui& ui, const Toast& toast, const Rect& scene) {
-  if (toast.seconds_left <= 0) return;
-  const Colour& ink = toast.error ? ui.palette.miss : ui.palette.hit;
-  ImFont* font = ui.fonts.body;
-  const float room = std::min(scene.width() - 40, 560.0f), size = font->FontSize * font->Scale;
-  const ImVec2 words = font->CalcTextSizeA(size, room - 56, room - 56, toast.text.c_str());
-  const float width = words.x + 56, height = words.y + 22;
-  const float left = std::round(scene.middle_x() - width / 2), top = std::round(scene.bottom - 68 - height);
-  Rect r{left, top, left + width, top + height};
-  for (const char* mark : {"tripod", "changed", "pin", "projection"}) {  // above what stands in the lower corners
-    const auto found = ui.rects.find(mark);
-    if (found == ui.rects.end()) continue;
-    const Rect& at = found->second;
-    const bool meets = at.left < r.right && r.left < at.right && at.top < r.bottom + 4 && r.top < at.bottom;
-    if (meets) r.bottom = std::round(at.top - 4), r.top = r.bottom - height;
-  }
-  ui.rects["message"] = r;
-  filled(r, ui.palette.window, 8);
-  outlined(r, ink, 1.5f, 8);
-  (toast.error ? cross : tick)(r.left + 20, r.middle_y(), 13, packed(ink));
-  ImGui::GetWindowDrawList()->AddText(font, size, {r.left + 38, r.top + 11}, packed(ui.palette.text),
-                                      toast.text.c_str(), nullptr, room - 56);
-}
-
 void handle_by_keyboard(const Player& player, Ui& ui, const View& view, const Handle& handle) {
   if (is_named(player, handle)) return;
   const Vec2 at = view.project(handle.at).at;

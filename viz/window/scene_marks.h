@@ -46,8 +46,15 @@ void toggle_pin(Player&, Toast&);
 /// A pin above these, once the reader has moved the view: a button (before the scene's own), and its sign.
 void pin_mark(Player&, Ui&, Toast&, const View&, const Rect& scene, const std::vector<Handle>&);
 void pin_text(const Player&, const Ui&, const Rect& scene);
-/// Draws the current message at the bottom.
-void toast(Ui&, const Toast&, const Rect& scene);
+/// Where a message stands, and of which one, on what: it stays there while that is on show.
+struct MessagePlace {
+  std::string of = {};
+  Rect at = {};
+};
+/// Draws the current message at the bottom or, if it would cover labels or handles there, where it covers least.
+/// `shown`: the step on show. (message.cpp)
+void toast(Ui&, const Toast&, const Rect& scene, const std::vector<PlacedLabel>&, const std::string& shown,
+           MessagePlace&);
 
 /// Rings a handle. (handle_words.cpp)
 void ring_handle(const Ui&, const View&, const Handle&);

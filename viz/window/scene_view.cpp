@@ -270,7 +270,7 @@ void SceneView::show(const ScenePane& s, const Rect& whole) {
   if (lead) changed_text(player, ui, r, s.in_file);
   if (lead) pin_text(player, ui, r);
   if (s.pane != Pane::fixed) draw_edge_arrows(player, ui, view, r);
-  toast(ui, s.toast, r);
+  toast(ui, s.toast, r, labels_, player.lesson().id + " " + player.shown().slug, message_);
   if (!lead) filled({r.left, r.top, r.left + 1, r.bottom}, ui.palette.rule, 0);
   ImGui::End();
 }

@@ -79,6 +79,7 @@ class SceneView {
   std::vector<PlacedLabel> labels_;
   KeptPicture picture_;
   TallestVerdict tallest_verdict_;
+  MessagePlace message_;
   std::string drawn_;                      ///< what the picture shows, as one line: it is not drawn twice
   double turning_ = -1;                    ///< seconds for which keys have turned or shifted it; < 0: they do not
   std::vector<ChartMark> marks_;           ///< of the chart, once the pointer was over it
