@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "viz/text/names.h"
 #include "viz/text/rich_text.h"
@@ -32,8 +33,8 @@ std::string words_on_handle(const Player& player, const Handle& handle, const st
   return name + " = " + value_in_words(set, player.lesson().flat) + help + why;
 }
 
-void words_at_edge(Ui& ui, const std::string& words, const Rect& scene, const Vec2& handle) {
-  constexpr float apart = 24;  // px around a handle
+void words_at_edge(Ui& ui, const std::string& words, const Rect& scene, const std::vector<Vec2>& off) {
+  constexpr float apart = 24;  // px
   ImFont* const font = ui.fonts.body;
   const float size = font->FontSize * font->Scale, room = std::min(scene.width() - 40, 420.0f);
   const ImVec2 extent = font->CalcTextSizeA(size, room, room, words.c_str());
@@ -41,8 +42,10 @@ void words_at_edge(Ui& ui, const std::string& words, const Rect& scene, const Ve
   const float alarm = ui.rects.contains("alarm") && is_low(scene) ? 36.0f : 0.0f;
   const float right = std::round(scene.right - in), top = std::round(scene.top + in + alarm);
   Rect r{right - width, top, right, top + height};
-  const float x = static_cast<float>(handle.x()), y = static_cast<float>(handle.y());
-  if (x > r.left - apart && y < r.bottom + apart) {  // the corner at the bottom left, where the axes' directions stand
+  const auto meets = [&](const Vec2& at) {
+    return static_cast<float>(at.x()) > r.left - apart && static_cast<float>(at.y()) < r.bottom + apart;
+  };
+  if (std::ranges::any_of(off, meets)) {  // the corner at the bottom left, where the axes' directions stand
     const float left = std::round(scene.left + in), bottom = std::round(scene.bottom - in);
     r = {left, bottom - height, left + width, bottom};
   }

@@ -61,9 +61,9 @@ void ring_handle(const Ui&, const View&, const Handle&);
 /// Returns the name and value of a handle's parameter, and why it does not follow the pointer, if it is `forbidden` to;
 /// plain lines. (handle_words.cpp)
 std::string words_on_handle(const Player&, const Handle&, const std::string& forbidden);
-/// Draws the words at the top right of the scene or, if the handle at this pixel is near, at its bottom left.
+/// Draws the words at the top right of the scene or, if a pixel that they keep `off` is near, at its bottom left.
 /// (handle_words.cpp)
-void words_at_edge(Ui&, const std::string& words, const Rect& scene, const Vec2& handle);
+void words_at_edge(Ui&, const std::string& words, const Rect& scene, const std::vector<Vec2>& off);
 /// Draws the name of the handle with the keyboard's ring, if no name stands at it.
 void handle_by_keyboard(const Player&, Ui&, const View&, const Handle&);
 /// Names the ball, solid, mesh or polygon that the viewing ray through `pixel` hits first, by the core's own ray

@@ -206,7 +206,8 @@ void SceneView::handles_and_names(const ScenePane& s, const Rect& r, const View&
 void SceneView::tell_handle(const ScenePane& s, const Rect& r, const View& view, const Handle& handle) {
   ring_handle(s.ui, view, handle);
   const bool dragged = held_ && mouse() != pressed_;
-  if (dragged) return words_at_edge(s.ui, words_on_handle(s.player, handle, forbidden_), r, view.project(handle.at).at);
+  if (dragged)
+    return words_at_edge(s.ui, words_on_handle(s.player, handle, forbidden_), r, {view.project(handle.at).at, mouse()});
   if (released_ == mouse()) return;
   tooltip(s.ui, words_on_handle(s.player, handle, held_ ? forbidden_ : std::string()));
 }
