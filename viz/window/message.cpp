@@ -32,27 +32,34 @@ Rect usual_place(const Ui& ui, const Rect& scene, float width, float height) {
   return r;
 }
 
-/// Returns what a message must not cover: labels, handles, and the chips of the scene.
-std::vector<Rect> kept_free(const Ui& ui, const Rect& scene, const std::vector<PlacedLabel>& labels) {
-  std::vector<Rect> kept;
+/// What a message should not cover: the larger the weight, the less.
+struct Kept {
+  Rect at;
+  float weight;
+};
+
+/// Returns the labels and handles of a scene, and its chips and marks, which a message hardly ever covers.
+std::vector<Kept> kept_free(const Ui& ui, const Rect& scene, const std::vector<PlacedLabel>& labels) {
+  constexpr float mark_weight = 1000;
+  std::vector<Kept> kept;
   for (const PlacedLabel& label : labels) {
     const auto x = [&](double at) { return scene.left + static_cast<float>(at); };
     const auto y = [&](double at) { return scene.top + static_cast<float>(at); };
-    kept.push_back({x(label.box.left), y(label.box.top), x(label.box.right), y(label.box.bottom)});
+    kept.push_back({{x(label.box.left), y(label.box.top), x(label.box.right), y(label.box.bottom)}, 1});
   }
   for (const char* mark : {"verdict", "alarm", "tripod", "changed", "pin", "projection", "words on the handle"})
-    if (const auto found = ui.rects.find(mark); found != ui.rects.end()) kept.push_back(found->second);
+    if (const auto found = ui.rects.find(mark); found != ui.rects.end()) kept.push_back({found->second, mark_weight});
   for (auto at = ui.rects.lower_bound("handle "); at != ui.rects.end() && at->first.starts_with("handle "); ++at)
-    kept.push_back(at->second);
+    kept.push_back({at->second, 1});
   return kept;
 }
 
 /// Returns the usual place or, if it covers something, one at its height or above that covers least, the nearest one of
 /// several.
-Rect clear_place(const Rect& usual, const Rect& scene, const std::vector<Rect>& kept) {
+Rect clear_place(const Rect& usual, const Rect& scene, const std::vector<Kept>& kept) {
   const auto covered = [&](const Rect& r) {
     float sum = 0;
-    for (const Rect& one : kept) sum += shared(r, one);
+    for (const Kept& one : kept) sum += one.weight * shared(r, one.at);
     return sum;
   };
   constexpr float edge = 4, pitch = 3;
