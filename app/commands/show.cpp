@@ -188,8 +188,8 @@ void add_show(CLI::App& app, Program& program) {
                             "      {\"scene\": \"crates.json\"} ] }\n"
                             "A stop is also what Ctrl+C copies in the window. Files are named relative to\n"
                             "the playlist. N, the right arrow and Page Down go on, ask each step's question\n"
-                            "first, and lead to the next stop; Page Up goes back; I lists all stops. The\n"
-                            "window opens a playlist where it was left.");
+                            "first, and lead to the next stop; Page Up goes back; I lists all stops, and a\n"
+                            "number there goes to one. The window opens a playlist where it was left.");
   sub.callback([&program, asked] { program.chosen = [&program, asked] { return show(program, *asked); }; });
 }
 

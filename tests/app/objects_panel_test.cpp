@@ -281,6 +281,54 @@ TEST_CASE("Insert and Delete at a corner's ring add and remove one, but three st
   CHECK(s.text() == outline);
 }
 
+TEST_CASE("undo of a question leads back to the step where it was added", "[scene]") {
+  Scene3 s;
+  s.player().go_to(1);
+  s.window.frames(2);
+  s.click("object B");
+  s.click("object C");
+  s.click("ask 1");
+  REQUIRE(s.player().index() != 1);
+  const int answer = s.player().index();
+  s.undo();
+  CHECK(s.player().index() == 1);
+  CHECK(s.text() == three);
+  s.window.key(key::y, true);
+  s.window.frames(2);
+  CHECK(s.player().index() == answer);
+}
+
+TEST_CASE("a scene that was edited is not told to be as in the file, and its preset leads back to the file",
+          "[scene]") {
+  WindowOptions options = with_editor();
+  options.save_scene = [](const Lesson& lesson, const Parameters& p) { isect::program::scene::keep(lesson, "", p); };
+  Scene3 s(three, options);
+  const auto as_in_file = [&] {
+    s.window.frames();
+    const bool changed = s.window.has("changed");
+    CHECK((s.window.ui.title().find(", changed,") != std::string::npos) == changed);
+    return !changed;
+  };
+  CHECK(as_in_file());
+  s.click("switch B");
+  CHECK_FALSE(as_in_file());
+  s.undo();
+  CHECK(as_in_file());
+  s.window.key(key::y, true);
+  CHECK_FALSE(as_in_file());
+  s.window.key(key::s, true);
+  CHECK(as_in_file());
+  s.undo();  // past what was saved
+  CHECK_FALSE(as_in_file());
+  const bool by_key = GENERATE(true, false);
+  by_key ? s.window.type("1") : s.click("changed");
+  s.window.frames(2);
+  CHECK(as_in_file());
+  CHECK_THAT(s.text(), Contains("\"hidden\": true"));
+  s.undo();
+  CHECK_FALSE(as_in_file());
+}
+
 TEST_CASE("an edited scene is unsaved until Ctrl+S writes its text, and again after undo", "[scene]") {
   std::vector<std::string> written;
   WindowOptions options = with_editor();

@@ -1,6 +1,7 @@
 // What can be taken hold of: corners of polygons, points of clouds, the end of a segment.
 
 #include "viz/player/dragging.h"
+#include <imgui_internal.h>
 #include <Eigen/Geometry>
 #include <algorithm>
 
@@ -47,6 +48,42 @@ TEST_CASE("every corner and every point that a lesson draws can be dragged with 
     CHECK_FALSE(window.player().parameters().contains(name));
   }
   CHECK_FALSE(window.has("handle v" + std::to_string(count)));
+}
+
+TEST_CASE("the words on a handle stand at it, at the picture's edge while it is dragged, and nowhere once it is let go",
+          "[window]") {
+  WindowDriver window(lessons::all_lessons(), 1280, 800, place_at("ray-sphere", "two-roots"));
+  const auto at_pointer = [] {
+    const ImGuiWindow* const words = ImGui::FindWindowByName("##Tooltip_00");
+    return words && words->Active;
+  };
+  const bool to_the_corner = GENERATE(false, true);
+  const Rect grip = window.rect("handle origin"), scene = window.rect("scene");
+  window.move(grip.middle_x(), grip.middle_y());
+  window.frames(2);
+  CHECK(at_pointer());
+  window.button(true);
+  const float x = to_the_corner ? scene.right - 40 : grip.middle_x() + 30;
+  const float y = to_the_corner ? scene.top + 40 : grip.middle_y() + 20;
+  window.move((grip.middle_x() + x) / 2, (grip.middle_y() + y) / 2);
+  window.move(x, y);
+  window.frames(2);
+  CHECK_FALSE(at_pointer());
+  REQUIRE(window.has("words on the handle"));
+  const Rect words = window.rect("words on the handle"), now = window.rect("handle origin");
+  CHECK((words.left >= scene.left && words.right <= scene.right));
+  CHECK((words.top >= scene.top && words.bottom <= scene.bottom));
+  CHECK_FALSE(words.contains(now.middle_x(), now.middle_y()));
+  CHECK_FALSE(words.contains(x, y));
+  window.button(false);
+  window.frames(2);
+  CHECK_FALSE(window.has("words on the handle"));
+  CHECK_FALSE(at_pointer());
+  window.move(x + 1, y);
+  window.frames(2);
+  const bool follows = window.rect("handle origin").contains(x + 1, y);
+  if (!to_the_corner) REQUIRE(follows);
+  CHECK(at_pointer() == follows);
 }
 
 TEST_CASE("every box of collision and of a hierarchy is dragged with the pointer", "[window]") {

@@ -159,9 +159,24 @@ TEST_CASE("what a reader does between two steps loses nothing of the hour", "[ho
     CHECK(w.on() == "1/3?");
   }
   SECTION("another setting, with fewer steps: its walk is gone through to its end") {
+    w.player.set_parameters(preset(disc, "squared-outside").parameters);
+    w.hour.follow(w.player);
+    CHECK_FALSE(w.hour.away(w.player));
+    CHECK(all_on(w) == Places{"1/3?", "1/3", "1/4", "2/1", "2/4", "end"});
+  }
+  SECTION("another preset: the next press returns, as from another lesson, and so does undo") {
     w.player.load(preset(disc, "squared-outside"));
     w.hour.follow(w.player);
-    CHECK(all_on(w) == Places{"1/2", "1/3?", "1/3", "1/4", "2/1", "2/4", "end"});
+    CHECK(w.hour.away(w.player));
+    if (GENERATE(true, false)) {
+      CHECK(w.on() == "1/2");
+      CHECK(w.player.played().preset_id() == "squared-inside");
+    } else {
+      REQUIRE(w.player.undo());
+      CHECK(w.where() == "1/2");
+    }
+    CHECK_FALSE(w.hour.away(w.player));
+    CHECK(w.on() == "1/3?");
   }
   SECTION("a step that the stop leaves out: on and back lead to those that it has") {
     w.hour.open(w.player, 1);
@@ -223,6 +238,25 @@ TEST_CASE("an hour goes on from the place where it was left", "[hour]") {
   CHECK(again({"/other.json", 1, 1}) == "1/1");
   CHECK(again({"/hour.json", 7, 1}) == "2/3?");  // the file has fewer stops now
   CHECK(again({"/hour.json", 0, 99}) == "1/5");
+}
+
+TEST_CASE("an hour knows whether its stop still asks something", "[hour]") {
+  Walked w(
+      {stop_at(disc, "squared-inside"), stop_at(ball, "squared-inside", {0, 1}), stop_at(disc, "distance-on", {2})});
+  CHECK(w.hour.asks_ahead(w.player));
+  w.on();
+  REQUIRE(w.on() == "1/3?");
+  CHECK(w.hour.asks_ahead(w.player));
+  SECTION("an answer") { w.player.answer(0); }
+  SECTION("passed over") { w.on(); }
+  w.hour.follow(w.player);
+  CHECK_FALSE(w.hour.asks_ahead(w.player));
+  w.hour.open(w.player, 1);  // without the step that is asked about
+  CHECK_FALSE(w.hour.asks_ahead(w.player));
+  w.hour.open(w.player, 2);
+  CHECK(w.hour.asks_ahead(w.player));
+  w.player.open(ball);
+  CHECK_FALSE(w.hour.asks_ahead(w.player));
 }
 
 TEST_CASE("play ends where the stop does", "[hour]") {

@@ -217,6 +217,141 @@ TEST_CASE("another lesson is left for the playlist by the next press", "[hour][w
   CHECK(where(window) == "1 of 3: Point and disc, step 2");
 }
 
+TEST_CASE("a stray digit leaves the playlist for a preset, and N returns from it", "[hour][window]") {
+  WindowDriver window(both, 1280, 800, {}, {}, three_stops());
+  window.key(key::page_down);
+  window.type("2");
+  CHECK(window.player().played().preset_id() == "squared-outside");
+  CHECK(where(window) == "1 of 3: Point and disc, step 1");
+  window.type("n");
+  CHECK(window.player().played().preset_id() == "squared-inside");
+  CHECK(where(window) == "1 of 3: Point and disc, step 2");
+}
+
+TEST_CASE("a case keeps its name to itself while its stop has a question ahead", "[hour][window]") {
+  const auto named = [](WindowDriver& window) { return window.ui.title().find(", inside,") != std::string::npos; };
+  WindowDriver free(both, 1280, 800, {}, {}, layout_only);
+  REQUIRE(named(free));
+  WindowDriver window(both, 1280, 800, {}, {}, three_stops());
+  CHECK_FALSE(named(window));
+  CHECK(window.ui.title().find(", preset 1,") != std::string::npos);
+  window.key(key::page_down);
+  window.key(key::page_down);
+  REQUIRE(window.player().quiz().asked());
+  CHECK_FALSE(named(window));
+  window.key(key::page_down);
+  window.frames();
+  CHECK(named(window));
+}
+
+TEST_CASE("Page Down scrolls the sheet of keys, and closes it and the list of stops at the end", "[hour][keys]") {
+  const float height = GENERATE(500.0f, 800.0f);
+  WindowDriver window(both, 800, height, {}, {}, three_stops());
+  window.key(key::f1);
+  window.frames(2);
+  REQUIRE(window.has("key sheet"));
+  const float top = window.rect("keys left").top;
+  window.key(key::page_down);
+  window.frames(2);
+  if (height < 600) {
+    REQUIRE(window.has("key sheet"));
+    CHECK(window.rect("keys left").top < top);
+    window.key(key::page_up);
+    window.frames(2);
+    CHECK(window.rect("keys left").top == top);
+    for (int i = 0; i < 3; ++i) window.key(key::page_down);
+    window.frames(2);
+  }
+  CHECK_FALSE(window.has("key sheet"));
+  CHECK(where(window).starts_with("1 of 3: Point and disc, step "));
+
+  window.type("i");
+  window.frames(2);
+  REQUIRE(window.has("list of stops"));
+  window.key(key::page_down);
+  window.frames(2);
+  CHECK_FALSE(window.has("list of stops"));
+}
+
+TEST_CASE("digits choose from the list of stops", "[hour][keys]") {
+  WindowDriver window(both, 1280, 800, {}, {}, three_stops());
+  window.type("i");
+  window.frames(2);
+  window.type("3");
+  window.frames(2);
+  CHECK_FALSE(window.has("list of stops"));
+  CHECK(where(window) == "3 of 3: Point and disc, step 1");
+  window.type("i");
+  window.frames(2);
+  window.type("7");  // there is none
+  window.frames(2);
+  CHECK(window.has("list of stops"));
+}
+
+TEST_CASE("of two digits the first rings a stop, and Enter goes there", "[hour][keys]") {
+  std::vector<Stop> stops(12, stop_at(disc, "squared-inside", {0}));
+  WindowDriver window(both, 1280, 800, {}, {}, with(stops));
+  const auto list = [&] {
+    window.type("i");
+    window.frames(2);
+    REQUIRE(window.has("list of stops"));
+  };
+  list();
+  window.type("1");
+  CHECK(window.has("list of stops"));
+  CHECK(window.ui.focus() == "stop 1");
+  window.type("1");
+  window.frames(2);
+  CHECK(where(window).starts_with("11 of 12"));
+  list();
+  window.type("1");
+  window.key(key::enter);
+  window.frames(2);
+  CHECK(where(window).starts_with("1 of 12"));
+}
+
+TEST_CASE("in a lecture a pointer at rest is hidden and lights nothing, until it moves", "[window][lecture]") {
+  WindowDriver window(both, 1280, 800, {}, {}, layout_only);
+  const bool lecture = GENERATE(true, false);
+  if (lecture) window.key(key::tab);
+  window.frames(2);
+  const Rect next = window.rect("next");
+  const auto hovers = [&] {
+    window.frames(2);
+    return ImGui::IsMousePosValid() && ImGui::GetMouseCursor() != ImGuiMouseCursor_None;
+  };
+  const auto lit = [&] {
+    for (const auto& [name, rect] : window.ui.rects())
+      if (name.starts_with("lit ")) return true;
+    return false;
+  };
+  window.move(next.middle_x(), next.middle_y());
+  CHECK(hovers());
+  CHECK((window.ui.rest() <= 3) == lecture);
+  window.wait(3.5f);
+  window.frames();
+  CHECK((ImGui::GetMouseCursor() == ImGuiMouseCursor_None) == lecture);
+  CHECK(ImGui::GetIO().MousePos.x == next.middle_x());  // it is where it was
+  if (lecture) CHECK_FALSE(lit());
+  window.move(next.middle_x() + 1, next.middle_y());
+  CHECK(hovers());
+  window.wait(3.5f);
+  window.click(next.middle_x() + 1, next.middle_y());  // a press counts, too
+  CHECK(window.player().index() == 1);
+}
+
+TEST_CASE("on a dark screen there is no pointer", "[window][lecture]") {
+  WindowDriver window(both, 1280, 800, {}, {}, layout_only);
+  window.key(key::tab);
+  window.move(640, 400);
+  window.type("b");
+  window.frames();
+  CHECK(ImGui::GetMouseCursor() == ImGuiMouseCursor_None);
+  window.type("b");
+  window.frames(2);
+  CHECK(ImGui::GetMouseCursor() != ImGuiMouseCursor_None);
+}
+
 TEST_CASE("a stop has its own second pane", "[hour][window]") {
   WindowOptions options = three_stops();
   options.playlist.stops[1].state.beside = OtherSide{"distance", ""};

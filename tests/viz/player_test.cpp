@@ -404,6 +404,75 @@ TEST_CASE("undo takes changes back one by one, a run of the same as one", "[play
   CHECK_FALSE(player.undo());
 }
 
+namespace {
+
+/// The sample lesson, which asks only about points inside.
+Lesson asking_inside() {
+  Lesson lesson = sample::lesson();
+  lesson.steps = [](const Parameters& values) {
+    Walk walk = sample::walk(values);
+    if (walk.steps.size() < 5) walk.steps[2].question.reset();
+    return walk;
+  };
+  return lesson;
+}
+
+}  // namespace
+
+TEST_CASE("undo asks again what a drag has taken away, at its step, wherever the reader has gone since", "[player]") {
+  const Lesson lesson = asking_inside();
+  Player player({&lesson}, {}, true);
+  player.go_to(1);
+  player.next();
+  REQUIRE(player.quiz().asked());
+  player.remember("drag");
+  player.edit("p", Vec3(1, 0.5, 0));
+  CHECK(player.quiz().asked());
+  player.edit("p", Vec3(2.5, 1, 0));
+  REQUIRE_FALSE(player.quiz().asked());
+  player.edit("p", Vec3(3, 1, 0));
+  const int on = GENERATE(0, 1, 2);
+  for (int i = 0; i < on; ++i) player.next();
+  REQUIRE(player.undo());
+  CHECK(point_of(player, "p") == Vec3(0.5, 0.5, 0));
+  CHECK(player.index() == 1);
+  CHECK(player.quiz().asked());
+  REQUIRE(player.redo());
+  CHECK(point_of(player, "p") == Vec3(3, 1, 0));
+  CHECK_FALSE(player.quiz().asked());
+  CHECK(player.index() == 1 + on);
+}
+
+TEST_CASE("undo of a preset that was loaded at an open question asks it again, with its choices", "[player]") {
+  const Lesson lesson = sample::asking_for_a_number();
+  Player player({&lesson}, {}, true);
+  player.go_to(1);
+  player.next();
+  const bool choices = GENERATE(true, false);
+  if (choices) player.show_choices();
+  player.load(*player.played().group()[1]);
+  REQUIRE_FALSE(player.quiz().asked());
+  REQUIRE(player.undo());
+  REQUIRE(player.quiz().asked());
+  CHECK(player.index() == 1);
+  CHECK(player.quiz().asks_more() == !choices);
+}
+
+TEST_CASE("another version that the reader leaves the step for comes with that step when it is undone", "[player]") {
+  Lesson edited = disc;
+  edited.title = "edited";
+  Player player(both, {}, true);
+  player.go_to(1);
+  const bool leaves = GENERATE(true, false);
+  player.show_version(edited, leaves);
+  player.go_to(3);
+  REQUIRE(player.undo());
+  CHECK(&player.lesson() == &disc);
+  CHECK(player.index() == (leaves ? 1 : 3));
+  REQUIRE(player.redo());
+  CHECK(player.index() == 3);
+}
+
 TEST_CASE("zoom keeps the point under the pointer, pan moves it with the pointer", "[player]") {
   const bool perspective = GENERATE(false, true);
   Player player(both, {}, true);

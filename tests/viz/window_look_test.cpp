@@ -315,6 +315,29 @@ TEST_CASE("a message covers neither the axes in the corner nor what stands in th
   CHECK(marks > 10);
 }
 
+TEST_CASE("a message covers no name of a map and hardly a word of a closing card", "[window]") {
+  const auto [lesson, step] =
+      GENERATE(table<const char*, int>({{"collision", 1}, {"ray-sphere", 1}, {"ray-sphere", 0}}));
+  WindowDriver window(isect::lessons::all_lessons(), 1280, 800, place_at(lesson, ""), {}, names_only);
+  window.key(key::tab);
+  window.player().go_to(window.player().count() - 1 - step);  // the card, or the map before it
+  window.frames(30);
+  window.ui.complain("A message");
+  window.frames(2);
+  const Rect message = window.rect("message"), scene = window.rect("scene");
+  CHECK((message.top >= scene.top && message.bottom <= scene.bottom));
+  REQUIRE_FALSE(window.ui.labels().empty());
+  for (const PlacedLabel& label : window.ui.labels()) {
+    INFO(lesson << ": " << label.text);
+    const float top = scene.top + static_cast<float>(label.box.top),
+                left = scene.left + static_cast<float>(label.box.left);
+    const Rect words{left, top, scene.left + static_cast<float>(label.box.right),
+                     scene.top + static_cast<float>(label.box.bottom)};
+    const float inside = step == 0 ? 6 : 0;  // px: a card has words everywhere
+    CHECK_FALSE(meet(message.inset(inside), words));
+  }
+}
+
 TEST_CASE("a long line of pseudocode ends its rows where a reader minds it least", "[window]") {
   using Rows = std::vector<std::string>;
   CHECK(code_rows("q ← √(r² − m²)", 31) == Rows{"q ← √(r² − m²)"});

@@ -17,6 +17,13 @@ void History::remember(const std::string& action, Memory now) {
   action_ = std::move(name);
 }
 
+void History::loses_place() {
+  if (action_.empty() || past_.empty() || past_.back()->with_step) return;
+  Memory before = *past_.back();
+  before.with_step = true;
+  past_.back() = std::make_shared<const Memory>(std::move(before));
+}
+
 Memory History::travel(Memories& from, Memories& to, Memory now) {
   Memory last = *from.back();
   now.with_step = last.with_step;

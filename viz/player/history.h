@@ -32,6 +32,8 @@ struct Memory {
   Camera camera;
   bool moved = false;      ///< the reader had moved the camera
   bool with_step = false;  ///< the change chose a step, too
+  bool asked = false;      ///< the question before the next step was open
+  bool chooses = false;    ///< and its choices were shown
 };
 
 /// A copy is cheap: it shares what is remembered.
@@ -44,6 +46,8 @@ class History {
   bool goes_on(const std::string& action) const { return !action.empty() && action == action_; }
   void remember(const std::string& action, Memory);
   void end_action() { action_.clear(); }
+  /// Says that the action that goes on has taken the reader's place away: undo() brings it back, too.
+  void loses_place();
   /// Return the state before the last change, or the one that undo() left; there must be one. `now` takes its place.
   Memory undo(Memory now) { return end_action(), travel(past_, undone_, std::move(now)); }
   Memory redo(Memory now) { return end_action(), travel(undone_, past_, std::move(now)); }

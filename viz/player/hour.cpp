@@ -36,6 +36,7 @@ ReaderState Hour::start() const {
 }
 
 void Hour::begin(Player& player) {
+  origin_ = player.origin();
   fault_seen_ = player.revision();
   if (stop().fault.empty() && stop().asks && step_ < 0) player.next();
   follow(player);
@@ -51,12 +52,23 @@ void Hour::follow(Player& player) {
   if (ends && player.clock().playing()) player.clock().play(false);
 }
 
-bool Hour::away(const Player& player) const { return stop().fault.empty() && &player.lesson() != stop().lesson; }
+bool Hour::away(const Player& player) const {
+  return stop().fault.empty() && (&player.lesson() != stop().lesson || player.origin() != origin_);
+}
 
 bool Hour::faulty(const Player& player) const { return !stop().fault.empty() && player.revision() == fault_seen_; }
 
 bool Hour::at_first_step(const Player& player) const {
   return stop().fault.empty() && !away(player) && step_at_hand(player) == stop().steps.front();
+}
+
+bool Hour::asks_ahead(const Player& player) const {
+  if (!stop().fault.empty() || away(player)) return false;
+  for (int step = player.index() + 1; step < player.count(); ++step) {
+    const bool has = stop().whole || std::ranges::find(stop().steps, step) != stop().steps.end();
+    if (has && player.walk().steps[step].question && !player.quiz().is_past(step)) return true;
+  }
+  return false;
 }
 
 /// Returns the stop's next step that is neither on show nor asked about. Of a stop with all steps it is the walk's next
@@ -85,6 +97,7 @@ void Hour::enter(Player& player, int number, int step, bool ask) {
   state.step = asks ? step - 1 : step;
   if (state.step != to.timed) state.time.reset();
   player.go(state);
+  origin_ = player.origin();
   if (asks) player.next();
   at_ = number;
   follow(player);

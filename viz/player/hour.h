@@ -54,12 +54,14 @@ class Hour {
   bool at_start(const Player&) const;
   bool at_end(const Player& player) const { return at_ + 1 == count() && leaves(player); }
 
-  /// Whether the reader has opened another lesson than the stop's; on() and back() then return to the stop.
+  /// Whether the reader has opened another lesson or preset than the stop's; on() and back() then return to the stop.
   bool away(const Player&) const;
   /// Whether the stop's fault is what there is to see: nothing else was opened since it was gone to.
   bool faulty(const Player&) const;
   /// Whether the player stands where the stop begins, or asks the question with which it does.
   bool at_first_step(const Player&) const;
+  /// Whether the stop still asks something that was neither answered nor passed over: no words may answer it.
+  bool asks_ahead(const Player&) const;
 
  private:
   void enter(Player&, int number, int step, bool ask);
@@ -68,6 +70,7 @@ class Hour {
 
   Playlist list_;
   int at_ = 0, step_ = -1;
+  std::string origin_;       ///< the preset that the player had loaded when it came to the stop
   unsigned fault_seen_ = 0;  ///< the player's revision when a stop that can't be opened was gone to
 };
 

@@ -66,8 +66,8 @@ void Player::show(Chosen next, bool same_lesson) {
   camera_.jump(opening_view(), false);
 }
 
-std::string Player::told_title(const Preset& preset) const {
-  if (!quiz_.asked()) return preset.title;
+std::string Player::told_title(const Preset& preset, bool question_ahead) const {
+  if (!quiz_.asked() && !question_ahead) return preset.title;
   const std::vector<const Preset*> all = played_->group();
   const auto found = std::ranges::find(all, &preset);
   return found == all.end() ? "another preset" : "preset " + std::to_string(found - all.begin() + 1);
@@ -130,6 +130,7 @@ void Player::next() {
   begin_motion();
   ask(true);
   look(seconds_to_move);
+  history_.end_action();
   ++revision_;
 }
 
@@ -241,9 +242,9 @@ void Player::reread() {
   ++revision_;
 }
 
-void Player::show_version(const Lesson& version) {
+void Player::show_version(const Lesson& version, bool leaves_step) {
   all_or_nothing([&](Player& next) {
-    next.remember("");
+    next.remember("", leaves_step);
     Chosen chosen = chosen_;
     chosen.version = &version;
     chosen.parameters = version.presets.front().parameters;
@@ -274,6 +275,7 @@ void Player::set_parameters(Parameters parameters) {
     chosen.parameters = std::move(parameters);
     next.show(std::move(chosen), true);
     next.keep_time(*this);
+    if (quiz_.asked() && !next.quiz_.asked()) next.history_.loses_place();
   });
 }
 
@@ -376,6 +378,10 @@ void Player::return_to(Memory last) {
   else if (same_lesson)
     last.chosen.choose_step(chosen_);
   show(std::move(last.chosen), same_lesson);
+  if (last.with_step) {
+    ask(last.asked);
+    if (last.chooses) quiz_.show_choices();
+  }
   camera_.glide(last.camera, last.moved);
 }
 

@@ -52,8 +52,9 @@ class Player {
   /// in its own. Figures, copied states and the camera know nothing of it.
   void arrange(std::shared_ptr<const Scene> arranged) { arranged_ = std::move(arranged); }
   bool is_arranged() const { return arranged_ != nullptr; }
-  /// Returns a preset's title, or "preset 2", its place in the group, while a question is open that it may answer.
-  std::string told_title(const Preset&) const;
+  /// Returns a preset's title, or "preset 2", its place in the group, while a question is open that it may answer, or
+  /// is ahead.
+  std::string told_title(const Preset&, bool question_ahead = false) const;
   /// Returns the preset that was loaded last.
   const std::string& origin() const { return chosen_.origin; }
   ReaderState reader_state() const;
@@ -124,8 +125,9 @@ class Player {
   /// Reads the lesson again, which has other presets now.
   void reread();
   /// Shows an edited version of the scene on show in its place, at its first preset and at the same step; undo() brings
-  /// back this one. Both must outlive the player. The reader's view stays.
-  void show_version(const Lesson&);
+  /// back this one, and the step, too, if the reader `leaves_step` for another one. Both must outlive the player. The
+  /// reader's view stays.
+  void show_version(const Lesson&, bool leaves_step = false);
   void edit(const std::string& name, const Setting&);
   void set_parameters(Parameters);
   /// Drags a handle. Returns the condition that forbids it, if any: then nothing moves.
@@ -164,7 +166,7 @@ class Player {
   void remember(const std::string& action) { remember(action, false); }
   void end_action() { history_.end_action(); }
   /// Undoes the last change of parameters, lesson or camera; returns false if there is none. The step stays, unless
-  /// that change had chosen one.
+  /// that change had chosen one, or had taken the open question away: then it is asked again, too.
   bool undo();
   /// Does it again; returns false if nothing was undone, or something else was done since.
   bool redo();
@@ -186,7 +188,10 @@ class Player {
   void choose(int step);  ///< of the walk that is shown
   static int step_in(const Walk&, const Chosen&);
   void remember(const std::string& action, bool with_step);
-  Memory memory() const { return {chosen_, camera_.goal(), camera_.moved(), false}; }
+  Memory memory() const {
+    const bool asked = quiz_.asked();
+    return {chosen_, camera_.goal(), camera_.moved(), false, asked, asked && !quiz_.asks_more()};
+  }
   void return_to(Memory);
   /// Turns towards what is drawn now, unless the reader has moved the camera.
   void look(double seconds = CameraRig::usual_glide);

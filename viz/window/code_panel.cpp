@@ -125,6 +125,12 @@ void renamed_mark(Ui& ui, int line, const Rect& r, bool lit) {
   text(ui.fonts.body, r.left + 7, r.middle_y(), packed(lit ? ui.palette.on_highlight : ui.palette.muted), "≈", 0.5f);
 }
 
+/// Fills the current line's ground; where that is grey among greys, with a dark rim.
+void light_line(const Palette& c, const Rect& r, double strength) {
+  filled(r, c.highlight.with_alpha(strength), 5);
+  if (c.theme.name == ThemeName::grey) outlined(r, c.text.with_alpha(strength), 2, 5);
+}
+
 void code_line(Player& player, Ui& ui, int line, const CodeLine& words, float pitch, const Rect& r, Differs mark) {
   const Palette& c = ui.palette;
   const Step& step = player.shown();
@@ -133,7 +139,7 @@ void code_line(Player& player, Ui& ui, int line, const CodeLine& words, float pi
   const int to = step_at_line(player, line);
   const Press p = press(ui, "line " + std::to_string(line + 1), r);
   if (current)
-    filled(r, c.highlight.with_alpha(player.motion().light()), 5);
+    light_line(c, r, player.motion().light());
   else if (p.hovered && (to >= 0 || to_point_at))
     filled(r, c.frame, 5);
 

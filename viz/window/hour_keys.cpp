@@ -46,6 +46,10 @@ bool may_go_back(const WindowSession& s) {
   return s.hour ? !s.hour->at_start(s.player) : s.player.index() > 0 || s.player.quiz().asked();
 }
 
+bool names_presets(const WindowSession& s) {
+  return !s.player.quiz().asked() && !(s.hour && s.hour->asks_ahead(s.player));
+}
+
 bool pages_go_on(const WindowSession& s) { return !s.panels || s.hour.has_value(); }
 
 std::optional<Hour> hour_of(const Playlist& playlist, const Settings& kept) {

@@ -14,11 +14,27 @@ namespace {
 
 constexpr float stop_row = 46;
 
-/// Returns "Ray and sphere: tangent", without the preset while it may answer an open question of this lesson.
-std::string title_of(const Stop& stop, const Player& player) {
+/// Returns how a stop's lesson calls the method of its setting; empty if it has only one.
+std::string method_of(const Stop& stop, const Player& player) {
+  const Lesson& lesson = *stop.lesson;
+  if (lesson.group_by.empty() || !stop.state.parameters) return {};
+  const auto chosen = stop.state.parameters->find(lesson.group_by);
+  if (chosen == stop.state.parameters->end()) return {};
+  const std::string& choice = std::get<std::string>(chosen->second);
+  if (&lesson == &player.lesson())
+    for (const Method& method : player.played().methods())
+      if (method.choice == choice) return plain(method.title);
+  return choice;
+}
+
+/// Returns "Ray and sphere (Haines): tangent", without the preset while it may answer a question of this lesson that is
+/// open or ahead.
+std::string title_of(const Stop& stop, const WindowSession& s) {
   if (!stop.lesson) return stop.name.empty() ? "A stop" : stop.name;
-  const std::string title = plain(stop.lesson->title);
-  if (!stop.lesson->made_from.empty() || (player.quiz().asked() && stop.lesson == &player.lesson())) return title;
+  std::string title = plain(stop.lesson->title);
+  if (!stop.lesson->made_from.empty()) return title;
+  if (const std::string method = method_of(stop, s.player); !method.empty()) title += " (" + method + ")";
+  if (!names_presets(s) && stop.lesson == &s.player.lesson()) return title;
   const auto named = std::ranges::find(stop.lesson->presets, stop.name, &Preset::id);
   if (named != stop.lesson->presets.end()) return title + ": " + plain(named->title);
   return title + ": " + (stop.name.empty() ? "a setting of its own" : stop.name);
@@ -38,7 +54,7 @@ bool row_of_stop(WindowSession& s, int i, const Rect& r) {
   const float left = r.left + 52, room = r.right - 8 - left;
   text(ui.fonts.bold, left - 12, r.top + 14, packed(c.muted), std::to_string(i + 1), 1);
   text(ui.fonts.body, left, r.top + 14, packed(stop.fault.empty() ? c.text : c.miss),
-       fitted(ui.fonts.body, title_of(stop, s.player), room));
+       fitted(ui.fonts.body, title_of(stop, s), room));
   std::string below = steps_in_words(stop);
   if (!stop.note.empty()) below += (below.empty() ? "" : " · ") + plain(stop.note);
   if (!stop.fault.empty()) below = "can't be opened: " + stop.fault;

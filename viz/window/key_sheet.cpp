@@ -23,7 +23,7 @@ constexpr Row left_keys[] = {
     {"A, B, C …", "answer the question"},
     {"1, 3/4, bca, Enter", "type the answer"},
     {"Y", "with other numbers"},
-    {"I", "the stops of a playlist"},
+    {"I, then a number", "a stop of a playlist"},
     {"[ and ]", "lesson before / after"},
     {"Ctrl+O", "lessons, saved presets"},
     {"G", "terms"},

@@ -62,13 +62,15 @@ void with_control(WindowSession& s) {
 }
 
 /// Loads the preset after the one loaded last, or before it.
-void neighbour_preset(Player& player, Toast& toast, int by) {
+void neighbour_preset(WindowSession& s, int by) {
+  Player& player = s.player;
   const std::vector<const Preset*> group = player.played().group();
   const int count = static_cast<int>(group.size());
   if (count == 0) return;
   const auto at = std::ranges::find(group, player.origin(), &Preset::id);
   const int now = at == group.end() ? (by > 0 ? -1 : 0) : static_cast<int>(at - group.begin());
-  attempt(toast, [&] { player.load(*group[static_cast<std::size_t>((now + by + count) % count)]); });
+  const Preset& next = *group[static_cast<std::size_t>((now + by + count) % count)];
+  attempt(s.toast, [&] { load_preset(player, next, scene_in_file(s)); });
 }
 
 /// Moves through the widgets, one after the other; also in a sheet, while its search field takes the letters.
@@ -91,7 +93,7 @@ void page_keys(WindowSession& s) {
   const bool repeat = !pages_go_on(s) || !leads_on(s);  // a key that is held does not run on into another lesson
   const int by = (pressed(key::page_down, repeat) ? 1 : 0) - (pressed(key::page_up, true) ? 1 : 0);
   if (by == 0) return;
-  if (!pages_go_on(s)) return neighbour_preset(s.player, s.toast, by);
+  if (!pages_go_on(s)) return neighbour_preset(s, by);
   by > 0 ? go_on(s) : go_back(s);
 }
 
@@ -144,9 +146,10 @@ void review_keys(WindowSession& s) {
   if (pressed(key::escape)) leave_review(s);
 }
 
-void load_number(Player& player, Toast& toast, std::size_t number) {
-  const std::vector<const Preset*> group = player.played().group();
-  if (number <= group.size()) attempt(toast, [&] { player.load(*group[number - 1]); });
+void load_number(WindowSession& s, std::size_t number) {
+  const std::vector<const Preset*> group = s.player.played().group();
+  if (number > group.size()) return;
+  attempt(s.toast, [&] { load_preset(s.player, *group[number - 1], scene_in_file(s)); });
 }
 
 /// Gives the answer that is this digit, unless another answer begins with it, too. Otherwise it does nothing: loading a
@@ -245,7 +248,7 @@ void character(WindowSession& s, char c) {
   if (c >= '0' && c <= '9' && asked) return answer_with(s.player, c);
   if (letter) return s.player.answer(c - 'a');
   if (s.review && std::string_view("fjkop+=-?").find(c) == std::string_view::npos) return;  // nothing leads away
-  if (c >= '0' && c <= '9') return load_number(s.player, s.toast, c == '0' ? 10 : static_cast<std::size_t>(c - '0'));
+  if (c >= '0' && c <= '9') return load_number(s, c == '0' ? 10 : static_cast<std::size_t>(c - '0'));
   command(s, c);
 }
 
@@ -271,10 +274,21 @@ void save_back(WindowSession& s) {
   });
 }
 
+const Lesson* scene_in_file(const WindowSession& s) {
+  const auto& versions = s.scene_file.versions;
+  const auto now = versions.find(&s.player.lesson()), saved = versions.find(s.scene_file.written);
+  if (now == versions.end()) return nullptr;
+  const Lesson* const in_file = saved != versions.end() && saved->second == now->second ? saved->first : now->second;
+  return in_file->made_from != now->first->made_from ? in_file : nullptr;
+}
+
+void load_preset(Player& player, const Preset& preset, const Lesson* in_file) {
+  in_file ? player.show_version(*in_file) : player.load(preset);
+}
+
 bool may_leave(WindowSession& s) {
   if (s.review) leave_review(s);
-  const bool edited = s.scene_file.written && s.scene_file.written != &s.player.lesson();
-  const bool as_in_file = !s.player.played().preset_id().empty() && !edited;
+  const bool as_in_file = !s.player.played().preset_id().empty() && !scene_in_file(s);
   const KeptScene kept = kept_scene(s);
   if (kept == KeptScene::nowhere || as_in_file || s.scene_file.told_unsaved == s.player.revision()) return true;
   s.scene_file.told_unsaved = s.player.revision();

@@ -1,6 +1,7 @@
 #include "viz/window/object_changes.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <vector>
@@ -39,12 +40,14 @@ void list_anew(WindowSession& s) {
   panel.asked = s.scene_editor.asked(lesson, panel.chosen);
 }
 
-bool change_scene(WindowSession& s, const SceneEdit& edit) {
+bool change_scene(WindowSession& s, const SceneEdit& edit, bool leaves_step) {
   bool done = false;
   attempt(s.toast, [&] {
     const Lesson* const before = &s.player.lesson();
-    s.player.show_version(s.scene_editor.edited(*before, s.player.parameters(), edit));
-    if (!s.scene_file.written) s.scene_file.written = before;
+    s.player.show_version(s.scene_editor.edited(*before, s.player.parameters(), edit), leaves_step);
+    std::map<const Lesson*, const Lesson*>& versions = s.scene_file.versions;
+    const Lesson* const first = versions.try_emplace(before, before).first->second;
+    versions.try_emplace(&s.player.lesson(), first);
     done = true;
   });
   list_anew(s);
@@ -93,7 +96,7 @@ void rename_object(WindowSession& s, const std::string& name, const std::string&
 void ask_about_chosen(WindowSession& s, const std::string& question) {
   std::set<std::string> before;
   for (const Step& step : s.player.walk().steps) before.insert(step.slug);
-  if (!change_scene(s, {.kind = SceneEdit::Kind::ask, .what = question})) return;
+  if (!change_scene(s, {.kind = SceneEdit::Kind::ask, .what = question}, true)) return;
   const std::vector<Step>& steps = s.player.walk().steps;
   const auto answer = std::ranges::find_if(steps, [&](const Step& step) { return !before.contains(step.slug); });
   if (answer != steps.end()) s.player.go_to(static_cast<int>(answer - steps.begin()));

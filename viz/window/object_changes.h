@@ -10,8 +10,9 @@ namespace isect::viz {
 
 /// Lists the objects of the scene on show, if that is not done yet: none if it can't be changed.
 void list_anew(WindowSession&);
-/// Shows the scene after a change. Returns whether it was not refused; why it was is told.
-bool change_scene(WindowSession&, const SceneEdit&);
+/// Shows the scene after a change, which the reader may leave the step for. Returns whether it was not refused; why it
+/// was is told.
+bool change_scene(WindowSession&, const SceneEdit&, bool leaves_step = false);
 /// Chooses an object, or lets it go; of three the one chosen first is let go.
 void choose_object(ObjectsPanel&, const std::string& name);
 /// Adds an object in the middle of what is seen.

@@ -7,8 +7,19 @@
 
 namespace isect::viz {
 
-/// Draws lesson, method and presets. (top_bar.cpp) `paging`: Page Up and Page Down go on and back, and load none.
-void top_bar(Player&, Ui&, Settings&, Requests&, Toast&, const Rect&, bool paging);
+/// What the top bar shows and changes.
+struct TopBar {
+  Player& player;
+  Ui& ui;
+  Settings& settings;
+  Requests& requests;
+  Toast& toast;
+  bool paging = false;              ///< Page Up and Page Down go on and back, and load no preset
+  bool named = true;                ///< the presets' names answer no question to come
+  const Lesson* in_file = nullptr;  ///< the scene as its file has it, where the one on show was edited since; or null
+};
+/// Draws lesson, method and presets. (top_bar.cpp)
+void top_bar(const TopBar&, const Rect&);
 /// What the lesson's panel shows and changes.
 struct LessonPanel {
   Player& player;
@@ -84,6 +95,8 @@ void go_back(WindowSession&);
 bool leads_on(const WindowSession&);
 bool may_go_on(const WindowSession&);
 bool may_go_back(const WindowSession&);
+/// Whether the presets' names may be told: not while a question is open that they may answer, or lies ahead in a stop.
+bool names_presets(const WindowSession&);
 /// Whether N, Page Down and Page Up go on and back: in a lecture, and in a playlist.
 bool pages_go_on(const WindowSession&);
 
@@ -123,6 +136,10 @@ void review_score(WindowSession&, const Rect&);
 
 /// Whether the lesson on show is a scene in a file that can be written to, or one that can get a file. (keys.cpp)
 KeptScene kept_scene(const WindowSession&);
+/// Returns the scene as its file has it, or as it came, where the one on show was edited since; else null. (keys.cpp)
+const Lesson* scene_in_file(const WindowSession&);
+/// Loads a preset; where the scene on show was edited, that is the scene as its file has it, which undo() leaves again.
+void load_preset(Player&, const Preset&, const Lesson* in_file);
 /// Returns false once if numbers of a scene would be lost, with a message.
 bool may_leave(WindowSession&);
 /// Writes the setting into the scene's file; or opens the sheet that makes one, or else the one that saves figures.

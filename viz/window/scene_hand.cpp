@@ -174,6 +174,7 @@ void SceneView::take_or_release(const ScenePane& s, const View& view, bool hover
     const Vec2 at = view.project(held_->at).at - view.corner();
     const bool seen = at.x() >= 0 && at.x() <= view.width() && at.y() >= 0 && at.y() <= view.height();
     if (!seen) s.toast.say_here(s.player, "It is out of sight: F shows all of the scene");
+    if (mouse() != pressed_) released_ = mouse();
     held_.reset();
   }
 }

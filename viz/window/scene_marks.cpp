@@ -229,31 +229,40 @@ bool shows_cases(const Scene& scene) { return scene.chart && std::holds_alternat
 
 }  // namespace
 
-float changed_room(const Player& player) {
+/// Whether the setting is no preset, or an edited scene is not as its file has it.
+static bool is_changed(const Player& player, const Lesson* in_file) {
+  return in_file || player.played().preset_id().empty();
+}
+
+float changed_room(const Player& player, const Lesson* in_file) {
   const Scene& scene = player.scene();
-  if (!player.played().preset_id().empty() || !scene.handles.empty() || shows_cases(scene)) return 0;
+  if (!is_changed(player, in_file) || !scene.handles.empty() || shows_cases(scene)) return 0;
   return scene.chart || is_page(scene) ? 26 : 0;
 }
 
-static Rect changed_rect(const Player& player, const Ui& ui, const Rect& scene) {
+static Rect changed_rect(const Player& player, const Ui& ui, const Rect& scene, const Lesson* in_file) {
   const float left = scene.right - 28 - text_width(ui.fonts.body, "changed"), right = scene.right - 12;
-  if (const float room = changed_room(player); room > 0) return {left, scene.bottom - room, right, scene.bottom - 2};
+  if (const float room = changed_room(player, in_file); room > 0)
+    return {left, scene.bottom - room, right, scene.bottom - 2};
   if (shows_cases(player.scene()) && !is_low(scene))  // beside the verdict, above all numbers
     return {left, scene.top + 26, right, scene.top + 50};
   return {left, scene.bottom - 64, right, scene.bottom - 40};
 }
 
-void changed_mark(Player& player, Ui& ui, Toast& toast, const Rect& scene) {
-  if (!player.played().preset_id().empty()) return;
-  if (press(ui, "changed", changed_rect(player, ui, scene)).clicked) attempt(toast, [&] { player.restart(); });
+void changed_mark(Player& player, Ui& ui, Toast& toast, const Rect& scene, const Lesson* in_file) {
+  if (!is_changed(player, in_file)) return;
+  if (press(ui, "changed", changed_rect(player, ui, scene, in_file)).clicked)
+    attempt(toast, [&] { in_file ? player.show_version(*in_file) : player.restart(); });
 }
 
-void changed_text(const Player& player, const Ui& ui, const Rect& scene) {
-  if (!player.played().preset_id().empty()) return;
-  const Rect r = changed_rect(player, ui, scene);
+void changed_text(const Player& player, const Ui& ui, const Rect& scene, const Lesson* in_file) {
+  if (!is_changed(player, in_file)) return;
+  const Rect r = changed_rect(player, ui, scene, in_file);
   text(ui.fonts.body, r.right - 8, r.middle_y(), packed(ui.palette.fresh_text), "changed", 1);
   if (ImGui::IsMouseHoveringRect(top_left(r), bottom_right(r)))
-    tooltip(ui, "Parameters were changed by hand. Here or R: back to the preset. Ctrl+Z: one change back");
+    tooltip(ui, in_file
+                    ? "The scene was edited since it was saved. Here: back to the saved one. Ctrl+Z: one change back"
+                    : "Parameters were changed by hand. Here or R: back to the preset. Ctrl+Z: one change back");
 }
 
 void projection_name(Player& player, Ui& ui, const View& view, const Rect& scene, const std::vector<Handle>& handles) {
@@ -311,57 +320,12 @@ void pin_text(const Player& player, const Ui& ui, const Rect& scene) {
                        : "You have moved the view; a preset frames itself anew. Here or L: keep this view");
 }
 
-void toast(Ui& ui, const Toast& toast, const Rect& scene) {
-  if (toast.seconds_left <= 0) return;
-  const Colour& ink = toast.error ? ui.palette.miss : ui.palette.hit;
-  ImFont* font = ui.fonts.body;
-  const float room = std::min(scene.width() - 40, 560.0f), size = font->FontSize * font->Scale;
-  const ImVec2 words = font->CalcTextSizeA(size, room - 56, room - 56, toast.text.c_str());
-  const float width = words.x + 56, height = words.y + 22;
-  const float left = std::round(scene.middle_x() - width / 2), top = std::round(scene.bottom - 68 - height);
-  Rect r{left, top, left + width, top + height};
-  for (const char* mark : {"tripod", "changed", "pin", "projection"}) {  // above what stands in the lower corners
-    const auto found = ui.rects.find(mark);
-    if (found == ui.rects.end()) continue;
-    const Rect& at = found->second;
-    const bool meets = at.left < r.right && r.left < at.right && at.top < r.bottom + 4 && r.top < at.bottom;
-    if (meets) r.bottom = std::round(at.top - 4), r.top = r.bottom - height;
-  }
-  ui.rects["message"] = r;
-  filled(r, ui.palette.window, 8);
-  outlined(r, ink, 1.5f, 8);
-  (toast.error ? cross : tick)(r.left + 20, r.middle_y(), 13, packed(ink));
-  ImGui::GetWindowDrawList()->AddText(font, size, {r.left + 38, r.top + 11}, packed(ui.palette.text),
-                                      toast.text.c_str(), nullptr, room - 56);
-}
-
 void handle_by_keyboard(const Player& player, Ui& ui, const View& view, const Handle& handle) {
   if (is_named(player, handle)) return;
   const Vec2 at = view.project(handle.at).at;
   const float x = static_cast<float>(at.x()) + 20, y = static_cast<float>(at.y());
   rich_line(ui, {.markup = name_of(player, handle), .colour = ui.palette.text}, x, y);
   ui.rects["name of the ringed handle"] = {x, y - 9, x + 40, y + 9};
-}
-
-void handle_under_pointer(const Player& player, const Ui& ui, const View& view, const Handle& handle,
-                          const std::string& forbidden) {
-  const Vec2 at = view.project(handle.at).at;
-  const ImVec2 middle{static_cast<float>(at.x()), static_cast<float>(at.y())};
-  ImGui::GetWindowDrawList()->AddCircle(middle, 14, packed(ui.palette.highlight), 32, 2);
-  std::string name = handle.parameter, help;
-  for (const Parameter& p : player.lesson().parameters)
-    if (p.name == handle.parameter) {
-      if (!p.label.empty()) name = plain(p.label);
-      help = "\n" + p.help;
-    }
-  if (!handle.with.empty() && !handle.one_of.empty())
-    return tooltip(ui, plain(handle.one_of) + (forbidden.empty() ? "" : "\n" + forbidden));
-  if (!handle.name.empty() && !handle.one_of.empty()) name = plain(handle.one_of) + ": " + name;
-  const auto value = player.parameters().find(handle.parameter);  // a parameter that was not moved yet has no value
-  tooltip(ui, name + " = " +
-                  value_in_words(value == player.parameters().end() ? Setting(handle.at) : value->second,
-                                 player.lesson().flat) +
-                  help + (forbidden.empty() ? "" : "\n" + forbidden));
 }
 
 void item_under_pointer(const Player& player, Ui& ui, const View& view, const Vec2& pixel) {

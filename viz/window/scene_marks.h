@@ -38,20 +38,32 @@ void projection_text(const Player&, Ui&, const Rect& scene, const std::vector<Pl
 /// A mark above it, where parameters were changed by hand: a button, with its text, that leads back to the preset.
 /// Charts and pages, whose words reach everywhere, leave a strip of this height below them for it; not if a drag makes
 /// the change: nothing else may move during a drag.
-float changed_room(const Player&);
-void changed_mark(Player&, Ui&, Toast&, const Rect& scene);
-void changed_text(const Player&, const Ui&, const Rect& scene);
+float changed_room(const Player&, const Lesson* in_file);
+void changed_mark(Player&, Ui&, Toast&, const Rect& scene, const Lesson* in_file);
+void changed_text(const Player&, const Ui&, const Rect& scene, const Lesson* in_file);
 /// Keeps the reader's view for all presets of the lesson, or no longer.
 void toggle_pin(Player&, Toast&);
 /// A pin above these, once the reader has moved the view: a button (before the scene's own), and its sign.
 void pin_mark(Player&, Ui&, Toast&, const View&, const Rect& scene, const std::vector<Handle>&);
 void pin_text(const Player&, const Ui&, const Rect& scene);
-/// Draws the current message at the bottom.
-void toast(Ui&, const Toast&, const Rect& scene);
+/// Where a message stands, and of which one, on what: it stays there while that is on show.
+struct MessagePlace {
+  std::string of = {};
+  Rect at = {};
+};
+/// Draws the current message at the bottom or, if it would cover labels or handles there, where it covers least.
+/// `shown`: the step on show. (message.cpp)
+void toast(Ui&, const Toast&, const Rect& scene, const std::vector<PlacedLabel>&, const std::string& shown,
+           MessagePlace&);
 
-/// Rings a handle, names its parameter and value, and says why it does not follow the pointer, if it is forbidden
-/// to.
-void handle_under_pointer(const Player&, const Ui&, const View&, const Handle&, const std::string& forbidden);
+/// Rings a handle. (handle_words.cpp)
+void ring_handle(const Ui&, const View&, const Handle&);
+/// Returns the name and value of a handle's parameter, and why it does not follow the pointer, if it is `forbidden` to;
+/// plain lines. (handle_words.cpp)
+std::string words_on_handle(const Player&, const Handle&, const std::string& forbidden);
+/// Draws the words at the top right of the scene or, if a pixel that they keep `off` is near, at its bottom left.
+/// (handle_words.cpp)
+void words_at_edge(Ui&, const std::string& words, const Rect& scene, const std::vector<Vec2>& off);
 /// Draws the name of the handle with the keyboard's ring, if no name stands at it.
 void handle_by_keyboard(const Player&, Ui&, const View&, const Handle&);
 /// Names the ball, solid, mesh or polygon that the viewing ray through `pixel` hits first, by the core's own ray

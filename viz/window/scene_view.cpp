@@ -194,11 +194,22 @@ void SceneView::handles_and_names(const ScenePane& s, const Rect& r, const View&
   if (hovered && !active) point_at_names(s.player, s.ui, view, r, labels_, under);
   light_names(s.player, s.ui, view, r, labels_);
   if (under)
-    handle_under_pointer(s.player, s.ui, view, *under, held_ ? forbidden_ : std::string());
+    tell_handle(s, r, view, *under);
   else if (const std::optional<Handle> ringed = handle_of_keyboard(s))
     handle_by_keyboard(s.player, s.ui, view, *ringed);
   else if (hovered && !active && s.ui.sum.empty())
     item_under_pointer(s.player, s.ui, view, mouse());
+}
+
+/// Tells of a handle at the pointer, where the words do not cover what is dragged; of one that was let go, nothing
+/// until the pointer moves.
+void SceneView::tell_handle(const ScenePane& s, const Rect& r, const View& view, const Handle& handle) {
+  ring_handle(s.ui, view, handle);
+  const bool dragged = held_ && mouse() != pressed_;
+  if (dragged)
+    return words_at_edge(s.ui, words_on_handle(s.player, handle, forbidden_), r, {view.project(handle.at).at, mouse()});
+  if (released_ == mouse()) return;
+  tooltip(s.ui, words_on_handle(s.player, handle, held_ ? forbidden_ : std::string()));
 }
 
 /// Tells the numbers of the marker or the point of a curve that the pointer is at.
@@ -229,13 +240,13 @@ void SceneView::show(const ScenePane& s, const Rect& whole) {
   const float steady = steady_head(player, ui, tallest_verdict_, r), axis = axis_room(player, ui.palette.theme, r);
   player.set_aspect(r.width() / (r.height() - steady - axis));
   const float head = head_of(player, ui, steady, r), below = player.scene().chart ? 0 : axis;
-  const float height = r.height() - head - std::max(below, changed_room(player));
+  const float height = r.height() - head - std::max(below, changed_room(player, s.in_file));
   const Vec2 corner(r.left, r.top + head);
   const View before(arrange(player), r.width(), height, corner);
 
   const bool lead = s.pane == Pane::lead, in_space = !player.scene().chart && !has_drawings(player.scene());
   if (lead && in_space && !player.lesson().flat) projection_name(player, ui, before, r, s.handles());
-  if (lead) changed_mark(player, ui, s.toast, r);
+  if (lead) changed_mark(player, ui, s.toast, r, s.in_file);
   if (lead) pin_mark(player, ui, s.toast, before, r, s.handles());
   if (s.pane != Pane::fixed) press_edge_arrows(player, ui, before, r);
   ImGui::SetCursorScreenPos(top_left(r));
@@ -257,10 +268,10 @@ void SceneView::show(const ScenePane& s, const Rect& whole) {
   alarm_chip(player, ui, r);
   if (in_space && !(player.lesson().flat && is_low(r))) tripod(ui, view, r, labels_, s.handles());
   if (lead && in_space && !player.lesson().flat) projection_text(player, ui, r, labels_);
-  if (lead) changed_text(player, ui, r);
+  if (lead) changed_text(player, ui, r, s.in_file);
   if (lead) pin_text(player, ui, r);
   if (s.pane != Pane::fixed) draw_edge_arrows(player, ui, view, r);
-  toast(ui, s.toast, r);
+  toast(ui, s.toast, r, labels_, player.lesson().id + " " + player.shown().slug, message_);
   if (!lead) filled({r.left, r.top, r.left + 1, r.bottom}, ui.palette.rule, 0);
   ImGui::End();
 }

@@ -31,6 +31,7 @@ struct ScenePane {
   /// return false if there is none. Null: no outline can be changed.
   std::function<bool(const View&, const Vec2&)> add_corner = {};
   std::function<bool(const Handle&)> remove_corner = {};
+  const Lesson* in_file = nullptr;  ///< the scene as its file has it, where the one on show was edited since; or null
   /// Returns the handles that can be dragged.
   const std::vector<Handle>& handles() const {
     static const std::vector<Handle> none;
@@ -62,6 +63,7 @@ class SceneView {
   void pointer(const ScenePane&, const View&, bool hovered, bool active);
   void chart_under_pointer(const ScenePane&, const Rect&, const View&, bool hovered);
   void handles_and_names(const ScenePane&, const Rect&, const View&, bool hovered, bool active);
+  void tell_handle(const ScenePane&, const Rect&, const View&, const Handle&);
   // scene_hand.cpp
   void take_or_release(const ScenePane&, const View&, bool hovered);
   void keyboard(const ScenePane&, const View&);
@@ -77,6 +79,7 @@ class SceneView {
   std::vector<PlacedLabel> labels_;
   KeptPicture picture_;
   TallestVerdict tallest_verdict_;
+  MessagePlace message_;
   std::string drawn_;                      ///< what the picture shows, as one line: it is not drawn twice
   double turning_ = -1;                    ///< seconds for which keys have turned or shifted it; < 0: they do not
   std::vector<ChartMark> marks_;           ///< of the chart, once the pointer was over it
@@ -101,6 +104,7 @@ class SceneView {
   Vec3 start_ = Vec3::Zero();     ///< where it stood when it was taken
   Parameters begun_;              ///< the setting then
   Vec2 pressed_ = Vec2::Zero();   ///< the pointer that took it
+  std::optional<Vec2> released_;  ///< the pointer that dragged it and let it go
   Vec2 followed_ = Vec2::Zero();  ///< the pointer that it has followed or is being snapped to
   bool snapping_ = false;         ///< Shift was held in the frame before
   Vec2 grip_ = Vec2::Zero();      ///< from the held handle to the pointer that took it

@@ -76,9 +76,9 @@ void run_time(Player& player, Toast& toast) {
 void go_to_contact(Player& player, Toast& toast) {
   const Scene::Time* const time = player.time();
   if (!time) return toast.say(nothing_moves);
-  const double contact = time->contact.value_or(time->lo);
+  if (!time->contact) return toast.say("No contact is found up to this step");
   player.stop_time();
-  player.set_time(player.now() == contact ? time->lo : contact);
+  player.set_time(player.now() == *time->contact ? time->lo : *time->contact);
 }
 
 }  // namespace isect::viz

@@ -34,6 +34,16 @@ void method_menu(Player& player, Ui& ui, Settings& settings, Toast& toast, float
   ImGui::PopStyleVar();
 }
 
+/// Whether this preset is on show, and nothing was edited since.
+bool on_show(const TopBar& head, const Preset& preset) {
+  return !head.in_file && preset.id == head.player.played().preset_id();
+}
+
+/// Loads a preset that was pressed.
+void load_pressed(const TopBar& head, const Preset& preset) {
+  attempt(head.toast, [&] { load_preset(head.player, preset, head.in_file); });
+}
+
 std::string chip_label(const Preset& preset, std::size_t number, bool named) {
   const std::string digits = std::to_string(number);
   return named ? digits + "  " + plain(preset.title) : digits;
@@ -51,14 +61,14 @@ struct Chips {
   }
 };
 
-Chips chips_in(const Player& player, const Ui& ui, const std::vector<const Preset*>& group, float room) {
+Chips chips_in(const TopBar& head, const std::vector<const Preset*>& group, float room) {
   constexpr float narrow = 30;
   Chips chips;
   for (const bool roomy : {true, false}) {
     chips = {roomy ? 8.0f : 6.0f, -1, {}, {}};
     for (std::size_t i = 0; i < group.size(); ++i) {
-      if (group[i]->id == player.played().preset_id()) chips.chosen = static_cast<int>(i);
-      chips.wide.push_back(text_width(ui.fonts.body, chip_label(*group[i], i + 1, true)) + (roomy ? 24 : 16));
+      if (on_show(head, *group[i])) chips.chosen = static_cast<int>(i);
+      chips.wide.push_back(text_width(head.ui.fonts.body, chip_label(*group[i], i + 1, true)) + (roomy ? 24 : 16));
     }
     chips.widths = chips.wide;
     if (chips.total() <= room) return chips;
@@ -67,16 +77,16 @@ Chips chips_in(const Player& player, const Ui& ui, const std::vector<const Prese
   return chips;
 }
 
-void draw_chips(Player& player, Ui& ui, Toast& toast, const std::vector<const Preset*>& group, const Chips& chips,
-                float x1, float y) {
+void draw_chips(const TopBar& head, const std::vector<const Preset*>& group, const Chips& chips, float x1, float y) {
+  Ui& ui = head.ui;
   float x = x1 - chips.total();
   for (std::size_t i = 0; i < group.size(); ++i) {
     const bool whole = chips.widths[i] == chips.wide[i];
     const Rect r{x, y - 15, x + chips.widths[i], y + 15};
-    if (chip(ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, whole && !player.quiz().asked()),
+    if (chip(ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, whole && head.named),
              static_cast<int>(i) == chips.chosen))
-      attempt(toast, [&] { player.load(*group[i]); });
-    if (ImGui::IsItemHovered() && player.quiz().asked())
+      load_pressed(head, *group[i]);
+    if (ImGui::IsItemHovered() && !head.named)
       tooltip(ui, "It is named once the question is answered");
     else if (ImGui::IsItemHovered() && !whole)
       tooltip(ui, plain(group[i]->title));
@@ -85,8 +95,8 @@ void draw_chips(Player& player, Ui& ui, Toast& toast, const std::vector<const Pr
 }
 
 /// Lists all presets below each other, if there is no room for them side by side.
-void preset_menu(Player& player, Ui& ui, Toast& toast, const std::vector<const Preset*>& group, float right,
-                 float top) {
+void preset_menu(const TopBar& head, const std::vector<const Preset*>& group, float right, float top) {
+  Ui& ui = head.ui;
   float width = 160;
   for (std::size_t i = 0; i < group.size(); ++i)
     width = std::max(width, text_width(ui.fonts.body, chip_label(*group[i], i + 1, true)) + 28);
@@ -96,9 +106,9 @@ void preset_menu(Player& player, Ui& ui, Toast& toast, const std::vector<const P
     ImVec2 at = ImGui::GetCursorScreenPos();
     for (std::size_t i = 0; i < group.size(); ++i) {
       const Rect r{at.x, at.y, at.x + width, at.y + 30};
-      if (chip(ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, !player.quiz().asked()),
-               group[i]->id == player.played().preset_id())) {
-        attempt(toast, [&] { player.load(*group[i]); });
+      if (chip(ui, "preset " + std::to_string(i + 1), r, chip_label(*group[i], i + 1, head.named),
+               on_show(head, *group[i]))) {
+        load_pressed(head, *group[i]);
         ImGui::CloseCurrentPopup();
       }
       at.y += 34;
@@ -108,9 +118,9 @@ void preset_menu(Player& player, Ui& ui, Toast& toast, const std::vector<const P
   ImGui::PopStyleVar();
 }
 
-std::string chosen_label(const Player& player, const std::vector<const Preset*>& group) {
+std::string chosen_label(const TopBar& head, const std::vector<const Preset*>& group) {
   for (std::size_t i = 0; i < group.size(); ++i)
-    if (group[i]->id == player.played().preset_id()) return chip_label(*group[i], i + 1, !player.quiz().asked());
+    if (on_show(head, *group[i])) return chip_label(*group[i], i + 1, head.named);
   return "presets";
 }
 
@@ -132,7 +142,10 @@ void theme_button(Ui& ui, ThemeName& theme, const Rect& r) {
 
 }  // namespace
 
-void top_bar(Player& player, Ui& ui, Settings& settings, Requests& requests, Toast& toast, const Rect& r, bool paging) {
+void top_bar(const TopBar& head, const Rect& r) {
+  Player& player = head.player;
+  Ui& ui = head.ui;
+  Requests& requests = head.requests;
   begin_region(ui, "top bar", r);
   const float y = 24;
   logo(ui, 30, y);
@@ -144,9 +157,9 @@ void top_bar(Player& player, Ui& ui, Settings& settings, Requests& requests, Toa
   const auto wide = [&](const std::string& words) { return text_width(ui.fonts.body, words) + 18; };
   const float names = wide(title) + (variants ? 20 + wide(variant) : 0) + 24;
   const std::vector<const Preset*> group = player.played().group();
-  const Chips chips = chips_in(player, ui, group, x1 - x0 - names);
+  const Chips chips = chips_in(head, group, x1 - x0 - names);
   const bool in_a_row = chips.total() <= x1 - x0 - names;
-  const float menu = in_a_row || group.empty() ? 0 : std::min(wide(chosen_label(player, group)), 190.0f) + 14;
+  const float menu = in_a_row || group.empty() ? 0 : std::min(wide(chosen_label(head, group)), 190.0f) + 14;
 
   float room = x1 - x0 - menu - 24;
   const float for_variant = variants ? std::min(wide(variant), room * 0.4f) : 0;
@@ -158,18 +171,18 @@ void top_bar(Player& player, Ui& ui, Settings& settings, Requests& requests, Toa
     x += 20;
     opener(ui, {"method", variant, "Another method", x, y, for_variant + 1}, true, pressed);
     if (pressed) ImGui::OpenPopup("methods");
-    method_menu(player, ui, settings, toast, x - 8, y + 20);
+    method_menu(player, ui, head.settings, head.toast, x - 8, y + 20);
   }
   if (in_a_row) {
-    draw_chips(player, ui, toast, group, chips, x1, y);
+    draw_chips(head, group, chips, x1, y);
   } else {
-    const char* const help_words = paging ? "Another preset" : "Another preset (Page Up, Page Down)";
-    opener(ui, {"presets", chosen_label(player, group), help_words, x1 - menu + 8, y, menu - 8}, false, pressed);
+    const char* const help_words = head.paging ? "Another preset" : "Another preset (Page Up, Page Down)";
+    opener(ui, {"presets", chosen_label(head, group), help_words, x1 - menu + 8, y, menu - 8}, false, pressed);
     if (pressed) ImGui::OpenPopup("preset menu");
-    preset_menu(player, ui, toast, group, x1 + 12, y + 20);
+    preset_menu(head, group, x1 + 12, y + 20);
   }
   if (chip(ui, "help", help, "?", false)) requests.sheet = Sheet::keys;
-  theme_button(ui, settings.theme, {help.left - 44, help.top, help.left - 8, help.bottom});
+  theme_button(ui, head.settings.theme, {help.left - 44, help.top, help.left - 8, help.bottom});
   rule(ui, r.left, r.right, r.bottom - 1);
   ImGui::End();
 }

@@ -112,8 +112,10 @@ struct SceneFile {
   std::function<void(const Lesson&, const Parameters&)> save = {};
   NewSceneFile fresh = {};                    ///< while there is none, and one can be made
   std::optional<unsigned> told_unsaved = {};  ///< revision of a scene that was unsaved when the reader wanted to close
-  /// The version of the scene that it holds, or that came without a file; null: nobody has edited the scene.
+  /// The version of the scene that it was saved from last; null: nobody has saved it.
   const Lesson* written = nullptr;
+  /// Each version of an edited scene, with the one that it was made from first.
+  std::map<const Lesson*, const Lesson*> versions = {};
 };
 
 /// Where the scene on show is saved: nowhere, as it is none or can't be; in its file; in a new one.

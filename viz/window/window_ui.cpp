@@ -194,9 +194,11 @@ struct WindowUi::Impl {
     ui.names.insert(names_of_knobs.begin(), names_of_knobs.end());
   }
 
+  bool lectures() const { return !session.panels && !session.review; }
+
   WindowLayout layout() {
     const ImVec2& whole = ImGui::GetIO().DisplaySize;
-    return session.panels || session.review ? window_layout(whole.x, whole.y) : lecture_layout(whole.x, whole.y);
+    return !lectures() ? window_layout(whole.x, whole.y) : lecture_layout(whole.x, whole.y);
   }
 
   /// Shows a question of a review as its lesson does; at the end what came of all.
@@ -213,6 +215,7 @@ struct WindowUi::Impl {
     ScenePane pane{player, ui, session.toast, session.requests.zoom};
     pane.add_corner = [this](const View& view, const Vec2& pixel) { return add_corner_at(session, view, pixel); };
     pane.remove_corner = [this](const Handle& handle) { return remove_corner(session, handle.id()); };
+    pane.in_file = scene_in_file(session);
     LessonPanel lesson{player, ui, settings, session.fields, session.step_words, session.requests, session.toast};
     lesson.in_hour = session.hour.has_value();
     if (session.review) return show_review(at, pane, lesson);
@@ -290,11 +293,10 @@ void WindowUi::frame() {
   w.draw_pictured();
   follow_review(w.session);
 
-  const bool in_lecture = !w.session.panels && !w.session.review;
-  const bool came_back = w.resting.begin_frame(in_lecture, w.ui.pointer_rest);
+  const bool came_back = w.resting.begin_frame(w.lectures(), w.ui.pointer_rest);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
-  if (w.resting.hidden()) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
+  if (w.resting.hidden() || w.session.dark) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
   const bool moved = came_back || io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
   w.ui.pointer_rest = moved ? 0 : w.ui.pointer_rest + io.DeltaTime;
   ImGui::PushFont(w.ui.fonts.body);
@@ -308,7 +310,9 @@ void WindowUi::frame() {
   if (w.session.review) {
     review_bars(w.session, at.top, at.transport);
   } else {
-    top_bar(w.player, w.ui, w.settings, w.session.requests, w.session.toast, at.top, pages_go_on(w.session));
+    top_bar({w.player, w.ui, w.settings, w.session.requests, w.session.toast, pages_go_on(w.session),
+             names_presets(w.session), scene_in_file(w.session)},
+            at.top);
     transport(w.session, at.transport);
   }
   sheets(w.session, {0, 0, io.DisplaySize.x, io.DisplaySize.y});
@@ -348,8 +352,9 @@ std::string WindowUi::title() const {
   const std::optional<Hour>& hour = impl_->session.hour;
   if (shows_fault(impl_->session)) return hour->told() + ": a stop that can't be opened – isect";
   std::string preset_title = "changed";
+  const bool named = names_presets(impl_->session), edited = scene_in_file(impl_->session);
   for (const Preset& preset : p.lesson().presets)
-    if (preset.id == p.played().preset_id()) preset_title = plain(p.told_title(preset));
+    if (preset.id == p.played().preset_id() && !edited) preset_title = plain(p.told_title(preset, !named));
   return (hour ? hour->told() + ": " : "") + plain(p.lesson().title) + ", " + preset_title + ", step " +
          std::to_string(p.index() + 1) + " of " + std::to_string(p.count()) + " – isect";
 }
