@@ -48,10 +48,10 @@ std::string of_numbers() {
       std::numeric_limits<double>::min(), largest);
 }
 
-struct Example {
+struct CaseOnPage {
   std::string plain, json, answer;
 };
-Example example_of(const Task& task) {
+CaseOnPage example_of(const Task& task) {
   for (const Case& one : cases(task, 1, 3)) {
     if (one.family == "ordinary") continue;
     const auto answer = truth(task, one.numbers);
@@ -87,7 +87,7 @@ std::string markdown_page(const Task& task) {
                       count_of(task), of_numbers(), task.answer, tolerance(task));
   for (const std::string& convention : task.conventions) page += fmt::format("- {}\n", convention);
   if (!task.note.empty()) page += fmt::format("- With `--convention note`, as in the lecture note: {}\n", task.note);
-  const Example example = example_of(task);
+  const CaseOnPage example = example_of(task);
   page += fmt::format("\n## Example\n\n```\n{}\n{}\n```\n\nThe answer: `{}`\n\n## Families of cases\n\n", example.plain,
                       example.json, example.answer);
   for (const Family& family : families(task)) page += fmt::format("- {}: {}\n", family.name, family.what);
@@ -107,7 +107,7 @@ std::string text_page(const Task& task, std::size_t width) {
   page += "\nConventions:\n";
   for (const std::string& convention : task.conventions) page += paragraph(convention, 2);
   if (!task.note.empty()) page += paragraph("With --convention note, as in the lecture note: " + task.note, 2);
-  const Example example = example_of(task);
+  const CaseOnPage example = example_of(task);
   page += fmt::format("\nExample, as plain numbers, in JSON, and the answer:\n  {}\n  {}\n  {}\n\nFamilies of cases:\n",
                       example.plain, example.json, example.answer);
   for (const Family& family : families(task)) page += paragraph(fmt::format("{}: {}", family.name, family.what), 2);

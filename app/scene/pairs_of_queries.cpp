@@ -135,11 +135,11 @@ template <class Line>
 void line_and_outline(const Line& line, const Shaped& b, Told& out) {
   const Ring<double, 3>& ring = b.ring();
   const RayPolygon<double> shared = intersect(line, ring);
-  out.answer = answer(shared.t);
+  out.answer = isect::answer(shared.t);
   out.result = query::line_and_polygon(shared);
   if (shared.flat) {
     if (b.type() != Type::triangle) refuse_outline(b.object);
-    out.answer = answer(first_hit(line, b.as<Triangle, 3>()));
+    out.answer = isect::answer(first_hit(line, b.as<Triangle, 3>()));
     out.result["hit_without_area"] = out.answer.meet;
     return;
   }
@@ -147,7 +147,7 @@ void line_and_outline(const Line& line, const Shaped& b, Told& out) {
     out.note = viz::tr("{a} crosses or touches itself: what is inside is told by the even-odd rule.",
                        {{"a", shown_name(b.object.name)}});
   if (shared.coplanar) {
-    out.answer = answer(first_hit(line, Polygon<double, 3>{{ring}}));
+    out.answer = isect::answer(first_hit(line, Polygon<double, 3>{{ring}}));
     out.answer.coplanar = true;
     out.result["hit_in_plane"] = out.answer.meet;
   } else if (shared.line) {
