@@ -19,7 +19,7 @@ V cross(const V& a, const V& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 const Truth no_hit = {false};
-/// Of no number a comparison makes a miss.
+/// Returns a hit at t, or a miss where t is no number, as a comparison makes of it.
 Truth hit_at(double t) { return std::isfinite(t) ? Truth{true, "", {t}} : no_hit; }
 
 /// What may be wrong with the quadratic.

@@ -58,7 +58,7 @@ Numbers on_an_edge(Random& random) {
   if (random.one_in(3)) x.back() = beside(x.back(), random.integer(-1, 1));
   return x;
 }
-/// As high as a corner: a level ray from the point passes through it.
+/// Draws a point as high as a corner: a level ray from it passes through that corner.
 template <Numbers (*polygon)(Random&, Kind)>
 Numbers level_with_a_corner(Random& random) {
   Numbers x = polygon(random, random.one_in(2) ? Kind::grid : Kind::ordinary);

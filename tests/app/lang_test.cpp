@@ -140,7 +140,7 @@ TEST_CASE("a scene's language stands in its file, and the command line's counts 
   CHECK_FALSE(fs::exists(shell.work() / "figures"));
 }
 
-TEST_CASE("handouts and quizzes of a translated lesson are in its language; of others they are English", "[lang]") {
+TEST_CASE("handouts and quizzes of a translated lesson are in its language, of others they are English", "[lang]") {
   const Shell shell;
   REQUIRE(shell("isect handout sphere-sphere --step 1-4 --lang de").status == 0);
   const std::string page = contents(shell.work() / "handouts/sphere-sphere/overlapping+lang=de/handout.html");

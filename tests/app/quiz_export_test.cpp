@@ -166,7 +166,7 @@ TEST_CASE("a format that a quiz does not have is refused with those that it has"
   };
   refused("ray-sphere --format moodel", "mean \"moodle\"");
   refused("ray-sphere --format gift,", "format: \"\"");
-  refused("ray-sphere --format pdf", "h5p");
+  refused("ray-sphere --format docx", "h5p");
   refused("ray-sphere --format scorm", "book LESSON --scorm");
   refused("ray-sphere --step 1 --format gift", "asks a question");
   refused("ray-sphere --format gift --theme dark", "white pages");

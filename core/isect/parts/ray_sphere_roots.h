@@ -95,7 +95,7 @@ struct Numbers {
         ff(dot<W, N>(f, f)),
         rr(product<W>(sphere.radius, sphere.radius)) {}
 };
-/// The same by a call, for the texts that run once doubles have failed: its code serves all of them.
+/// Returns these numbers by a call. The texts that run once doubles have failed share its code.
 template <Arithmetic W, int N>
 [[gnu::noinline]] Numbers<W, N> numbers(const Ray<double, N>& ray, const Sphere<double, N>& sphere) {
   return {ray, sphere};
