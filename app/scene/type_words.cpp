@@ -41,7 +41,7 @@ constexpr TypeWords type_words[] = {
      message_as("no test is made for", "a triangle")},
     {message_as("in a list", "polygon"), message_count("{n} polygon", "{n} polygons"),
      message_as("no test is made for", "a polygon")},
-    {message_as("in a list", "kdop"), message_count("{n} kdop", "{n} kdops"),
+    {message_as("in a list", "k-DOP"), message_count("{n} kdop", "{n} kdops"),
      message_as("no test is made for", "a kdop")},
     {message_as("in a list", "frustum"), message_count("{n} frustum", "{n} frustums"),
      message_as("no test is made for", "a frustum")},
@@ -49,7 +49,7 @@ constexpr TypeWords type_words[] = {
      message_as("no test is made for", "a hull")},
     {message_as("in a list", "mesh"), message_count("{n} mesh", "{n} meshes"),
      message_as("no test is made for", "a mesh")},
-    {message_as("in a list", "cloud"), message_count("{n} cloud", "{n} clouds"),
+    {message_as("in a list", "point cloud"), message_count("{n} cloud", "{n} clouds"),
      message_as("no test is made for", "a cloud")},
 };
 /// A sphere in the plane.
