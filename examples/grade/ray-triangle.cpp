@@ -19,8 +19,7 @@ int main() {
   for (;;) {
     const std::vector<double> origin = read(3);
     const std::vector<double> dir = read(3);
-    std::vector<std::vector<double>> tri;
-    for (int n = 3; n > 0; --n) tri.push_back(read(3));
+    std::vector<std::vector<double>> tri; for (int n = 3; n > 0; --n) tri.push_back(read(3));
     // Write the test here.
     std::cout << "miss" << std::endl;
   }

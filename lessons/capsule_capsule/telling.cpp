@@ -119,13 +119,14 @@ class Teller {
     shown_.ways = ends_;
     Step& step = add(of_a ? "ends-a" : "ends-b", of_a ? "The ends of a" : "The ends of b", of_a ? 2 : 3, caption,
                      "least *d* so far = " + shown(least_));
-    if (read_well(least_as_read(before), least_))
+    if (read_well(least_as_read(before), least_)) {
       step.question =
           which_value(fmt::format("{} tested against {}. What is the least *d* so far?", tested(), tested_against()),
                       least_, misconceived(before),
                       std::string("The nearest point of a segment lies between its ends, or is one of them.") +
                           (least_ < before ? "" : " None of these is nearer than what was found before."));
-    give_before(script_.walk(), {"least *d* so far"});
+      give_before(script_.walk(), {"least *d* so far"});
+    }
     shown_.earlier.insert(shown_.earlier.end(), ends_.begin(), ends_.end());
     shown_.ways.clear(), ends_.clear();
   }
