@@ -304,7 +304,9 @@ std::string without_question(const std::string& text, const Json& asked) {
     now.replace(all.begin, all.end - all.begin, "[]");
     return now;
   }
-  const auto found = ask.is_array() ? std::ranges::find(ask, asked) : ask.end();
+  auto found = ask.is_array() ? std::ranges::find(ask, asked) : ask.end();
+  if (found == ask.end() && ask.is_array())  // what stands beside it, words or a camera, goes with it
+    found = std::ranges::find(ask, without_words(asked), without_words);
   if (found == ask.end()) source.refuse({"ask"}, "this is not asked");
   remove_entry(now, "/ask", static_cast<std::size_t>(found - ask.begin()));
   return now;
