@@ -160,7 +160,9 @@ class MarkDrawer {
     }
     viz::Chain chain;
     chain.role = mark_.role;
-    const auto add = [&](double x, double y) { chain.points.push_back(at(0) + x * along + (start + y) * side); };
+    const auto add = [&, side = side](double x, double y) {
+      chain.points.push_back(at(0) + x * along + (start + y) * side);
+    };
     for (const Vec3& p : half) add(p.x(), p.y());
     for (auto p = half.rbegin() + 1; p != half.rend(); ++p) add(length - p->x(), p->y());
     name_at(chain.points[half.size() - 1], mark_.label.value_or(""));

@@ -174,12 +174,14 @@ constexpr std::array tex_signs = [] {
                     TexSign{"xi", "ξ", letter, true},
                     TexSign{"zeta", "ζ", letter, true}};
 }();
-static_assert(std::ranges::is_sorted(tex_signs, {}, &TexSign::command));
+constexpr bool sorts_before(const TexSign& sign, std::string_view command) { return sign.command < command; }
+static_assert(std::is_sorted(std::begin(tex_signs), std::end(tex_signs),
+                             [](const TexSign& a, const TexSign& b) { return sorts_before(a, b.command); }));
 
 }  // namespace
 
 const TexSign* tex_sign(std::string_view command) {
-  const auto found = std::ranges::lower_bound(tex_signs, command, {}, &TexSign::command);
+  const auto found = std::lower_bound(std::begin(tex_signs), std::end(tex_signs), command, sorts_before);
   return found != tex_signs.end() && found->command == command ? &*found : nullptr;
 }
 
